@@ -1,6 +1,6 @@
 // How many triangles a second the rasteriser draws, by their size in pixels, on one thread and two; on even rows and on
-// logarithmic ones, far/near 1000, with even columns and in uneven runs; and llvmpipe. What they cost, whatever else
-// the machine does: raster_bench --benchmark_filter='^(depth|logDepth|columnsDepth)/1000/1' --benchmark_repetitions=20
+// logarithmic ones, far/near 1000; and llvmpipe. What they cost, whatever else the machine does:
+// raster_bench --benchmark_filter='^(depth|logDepth)/1000/1' --benchmark_repetitions=20
 //     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
 #include "raster/raster.h"
 #include "tests/raster/gl_depth.h"
@@ -78,7 +78,7 @@ void depth(benchmark::State& state) {
     });
 }
 
-void unevenDepth(benchmark::State& state, std::span<const ColumnRun> columns) {
+void logDepth(benchmark::State& state) {
     Rasterizer rasterizer;
     std::vector<float> depths(std::size_t{kSide} * kSide);
     std::vector<float> rows(kSide);
@@ -86,32 +86,12 @@ void unevenDepth(benchmark::State& state, std::span<const ColumnRun> columns) {
         rows[static_cast<std::size_t>(row)] = static_cast<float>(logRow(row + 0.5));
     View view = flatView({0, 0, kSide, kSide});
     view.rowPositions = rows;
-    view.columnRuns = columns;
     run(
         state,
         [&](std::span<const Cluster> clusters) {
             rasterizer.drawDepth(clusters, view, {depths.data(), kSide, kSide});
         },
         true);
-}
-
-void logDepth(benchmark::State& state) {
-    unevenDepth(state, {});
-}
-
-/// Sixteen runs of columns, as many as are fitted to a view, half as dense as the mean and half as much again in turn.
-void columnsDepth(benchmark::State& state) {
-    constexpr int kRuns = 16;
-    std::vector<ColumnRun> runs;
-    int begin = 0;
-    for (int i = 0; i < kRuns; ++i) {
-        const int columns = kSide / kRuns * (i % 2 == 0 ? 1 : 3) / 2;
-        const float scale = static_cast<float>(columns * kRuns) / 2;
-        const float from = 2 * static_cast<float>(i) / kRuns - 1;
-        runs.push_back({begin + columns, scale, static_cast<float>(begin) - from * scale});
-        begin += columns;
-    }
-    unevenDepth(state, runs);
 }
 
 void visibility(benchmark::State& state) {
@@ -136,7 +116,6 @@ void sizesAndThreads(benchmark::internal::Benchmark* bench) {
 BENCHMARK(llvmpipeDepth)->ArgsProduct({{1000, 10000, 100000}, {1}})->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(depth)->Apply(sizesAndThreads);
 BENCHMARK(logDepth)->Apply(sizesAndThreads);
-BENCHMARK(columnsDepth)->Apply(sizesAndThreads);
 BENCHMARK(visibility)->Apply(sizesAndThreads);
 
 } // namespace

@@ -59,15 +59,15 @@ struct Partition {
     vec4 byColumn; // products with the receiver's plane: its depth changes by byColumn / byDepth a column
     vec4 byRow;
     vec4 byDepth;
-    vec3 axisX;         // the light frame's x in draw space
-    float unevenX;      // what unevenness changes in depth over a texel along x
-    vec3 axisZ;         // the light frame's z in draw space
-    float unevenZ;      // the same along z, where the map's w is 1
-    vec2 firstTexel;    // of the partition, gutters included: column and row
-    vec2 endTexel;      // one past the last
-    float logRows;      // 1 where rows lie logarithmically, as shadow::MapImage says; OpenGL is never given such maps
-    float fitTable;     // 0, or 1 + which table fits it to the view, as shadow::GridParts says; likewise
-    vec2 partsPerTexel; // of columns and of rows
+    vec3 axisX;      // the light frame's x in draw space
+    float unevenX;   // what unevenness changes in depth over a texel along x
+    vec3 axisZ;      // the light frame's z in draw space
+    float unevenZ;   // the same along z, where the map's w is 1
+    vec2 firstTexel; // of the partition, gutters included: column and row
+    vec2 endTexel;   // one past the last
+    float logRows;   // 1 where rows lie logarithmically, as shadow::MapImage says; OpenGL is never given such maps
+    float unusedPart;
+    vec2 unusedPair;
 };
 
 struct Slice {

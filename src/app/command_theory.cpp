@@ -185,7 +185,7 @@ void addTable(CLI::App& theory) {
     command->add_flag("--json", options->asJson, "One JSON document on stdout");
     command->footer(
         "auto* is auto in the orientation about the light that costs least; the others are in the plain one. log is "
-        "logarithmic rows, on faces (FP) the least that maps can need; fitted is of a view of all its frustum.");
+        "logarithmic rows, on faces (FP) the least that maps can need.");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);

@@ -7,12 +7,14 @@
 #include "core/process/floating_point.h"
 #include "core/progress.h"
 #include "manual/version.h"
+#include "settings/removed_words.h"
 #include "settings/table.h"
 
 #include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <span>
 #include <string_view>
 
 namespace gnomon::app {
@@ -43,6 +45,8 @@ void runProgram(const Program& about, int argc, char** argv) {
     program.get_formatter()->column_width(38);
     for (const auto& add : about.commands)
         add(program);
+    for (const char* const word : std::span(argv, static_cast<std::size_t>(argc)))
+        settings::refuseRemovedOption(word);
     try {
         program.parse(argc, argv);
     } catch (const CLI::CallForVersion&) {

@@ -21,10 +21,6 @@ selection::CasterDetail casterDetail(const selection::DetailView& view, const sh
     texel.isLog = warped.rows == shadow::RowSpacing::Logarithmic;
     const double length = texel.isLog ? shadow::rowLength(warped.kappa, warped.length, warped.rows) : warped.length;
     texel.length = length / texels.t;
-    if (warped.fitted) {
-        texel.width /= warped.fitted->columns.greatestDensity();
-        texel.length /= warped.fitted->rows.greatestDensity();
-    }
     return detail;
 }
 

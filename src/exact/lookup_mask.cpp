@@ -82,25 +82,6 @@ void setUnevenRows(const QuotientRange& range, const raster::View& view, int& lo
     high = std::min(view.viewport.y0 + static_cast<int>(end - rows.begin()) + 1, view.viewport.y1);
 }
 
-/// The columns likewise, of runs.
-void setUnevenColumns(const QuotientRange& range, const raster::View& view, int& low, int& high) {
-    const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
-    const auto columnOf = [&](double quotient) {
-        int first = view.viewport.x0;
-        double column = first;
-        for (const raster::ColumnRun& run : view.columnRuns) {
-            const double found = quotient * double{run.scale} + double{run.offset};
-            if (first == view.viewport.x0 || found >= first) column = found;
-            first = run.end;
-        }
-        return column;
-    };
-    low = clampedTexel(
-        std::floor(columnOf(range.least - margin(range.least)) - kTexelMargin), view.viewport.x0, view.viewport.x1);
-    high = clampedTexel(
-        std::floor(columnOf(range.most + margin(range.most)) + kTexelMargin) + 1, view.viewport.x0, view.viewport.x1);
-}
-
 } // namespace
 
 CasterBound casterBound(const raster::View& view, const raster::CellBox& box) {
@@ -127,10 +108,7 @@ CasterBound casterBound(const raster::View& view, const raster::CellBox& box) {
         rangeZ.add(z.at(corner), z.error, leastW, mostW);
     }
     CasterBound bound;
-    if (view.columnRuns.empty())
-        setTexels(rangeX, view.viewport.x0, view.viewport.x1, bound.texels.x0, bound.texels.x1);
-    else
-        setUnevenColumns(rangeX, view, bound.texels.x0, bound.texels.x1);
+    setTexels(rangeX, view.viewport.x0, view.viewport.x1, bound.texels.x0, bound.texels.x1);
     if (view.rowPositions.empty())
         setTexels(rangeY, view.viewport.y0, view.viewport.y1, bound.texels.y0, bound.texels.y1);
     else

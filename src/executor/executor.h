@@ -218,10 +218,6 @@ public:
     /// What it can draw.
     virtual plan::Capabilities capabilities() const { return plan::kOpenGlCapabilities; }
 
-    /// Where each pixel of the image lies whose surface faces the light, relative to the eye in camera space: where
-    /// `frame` is going to look up its maps. Returns an empty list without the capability `unevenRows`.
-    virtual std::vector<glm::vec3> seenPoints(const FrameDrawing& /*frame*/) { return {}; }
-
     /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
     /// in its light. Throws Error where the executor cannot.
     virtual DrawStatistics drawExactly(const FrameDrawing& frame);

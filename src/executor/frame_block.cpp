@@ -134,18 +134,6 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     return result;
 }
 
-std::vector<float> fitTables(const FrameDrawing& frame) {
-    std::vector<float> tables;
-    for (const plan::ShadowPass& pass : frame.plan->passes) {
-        const auto grid = mapDrawing(frame, pass.map).image.fitted;
-        if (!grid) continue;
-        for (const auto* parts : {&grid->columns, &grid->rows})
-            for (const auto* values : {&parts->start, &parts->density, &parts->longest})
-                tables.insert(tables.end(), values->begin(), values->end());
-    }
-    return tables;
-}
-
 block::Shadows shadowsBlock(const FrameDrawing& frame) {
     const plan::FramePlan& plan = *frame.plan;
     GNOMON_CHECK_OP(plan.passes.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
@@ -162,7 +150,6 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
         result.passOfPartition[i / 4][static_cast<int>(i % 4)] = plan.passOfPartition[i];
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
         result.slices[i] = {static_cast<float>(plan.splits[i]), static_cast<float>(plan.splits[i + 1]), glm::vec2(0)};
-    float tables = 0;
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         const shadow::ShadowMap& map = plan.passes[p].map;
         const shadow::FloatMapImage image = mapDrawing(frame, map).image;
@@ -171,10 +158,6 @@ block::Shadows shadowsBlock(const FrameDrawing& frame) {
         out.origin = image.origin;
         out.reach = image.reach;
         out.logRows = image.logRows;
-        if (image.fitted) {
-            out.fitTable = ++tables;
-            out.partsPerTexel = {image.fitted->columns.partsPerTexel, image.fitted->rows.partsPerTexel};
-        }
         out.texelScale = image.texelScale;
         out.texelOffset = image.texelOffset;
         out.byColumn = image.byColumn;

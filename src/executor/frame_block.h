@@ -30,8 +30,4 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
 /// The partitions' block. At most GNOMON_MAX_PARTITIONS passes and GNOMON_MAX_SLICES slices.
 block::Shadows shadowsBlock(const FrameDrawing& frame);
 
-/// One after another what shadow::GridParts has of each map that is fitted to the view: start, density and longest of
-/// columns, then of rows.
-std::vector<float> fitTables(const FrameDrawing& frame);
-
 } // namespace gnomon::executor

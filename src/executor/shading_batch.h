@@ -69,7 +69,6 @@ struct ShadingFrame {
     const block::Shadows* shadows = nullptr;
     const float* shadowDepth = nullptr; // texels row by row; only with LitSource::Maps
     int shadowWidth = 0;                // texels
-    const float* fitTables = nullptr;   // of maps fitted to the view, as fitTables() makes them
     LitSource litSource = LitSource::Everywhere;
     bool wantsLight = false;
     // Rays start where the image is seen from (grid cells from draw space's origin); the one through the image point

@@ -9,7 +9,6 @@
 
 #include "executor/shading_batch.h"
 #include "executor/vector_lanes-inl.h"
-#include "shadow/warp/fitted_axis.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -72,8 +71,6 @@ constexpr int kUnevenZ = GNOMON_PARTITION_FLOAT(unevenZ);
 constexpr int kFirstTexel = GNOMON_PARTITION_FLOAT(firstTexel);
 constexpr int kEndTexel = GNOMON_PARTITION_FLOAT(endTexel);
 constexpr int kLogRows = GNOMON_PARTITION_FLOAT(logRows);
-constexpr int kFitTable = GNOMON_PARTITION_FLOAT(fitTable);
-constexpr int kPartsPerTexel = GNOMON_PARTITION_FLOAT(partsPerTexel);
 #undef GNOMON_PARTITION_FLOAT
 static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
@@ -116,38 +113,7 @@ HWY_INLINE Mask hasLogRows(const Partition& part) {
     return hn::Gt(part(kLogRows), hn::Zero(kFloats));
 }
 
-/// Where a lookup lies along the columns or the rows of the texture, and how much longer these are around it than
-/// without a fit.
-struct AxisLanes {
-    Floats texel, longest;
-};
-
-template <class Partition>
-HWY_INLINE AxisLanes fittedTexel(const ShadingFrame& f, const Partition& part, int axis, Floats unfitted) {
-    const auto table = part(kFitTable);
-    const auto isFitted = hn::Gt(table, hn::Zero(kFloats));
-    if (hn::AllFalse(kFloats, isFitted)) return {unfitted, constant(1)};
-    const auto perTexel = part(kPartsPerTexel + axis);
-    const auto last = constant(static_cast<float>(shadow::kFittedParts - 1));
-    const auto place = hn::Min(hn::Max(hn::Floor(hn::Mul(unfitted, perTexel)), hn::Zero(kFloats)), last);
-    // Lanes without a table read the first for nothing.
-    const auto which = hn::Max(hn::Sub(table, constant(1)), hn::Zero(kFloats));
-    const auto at = hn::ConvertTo(kInts, hn::Add(hn::Mul(which, constant(6.0F * shadow::kFittedParts)), place));
-    const auto entry = [&](int k) HWY_ATTR {
-        return hn::GatherIndex(kFloats, f.fitTables + std::ptrdiff_t{3 * axis + k} * shadow::kFittedParts, at);
-    };
-    const auto texel = hn::Add(entry(0), hn::Mul(hn::Sub(unfitted, hn::Div(place, perTexel)), entry(1)));
-    return {hn::IfThenElse(isFitted, texel, unfitted), hn::IfThenElse(isFitted, entry(2), constant(1))};
-}
-
-/// A point as a map has it: w, its inverse, and how much wider columns and longer rows are around it than without a
-/// fit.
-struct MapLanes {
-    Floats w, inverseW, widest, longest;
-};
-
-/// The bias that a flat receiver, and a neighbour somewhat steeper, needs over half a texel and the kernel; `at` is at
-/// `offset`.
+/// The bias that a flat receiver at `offset`, and a neighbour somewhat steeper, needs over half a texel and the kernel.
 template <class Partition>
 HWY_INLINE Floats receiverBias(
     const ShadingFrame& f,
@@ -155,7 +121,8 @@ HWY_INLINE Floats receiverBias(
     const Vec3& offset,
     const Vec3& normal,
     Floats cosine,
-    const MapLanes& at) {
+    Floats w,
+    Floats inverseW) {
     const auto distance = hn::Neg(dot(normal, offset));
     const auto withPlane = [&](int k) HWY_ATTR {
         return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(distance, part(k + 3)));
@@ -163,17 +130,14 @@ HWY_INLINE Floats receiverBias(
     const auto across = hn::Max(hn::Abs(withPlane(kByDepth)), constant(1e-30F));
     const auto isLog = hasLogRows(part);
     const auto one = constant(1);
-    const auto byRow =
-        hn::Mul(hn::Mul(hn::Abs(withPlane(kByRow)), at.longest), hn::IfThenElse(isLog, at.inverseW, one));
-    const auto byColumn = hn::Mul(hn::Abs(withPlane(kByColumn)), at.widest);
-    const auto slope = hn::Div(hn::Add(byColumn, byRow), across);
+    const auto byRow = hn::Mul(hn::Abs(withPlane(kByRow)), hn::IfThenElse(isLog, inverseW, one));
+    const auto slope = hn::Div(hn::Add(hn::Abs(withPlane(kByColumn)), byRow), across);
     const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
-    const auto unevenX = hn::Mul(part(kUnevenX), at.widest);
+    const auto unevenX = part(kUnevenX);
     const bool isPoint = isFromPoint(f);
-    const auto alongZ = hn::Mul(part(kUnevenZ), at.longest);
-    const auto unevenZ = isPoint ? part(kUnevenZ) : hn::Mul(alongZ, hn::IfThenElse(isLog, one, at.w));
+    const auto unevenZ = isPoint ? part(kUnevenZ) : hn::Mul(part(kUnevenZ), hn::IfThenElse(isLog, one, w));
     auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
-    if (isPoint) uneven = hn::Mul(uneven, at.inverseW);
+    if (isPoint) uneven = hn::Mul(uneven, inverseW);
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
@@ -209,19 +173,17 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
         if (row == 1) clip = alongRows(part, clip, w);
         return hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
     };
-    const AxisLanes across = fittedTexel(f, part, 0, texelOf(0));
-    const AxisLanes along = fittedTexel(f, part, 1, texelOf(1));
     // Clamped as casters are: behind the map's far end nothing is in the way but what it shows.
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),
-            receiverBias(f, part, offset, normal, cosine, {w, inverseW, across.longest, along.longest})),
+            receiverBias(f, part, offset, normal, cosine, w, inverseW)),
         constant(1));
     const auto half = constant(0.5F * static_cast<float>(std::max(f.frame->filterTexels, 1) - 1));
     const auto far = constant(1e6F);
     const auto startOf = [&](Floats texel)
                              HWY_ATTR { return hn::Min(hn::Max(hn::Sub(texel, half), hn::Neg(far)), far); };
-    return {startOf(across.texel), startOf(along.texel), depth};
+    return {startOf(texelOf(0)), startOf(texelOf(1)), depth};
 }
 
 template <bool isUniform>

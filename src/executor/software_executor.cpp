@@ -7,7 +7,6 @@
 #include "executor/light/background.h"
 #include "executor/ray_pass.h"
 #include "executor/software/receiver_pass.h"
-#include "executor/software/seen_points.h"
 #include "executor/view/lens.h"
 #include "executor/view/section_caps.h"
 #include "plan/cell_maps.h"
@@ -33,11 +32,6 @@ public:
     DrawStatistics draw(const FrameDrawing& frame) override;
 
     plan::Capabilities capabilities() const override { return plan::kSoftwareCapabilities; }
-
-    std::vector<glm::vec3> seenPoints(const FrameDrawing& frame) override {
-        sizeTargets(frame);
-        return drawSeenPoints(frame, imageBuffers(frame));
-    }
 
     DrawStatistics drawExactly(const FrameDrawing& frame) override;
 

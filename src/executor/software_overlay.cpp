@@ -21,8 +21,7 @@ glm::vec4 clipOf(const block::Partition& part, const glm::vec3& p) {
     return part.clipFromOffset * glm::vec4(p - part.origin, 1);
 }
 
-/// Before columns and rows are fitted to the view.
-glm::vec2 unfittedTexel(const block::Partition& part, const glm::vec4& clip) {
+glm::vec2 texelAt(const block::Partition& part, const glm::vec4& clip) {
     const float up = part.logRows == 0 ? clip.y / clip.w : std::log(std::max(clip.w, 1e-30F));
     return glm::vec2(clip.x / clip.w, up) * part.texelScale + part.texelOffset;
 }
@@ -35,9 +34,6 @@ SoftwareOverlay::SoftwareOverlay(
     const block::Shadows& shadows,
     std::span<const DrawnCluster> clusters)
     : frame_(&frame), block_(&block), shadows_(&shadows) {
-    if (isOfMaps(frame.overlay))
-        for (const plan::ShadowPass& pass : frame.plan->passes)
-            grids_.push_back(mapDrawing(frame, pass.map).image.fitted);
     if (frame.overlay != Overlay::Lod && frame.overlay != Overlay::Clusters) return;
     for (const DrawnCluster& cluster : clusters) {
         std::vector<ClusterMark>& marks = marks_[cluster.pageId];
@@ -64,12 +60,6 @@ float SoftwareOverlay::aliasing(int pass, const glm::vec3& position, float depth
         perX.y = std::abs(dx.w) * clip.w * part.texelScale.y;
         perZ.y = std::abs(dz.w) * clip.w * part.texelScale.y;
     }
-    if (const auto& grid = grids_[static_cast<std::size_t>(pass)]) {
-        const glm::vec2 at = unfittedTexel(part, clip);
-        const glm::vec2 density(grid->columns.densityAt(at.x), grid->rows.densityAt(at.y));
-        perX *= density;
-        perZ *= density;
-    }
     const float texels = std::min(std::max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
     return 1 / (std::max(texels, 1e-30F) * block_->pixelSlope * depth);
 }
@@ -81,7 +71,6 @@ glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
 
 float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
     const block::Partition& part = shadows_->partitions[pixel.pass];
-    const auto& grid = grids_[static_cast<std::size_t>(pixel.pass)];
     const auto at = [&](int column, int row) {
         // Where the pixel's ray meets the face's plane.
         const glm::dvec3 origin =
@@ -92,9 +81,7 @@ float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
                                double(row - pixel.y) * glm::dvec3(pixel.rayPerY);
         const double across = glm::dot(glm::dvec3(pixel.normal), ray);
         const glm::dvec3 met = across == 0 ? fromOrigin : ray * (distance / across);
-        glm::vec2 texel = unfittedTexel(part, clipOf(part, glm::vec3(met + origin)));
-        if (grid) texel = {grid->columns.texelAt(texel.x), grid->rows.texelAt(texel.y)};
-        return (texel - part.firstTexel) / 5.0F;
+        return (texelAt(part, clipOf(part, glm::vec3(met + origin))) - part.firstTexel) / 5.0F;
     };
     // Differences within squares of two by two pixels, as GL takes them.
     const int left = pixel.x & ~1;

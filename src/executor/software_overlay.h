@@ -57,8 +57,7 @@ private:
     const FrameDrawing* frame_;
     const block::Frame* block_;
     const block::Shadows* shadows_;
-    std::vector<std::shared_ptr<const shadow::GridParts<float>>> grids_; // by pass, of overlays of maps
-    std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_;  // by page; overlays of clusters alone need it
+    std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_; // by page; overlays of clusters alone need it
 };
 
 } // namespace gnomon::executor

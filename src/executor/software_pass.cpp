@@ -79,10 +79,7 @@ MapView::MapView(const FrameDrawing& frame, const shadow::ShadowMap& map) {
     const MapDrawing drawing = mapDrawing(frame, map);
     view = rasterView(drawing.space, drawing.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height});
     rows = shadow::rowPositions(drawing.image, r.y, r.height);
-    for (const shadow::EvenColumns& run : shadow::columnRuns(drawing.image, r.x, r.width))
-        columns.push_back({run.end, run.scale, run.offset});
     view.rowPositions = rows;
-    view.columnRuns = columns;
 }
 
 } // namespace gnomon::executor

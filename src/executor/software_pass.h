@@ -44,10 +44,9 @@ private:
 /// A viewport of the target seen through `clipFromDraw`: the shaders' matrix with the grid's step inside.
 raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport);
 
-/// How the casters of a map are seen, with the rows and columns that the view borrows.
+/// How the casters of a map are seen, with the rows that the view borrows.
 struct MapView {
-    std::vector<float> rows;                // empty: they lie evenly
-    std::vector<raster::ColumnRun> columns; // likewise
+    std::vector<float> rows; // empty: they lie evenly
     raster::View view;
 
     MapView(const FrameDrawing& frame, const shadow::ShadowMap& map);

@@ -56,7 +56,6 @@ Shading::Shading(
       clusters_(clusters),
       block_(frameBlock(frame, frame.space, clipFromDraw)),
       shadows_(shadowsBlock(frame)),
-      fitTables_(fitTables(frame)),
       overlay_(frame, block_, shadows_, clusters),
       background_(backgroundRows(frame)) {
     if (frame.ground != nullptr) {
@@ -68,7 +67,6 @@ Shading::Shading(
     shared_.shadows = &shadows_;
     shared_.shadowDepth = shadowDepth.pixels.data();
     shared_.shadowWidth = shadowDepth.width;
-    shared_.fitTables = fitTables_.data();
     shared_.wantsLight = frame.wantsLight;
     if (verdict != Verdict::Known)
         shared_.litSource = verdict == Verdict::Undecided ? LitSource::Undecided : LitSource::Awaited;
@@ -220,7 +218,6 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     if (target.awaited != nullptr) leaveAwaited(work, target);
     if (target.litPixels != nullptr) countLit(work, target);
     if (target.light != nullptr) keepLight(work, target);
-    if (target.facing != nullptr) keepFacing(work, target);
     Picture& picture = *target.picture;
     const bool isPainted = frame_->overlay != Overlay::None;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -238,14 +235,6 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
             toVector(batch.flatNormal, i), facesLight ? partitionAndLit : -1.0F, toVector(batch.position, i), 1};
     }
     batch.count = 0;
-}
-
-void Shading::keepFacing(const Work& work, const ShadingTarget& target) const {
-    const PixelBatch& batch = work.batch;
-    for (std::size_t i = 0; i < batch.count; ++i) {
-        const std::size_t at = target.picture->index(work.columns[i], fromTop(work.rows[i]));
-        (*target.facing)[at] = {toVector(batch.position, i), batch.faces[i] != 0 ? 1.0F : 0.0F};
-    }
 }
 
 /// What is shown as that colour; a cap has no part in the sky's directions.

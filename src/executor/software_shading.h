@@ -50,9 +50,6 @@ struct ShadingTarget {
     LightPicture* light = nullptr;                   // both with a frame's `wantsLight`: the light of `picture`,
     LightPicture* undecidedLight = nullptr;          // and of undecided pixels that in which they are lit
     const shadow::TileMask* tiles = nullptr;         // which pixels are shaded; null: all
-    /// Gets where each pixel lies (draw space), and 1 if it faces the light; it has room for all, and what shows
-    /// nothing is left as it is.
-    std::vector<glm::vec4>* facing = nullptr;
 };
 
 /// What the verdict of a shading hangs on where neither the plan nor a mask tells.
@@ -101,7 +98,6 @@ private:
     void leaveAwaited(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
     void keepLight(const Work& work, const ShadingTarget& target) const;
-    void keepFacing(const Work& work, const ShadingTarget& target) const;
     void colorGround(Work& work) const;
     void leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& target) const;
     std::array<float, 3> lightOfCap(const Rgb& color) const;
@@ -120,7 +116,6 @@ private:
     std::span<const DrawnCluster> clusters_;
     block::Frame block_;
     block::Shadows shadows_;
-    std::vector<float> fitTables_;
     ShadingFrame shared_;
     glm::dvec3 rayOrigin_{0}; // draw space; of the image point (0, 0)
     glm::dvec3 originPerX_{0};

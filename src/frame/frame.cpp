@@ -88,25 +88,6 @@ void Renderer::planAnew(PreparedFrame& frame, const plan::View& view, const plan
     chooseOcclusion(frame);
 }
 
-void Renderer::fitToView(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) {
-    const bool isFitted = frame.plan.quality.warp.rule == shadow::WarpRule::Fitted && capabilities().unevenRows;
-    if (!isFitted || view.pointLight || !frame.facts.light) return;
-    // Casters call for detail by the texels of their maps, and that is seen: so few pixels show something else now.
-    constexpr int kRounds = 4;
-    for (int round = 0; round < kRounds && !frame.plan.passes.empty(); ++round) {
-        plan::SceneFacts::Light& light = *frame.facts.light;
-        light.fits = frame.memory.scheme->fits;
-        addTime(frame.planMs, [&] {
-            light.points = std::make_shared<const std::vector<glm::vec3>>(executor_->seenPoints(drawing(frame, {})));
-            planAnew(frame, view, quality);
-        });
-        if (frame.memory.scheme->fits == light.fits) return;
-        const std::vector<selection::ClusterRange> seen = frame.cut.lists[0].ranges;
-        addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
-        if (frame.cut.lists[0].ranges == seen) return;
-    }
-}
-
 PreparedFrame Renderer::prepareAs(
     const plan::View& view,
     const plan::Quality& quality,
@@ -143,7 +124,6 @@ PreparedFrame Renderer::prepareAs(
             });
             addTime(frame.planMs, [&] { planAnew(frame, view, quality); });
             addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
-            fitToView(frame, view, quality);
         } while (frame.errorPixels > surveyedPixels);
         const double cutMs = round.elapsed().count;
         frame.residency = residency_.serve(cutQuery(residency_, frame), frame.cut, waiting);

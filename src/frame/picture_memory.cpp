@@ -40,10 +40,9 @@ std::uint64_t fixedBytes(const plan::Quality& quality) {
 }
 
 /// Whether the image can be drawn a few rows at a time: nothing asks for all of it at once.
-bool canHaveBands(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+bool canHaveBands(const plan::View& view, const FrameOptions& options) {
     return options.overlay == executor::Overlay::None && !options.wantsSurfaces && !options.wantsWholeImage &&
-           !options.wantsWholeMaps && !options.observerCamera && view.sections.empty() &&
-           quality.warp.rule != shadow::WarpRule::Fitted;
+           !options.wantsWholeMaps && !options.observerCamera && view.sections.empty();
 }
 
 } // namespace
@@ -59,7 +58,7 @@ std::vector<executor::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory) {
     constexpr int kMinRows = 64; // a multiple of what is shaded together and of what is masked
     const bool fits = pictureBytes(view, quality, options).count <= memory.count / 2;
-    if (fits || !canHaveBands(view, quality, options)) return {{0, view.height}};
+    if (fits || !canHaveBands(view, options)) return {{0, view.height}};
     const std::uint64_t perStripe =
         bytesPerPixel(view, quality, options) * static_cast<std::uint64_t>(view.width) * kMinRows;
     const std::uint64_t stripes = std::max<std::uint64_t>(memory.count / 4 / perStripe, 1);

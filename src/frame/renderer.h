@@ -141,10 +141,6 @@ private:
     /// Plans `frame` by its facts.
     void planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const;
 
-    /// Fits the maps of `frame`, which is planned and cut without having looked, to what it shows: draws that, plans
-    /// and cuts again, until what is cut is what was looked at.
-    void fitToView(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality);
-
     /// Whether a frame of `view` with `quality` continues the motion of the frame before.
     bool continuesMotion(const plan::View& view, const plan::Quality& quality) const;
 

@@ -2,10 +2,12 @@
 
 #include "core/error.h"
 #include "core/json_file.h"
+#include "settings/removed_words.h"
 #include "settings/table.h"
 
 #include <array>
 #include <set>
+#include <sstream>
 
 namespace gnomon::measure {
 
@@ -13,6 +15,20 @@ namespace {
 
 /// What of the context frame times hang on, beside the settings.
 constexpr std::array kAlike{"model_content_hash", "path_content_hash", "frames", "real_time", "backend", "threads"};
+
+/// Throws UsageError if a setting of `baseline`, which all runs share or which names a run, no longer takes its word.
+void refuseRemovedWords(const Baseline& baseline) {
+    for (const settings::Setting& setting : settings::table()) {
+        if (const auto stated = baseline.context.find(setting.column()); stated != baseline.context.end())
+            settings::refuseRemovedWord(setting.option(), stated->second);
+        const std::string key = setting.column() + ":";
+        for (const auto& [name, p50Ms] : baseline.p50Ms) {
+            std::istringstream parts(name);
+            for (std::string part; std::getline(parts, part, '/');)
+                if (part.starts_with(key)) settings::refuseRemovedWord(setting.option(), part.substr(key.size()));
+        }
+    }
+}
 
 } // namespace
 
@@ -39,6 +55,7 @@ Baseline readBaseline(const std::string& path) {
                 "something else");
         baseline.p50Ms[run["name"].get<std::string>()] = run["p50"].get<double>();
     }
+    refuseRemovedWords(baseline);
     return baseline;
 }
 

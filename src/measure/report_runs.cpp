@@ -70,8 +70,7 @@ Settings withTexels(Settings settings, int side) {
     return settings;
 }
 
-/// Logarithmic rows in one map and in one on each face; for a curve of their own with less and with more texels, and
-/// with rows fitted to each view.
+/// Logarithmic rows in one map and in one on each face; for a curve of their own with less and with more texels.
 void addLogarithmic(DistinctSettings& runs, const Settings& oneMap, bool isQuick) {
     const Settings whole = withWarp(oneMap, WarpRule::Log);
     Settings faces = whole;
@@ -79,7 +78,6 @@ void addLogarithmic(DistinctSettings& runs, const Settings& oneMap, bool isQuick
     runs.add(whole);
     runs.add(faces);
     if (isQuick) return;
-    runs.add(withWarp(oneMap, WarpRule::Fitted));
     for (const int side : {1024, 4096}) {
         runs.add(withTexels(whole, side));
         runs.add(withTexels(faces, side));

@@ -6,7 +6,7 @@ namespace gnomon::plan {
 /// The effects that not every backend can draw.
 struct Capabilities {
     bool exactShadows = false;     // decides the shadow of each visible point exactly
-    bool unevenRows = false;       // draws maps whose rows are logarithmic or fitted to a view
+    bool unevenRows = false;       // draws maps whose rows are logarithmic
     bool imageFirst = false;       // finds the visible points before it draws maps, so receivers can cull casters
     bool occlusionCulling = false; // draws an image without its hidden clusters
     bool ground = false;           // draws the shadow on the ground

@@ -19,7 +19,6 @@ std::string schemeName(const FramePlan& plan) {
         return std::any_of(
             plan.passes.begin(), plan.passes.end(), [&](const ShadowPass& pass) { return is(pass.map.warped); });
     };
-    if (isAny([](const shadow::WarpedMap& map) { return map.fitted != nullptr; })) return name + "+fitted";
     if (isAny(shadow::hasLogRows)) return name + "+log";
     return isAny([](const shadow::WarpedMap& map) { return map.kappa > 0; }) ? name + "+w" : name;
 }

@@ -12,13 +12,11 @@
 #include "plan/omission.h"
 #include "plan/shadow_choice.h"
 #include "shadow/shadow_map.h"
-#include "shadow/view_fit.h"
 #include "shadow/warp/warp.h"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -138,9 +136,6 @@ struct SceneFacts {
         bool canBeShadowed = true;          // something may stand between it and one of them
         std::vector<CasterBlock> casters;   // all that can throw a shadow into the view
         std::vector<shadow::SeenPart> seen; // all that is in view, by depth
-        /// Where pixels lie that face the light, relative to the eye in camera space; of maps fitted to the view alone.
-        std::shared_ptr<const std::vector<glm::vec3>> points;
-        std::vector<shadow::MapFit> fits; // of the maps that a plan of this very frame made; none: the memory's
     };
 
     std::optional<Light> light;
@@ -197,7 +192,7 @@ inline double depthFromAskedEye(const FramePlan& plan, double depth) {
 }
 
 /// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped,
-/// "+log" where its rows are logarithmic, "+fitted" where they are fitted to the view; "cube" of a lamp.
+/// "+log" where its rows are logarithmic; "cube" of a lamp.
 std::string schemeName(const FramePlan& plan);
 
 } // namespace gnomon::plan

@@ -33,10 +33,7 @@ bool isSamePlace(
     const FramePlan& now, const FramePlan& before, const shadow::ShadowMap& a, const shadow::ShadowMap& b) {
     if (a.shift != b.shift) return false;
     if (a.stable || b.stable) return a.stable == b.stable;
-    const bool hasSameGrid = a.warped.fitted == b.warped.fitted ||
-                             (a.warped.fitted && b.warped.fitted && *a.warped.fitted == *b.warped.fitted);
-    return isSameCamera(now, before) && hasSameGrid && a.origin == b.origin &&
-           a.lightClipFromCamera() == b.lightClipFromCamera();
+    return isSameCamera(now, before) && a.origin == b.origin && a.lightClipFromCamera() == b.lightClipFromCamera();
 }
 
 } // namespace

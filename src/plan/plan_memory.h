@@ -4,7 +4,6 @@
 #include "core/depth_span.h"
 #include "plan/shadow_choice.h"
 #include "shadow/quantized_near.h"
-#include "shadow/view_fit.h"
 #include "shadow/warp/orientation.h"
 
 #include <cstddef>
@@ -45,8 +44,7 @@ struct SchemeMemory {
     std::uint64_t emptySlices = 0; // bit i: slice i went without a map
     std::size_t maps = 0;
     LitMemory lit;
-    int framesDominated = 0;          // for how many frames, that one included, another scheme has dominated it
-    std::vector<shadow::MapFit> fits; // of the maps, where they are fitted to the view
+    int framesDominated = 0; // for how many frames, that one included, another scheme has dominated it
 };
 
 /// All of it; empty before the first frame.

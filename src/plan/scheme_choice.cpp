@@ -67,7 +67,7 @@ void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate)
         const std::uint64_t triangles =
             context.scene->light ? trianglesIn(volume, context.basis, context.scene->light->casters) : 0;
         candidate.casterTriangles.push_back(triangles);
-        candidate.cost += shadow::hasUnevenRows(map.warped) ? triangles * kHalvesOfLogTriangle / 2 : triangles;
+        candidate.cost += shadow::hasLogRows(map.warped) ? triangles * kHalvesOfLogTriangle / 2 : triangles;
     }
 }
 
@@ -248,21 +248,6 @@ SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choic
     completeCandidate(context, result);
     result.keepsPromise = result.promise() <= aliasing;
     return result;
-}
-
-SchemeCandidate fittedToView(const SchemeContext& context, SchemeCandidate chosen) {
-    const bool isAsked = context.quality.warp.rule == shadow::WarpRule::Fitted && !context.quality.stabilize;
-    if (!isAsked || !context.scene->light) return chosen;
-    const SceneFacts::Light& light = *context.scene->light;
-    SchemeContext seen = context;
-    seen.view.samples = light.points;
-    if (!light.fits.empty())
-        seen.view.fitsBefore = light.fits;
-    else if (context.before)
-        seen.view.fitsBefore = context.before->fits;
-    SchemeCandidate fitted = evaluate(seen, chosen.choice);
-    fitted.framesDominated = chosen.framesDominated;
-    return fitted;
 }
 
 std::vector<SchemeChoice> openChoices(const SchemeContext& context) {

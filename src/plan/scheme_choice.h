@@ -64,9 +64,6 @@ Receivers receiversOf(const SchemeContext& context);
 /// The scheme for the view, with a line in `omitted` for each effect that it goes without.
 SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<Omission>& omitted);
 
-/// `chosen` with its maps fitted to what the view shows, where the warp asks for that and the scene tells.
-SchemeCandidate fittedToView(const SchemeContext& context, SchemeCandidate chosen);
-
 /// The triangles of the blocks that touch `volume` (camera space).
 std::uint64_t trianglesIn(
     const ConvexVolume& volume, const CameraBasis& basis, std::span<const SceneFacts::CasterBlock> blocks);

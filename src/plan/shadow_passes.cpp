@@ -52,8 +52,8 @@ void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
         omitted.push_back(
             {Effect::ZPartitions,
              quality.zPartitions ? OmissionReason::SwitchedOff : OmissionReason::OneSliceSuffices});
-    const auto isWarped = [](const ShadowPass& pass) { return pass.map.warped.kappa > 0 || pass.map.warped.fitted; };
-    const auto isLog = [](const ShadowPass& pass) { return shadow::hasUnevenRows(pass.map.warped); };
+    const auto isWarped = [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; };
+    const auto isLog = [](const ShadowPass& pass) { return shadow::hasLogRows(pass.map.warped); };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped))
         omitted.push_back({Effect::Warp, warpReason(plan)});
     else if (quality.warp.rule == shadow::WarpRule::Auto && std::none_of(plan.passes.begin(), plan.passes.end(), isLog))
@@ -86,7 +86,7 @@ SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const st
     context.scene = &scene;
     context.before = before;
     context.receivers = receiversOf(context);
-    const SchemeCandidate chosen = fittedToView(context, chosenScheme(context, plan.omitted));
+    const SchemeCandidate chosen = chosenScheme(context, plan.omitted);
     const shadow::ShadowMapSetup& setup = chosen.setup;
     plan.cost = chosen.cost;
     plan.texelsThatWouldDo = chosen.texelsThatWouldDo;
@@ -116,8 +116,7 @@ SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const st
         chosen.options.emptySlices,
         plan.passes.size(),
         context.receivers.memory,
-        chosen.framesDominated,
-        setup.fits};
+        chosen.framesDominated};
 }
 
 } // namespace gnomon::plan

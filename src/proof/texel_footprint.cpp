@@ -2,7 +2,6 @@
 
 #include "executor/frame_block.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace gnomon::proof {
@@ -10,35 +9,12 @@ namespace gnomon::proof {
 TexelProbe::TexelProbe(const executor::FrameDrawing& frame, const shadow::ShadowMap& map)
     : image_(executor::mapDrawing(frame, map).image),
       x_(toWorld(frame.plan->basis, shadow::alongX(map.warped.frame))),
-      z_(toWorld(frame.plan->basis, map.warped.frame.z)) {
-    if (!image_.fitted) return;
-    columnStarts_ = startsOf(image_.fitted->columns);
-    rowStarts_ = startsOf(image_.fitted->rows);
-}
+      z_(toWorld(frame.plan->basis, map.warped.frame.z)) {}
 
 glm::dvec2 TexelProbe::texel(const glm::dvec3& p) const {
     const glm::dvec4 clip = glm::dmat4(image_.clipFromOffset) * glm::dvec4(p - glm::dvec3(image_.origin), 1);
     const double up = image_.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
-    glm::dvec2 texel = glm::dvec2(clip.x / clip.w, up) * glm::dvec2(image_.texelScale) + glm::dvec2(image_.texelOffset);
-    if (!image_.fitted) return texel;
-    return {fitted(image_.fitted->columns, columnStarts_, texel.x), fitted(image_.fitted->rows, rowStarts_, texel.y)};
-}
-
-TexelProbe::Starts TexelProbe::startsOf(const shadow::AxisParts<float>& parts) {
-    Starts starts{};
-    auto at = double{parts.start.front()};
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        starts[i] = at;
-        at += double{parts.density[i]} / double{parts.partsPerTexel};
-    }
-    return starts;
-}
-
-double TexelProbe::fitted(const shadow::AxisParts<float>& parts, const Starts& starts, double unfitted) {
-    const double place = unfitted * double{parts.partsPerTexel};
-    const double part = std::clamp(std::floor(place), 0.0, shadow::kFittedParts - 1.0);
-    const auto i = static_cast<std::size_t>(part);
-    return starts[i] + (place - part) / double{parts.partsPerTexel} * double{parts.density[i]};
+    return glm::dvec2(clip.x / clip.w, up) * glm::dvec2(image_.texelScale) + glm::dvec2(image_.texelOffset);
 }
 
 TexelProbe::Derivatives TexelProbe::derivatives(const glm::dvec3& p, double step) const {

@@ -4,8 +4,6 @@
 
 #include "executor/executor.h"
 
-#include <array>
-
 namespace gnomon::proof {
 
 /// The length over which a texel's differences are taken, of a pixel's width: far below any texel that matters, far
@@ -43,17 +41,8 @@ private:
     glm::dvec2 texel(const glm::dvec3& p) const;
     Derivatives derivatives(const glm::dvec3& p, double step) const;
 
-    /// Where the parts of a fitted axis begin: sums of what the densities of those before come to, so that differences
-    /// do not see by how much floats round each of them.
-    using Starts = std::array<double, shadow::kFittedParts>;
-
-    static Starts startsOf(const shadow::AxisParts<float>& parts);
-    static double fitted(const shadow::AxisParts<float>& parts, const Starts& starts, double unfitted);
-
     shadow::FloatMapImage image_; // the floats that are uploaded
-    Starts columnStarts_{};       // where it is fitted
-    Starts rowStarts_{};
-    glm::dvec3 x_; // of the light frame, in draw space
+    glm::dvec3 x_;                // of the light frame, in draw space
     glm::dvec3 z_;
 };
 

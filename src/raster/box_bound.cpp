@@ -1,6 +1,5 @@
 #include "raster/box_bound.h"
 
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -158,7 +157,9 @@ public:
         float least = 0;
         float most = 0;
         rangeX_.reduce(least, most);
-        const PixelRange x = columnsWithin(least, most, error(x_, least, most, leastW));
+        const Projection& p = *projection_;
+        const float offX = error(x_, least, most, leastW);
+        const PixelRange x = pixelsWithin(least, most, offX, {p.scaleX, p.translateX});
         rangeY_.reduce(least, most);
         const PixelRange y = rowsWithin(least, most, error(y_, least, most, leastW));
         bound.box = {x.first, y.first, x.end, y.end};
@@ -170,13 +171,6 @@ public:
     }
 
 private:
-    PixelRange columnsWithin(float least, float most, float error) const {
-        const Projection& p = *projection_;
-        if (p.columns == nullptr) return pixelsWithin(least, most, error, {p.scaleX, p.translateX});
-        const auto [first, end] = p.columns->columnsBetween(least - error, most + error);
-        return {first, end};
-    }
-
     PixelRange rowsWithin(float least, float most, float error) const {
         const Projection& p = *projection_;
         if (p.rows == nullptr) return pixelsWithin(least, most, error, {p.scaleY, p.translateY});

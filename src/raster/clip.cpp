@@ -70,9 +70,6 @@ SnappedVertex snappedCut(const Projection& projection, const Corner& p) {
     const double z = std::clamp(p.z / p.w, -double{kDepthLimit}, double{kDepthLimit});
     if (projection.rows != nullptr) {
         const double yOverW = std::clamp(p.y / p.w, -double{projection.guardY}, double{projection.guardY});
-        const double xOverW = std::clamp(p.x / p.w, -double{projection.guardX}, double{projection.guardX});
-        if (projection.columns != nullptr)
-            return unevenTo(static_cast<float>(xOverW), static_cast<float>(yOverW), static_cast<float>(z) + 0.0F);
         return unevenTo(
             std::clamp(x, -kLimit, kLimit) * kSubpixels, static_cast<float>(yOverW), static_cast<float>(z) + 0.0F);
     }

@@ -142,9 +142,8 @@ std::uint64_t OcclusionPass::drawOver(
         const PixelBox box = relativeTo(tile, touched);
         const TileWork work = {tile, all, {&drawn.cluster, 1}};
         if constexpr (kIsMap) {
-            covered += projection_.rows == nullptr
-                           ? drawDepthTile(work, pixels)
-                           : drawUnevenTile(work, *projection_.rows, projection_.columns, pixels);
+            covered += projection_.rows == nullptr ? drawDepthTile(work, pixels)
+                                                   : drawUnevenTile(work, *projection_.rows, pixels);
         } else {
             if (depths.hides(box, reversedNearness(clampedDepth(cluster.mostZ)))) continue;
             noteSetUp(drawn.cluster, drawVisibilityTile(work, pixels, &depths));

@@ -1,6 +1,5 @@
 #include "raster/projection.h"
 
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ float row(const Projection& projection, std::size_t i, const std::array<float, 3
 
 } // namespace
 
-Projection projection(const View& view, bool cutsDepth, const RowBands* rows, const ColumnRuns* columns) {
+Projection projection(const View& view, bool cutsDepth, const RowBands* rows) {
     Projection p;
     for (int column = 0; column < 4; ++column)
         for (int i = 0; i < 4; ++i)
@@ -42,12 +41,6 @@ Projection projection(const View& view, bool cutsDepth, const RowBands* rows, co
         p.lowY = rows->lowest();
         p.highY = rows->highest();
     }
-    p.columns = columns;
-    if (columns != nullptr) {
-        p.guardX = columns->guard();
-        p.lowX = columns->lowest();
-        p.highX = columns->highest();
-    }
     return p;
 }
 
@@ -60,13 +53,11 @@ ClipPosition clipPosition(const Projection& projection, const std::uint32_t* pos
 
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
     const float inverseW = 1.0F / p.w;
-    const float xOverW = p.x * inverseW;
-    const float x = xOverW * projection.scaleX + projection.translateX;
+    const float x = p.x * inverseW * projection.scaleX + projection.translateX;
     const float yOverW = p.y * inverseW;
     const float y = yOverW * projection.scaleY + projection.translateY;
     // Adding +0 turns a depth of -0 into +0, whose bits sort.
     const float z = std::min(std::max(p.z * inverseW, -kDepthLimit), kDepthLimit) + 0.0F;
-    if (projection.columns != nullptr) return unevenTo(xOverW, yOverW, z);
     if (projection.rows != nullptr) return unevenTo(double{(x - 0.5F) * static_cast<float>(kSubpixels)}, yOverW, z);
     return snappedTo(
         double{(x - 0.5F) * static_cast<float>(kSubpixels)}, double{(y - 0.5F) * static_cast<float>(kSubpixels)}, z);
@@ -87,10 +78,6 @@ SnappedVertex unevenTo(double x, float yOverW, float z) {
     SnappedVertex vertex = snappedTo(x, 0, z);
     vertex.y = std::bit_cast<std::int32_t>(yOverW);
     return vertex;
-}
-
-SnappedVertex unevenTo(float xOverW, float yOverW, float z) {
-    return {std::bit_cast<std::int32_t>(xOverW), std::bit_cast<std::int32_t>(yOverW), z, 0, 0};
 }
 
 std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p) {

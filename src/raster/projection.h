@@ -6,7 +6,6 @@
 
 namespace gnomon::raster {
 
-class ColumnRuns;
 class RowBands;
 
 /// Subpixels of a pixel. Snapped coordinates are multiples of 1/256 pixel, with pixel centres at whole pixels.
@@ -37,8 +36,7 @@ struct Projection {
     float highX = 1;
     float lowY = -1; // likewise
     float highY = 1;
-    const RowBands* rows = nullptr;      // where rows lie unevenly; y of snapped vertices then holds the bits of y / w
-    const ColumnRuns* columns = nullptr; // likewise of x; not without rows
+    const RowBands* rows = nullptr; // where rows lie unevenly; y of snapped vertices then holds the bits of y / w
 };
 
 struct ClipPosition {
@@ -68,9 +66,8 @@ constexpr float restOf(std::int16_t rest) {
     return static_cast<float>(rest) * (1.0F / (1 << kRestBits));
 }
 
-/// `rows` and `columns` are those of `view` where they lie unevenly.
-Projection projection(
-    const View& view, bool cutsDepth, const RowBands* rows = nullptr, const ColumnRuns* columns = nullptr);
+/// `rows` are those of `view` where they lie unevenly.
+Projection projection(const View& view, bool cutsDepth, const RowBands* rows = nullptr);
 
 ClipPosition clipPosition(const Projection& projection, const std::uint32_t* position);
 
@@ -82,9 +79,6 @@ SnappedVertex snappedTo(double x, double y, float z);
 
 /// The vertex at x in 1/256 pixel where rows lie unevenly.
 SnappedVertex unevenTo(double x, float yOverW, float z);
-
-/// The vertex where columns do so, too.
-SnappedVertex unevenTo(float xOverW, float yOverW, float z);
 
 /// Bits of the frustum's planes that a vertex is outside of: left, right, lower, upper, and where depth is cut near,
 /// far.

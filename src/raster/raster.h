@@ -65,13 +65,6 @@ struct PixelBox {
     bool operator==(const PixelBox&) const = default;
 };
 
-/// Columns of a target that lie evenly, up to `end`: column = x / w * scale + offset, whole on the edges of pixels.
-struct ColumnRun {
-    int end = 0;
-    float scale = 1;
-    float offset = 0;
-};
-
 /// How a pass sees the grid. Clip space is GL's with a depth of 0 to w: x and y from -w to w, depth z / w.
 struct View {
     glm::ivec3 eyeCell{0};     // subtracted from each position first; the differences must fit an int32
@@ -79,9 +72,6 @@ struct View {
     PixelBox viewport;         // pixels of the target; its first row is GL's lowest, pixel centres are at halves
     /// Where the rows of the viewport lie, y / w of their samples, strictly increasing; nothing: evenly, as above.
     std::span<const float> rowPositions{};
-    /// With rowPositions, where the columns of the viewport lie, in runs from the left to the right, each from where
-    /// the one before ends; their functions meet there. Nothing: evenly, as above.
-    std::span<const ColumnRun> columnRuns{};
 };
 
 /// Whether any pixel of a part of the target is asked for.
@@ -142,8 +132,7 @@ public:
     /// is clamped to that range at each pixel (GL_DEPTH_CLAMP), so casters before and behind the range still cast.
     /// Pixels outside the viewport are left alone. Answers how many fragments that took: the pixels of the viewport
     /// that each triangle covers, summed. Where the view's rows lie unevenly, y is snapped to at most 1/256 of the gaps
-    /// between rows around it (1/16 below 2^-27 of all y), x to 1/256 of its run's columns, and all else is as above:
-    /// an edge is of one of its sides.
+    /// between rows around it (1/16 below 2^-27 of all y), and all else is as above: an edge is of one of its sides.
     std::uint64_t drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
     /// The same depths as `drawDepth` leaves, to the bit, without looking at what lies behind what is drawn:

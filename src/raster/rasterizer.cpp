@@ -5,7 +5,6 @@
 #include "raster/prefetch.h"
 #include "raster/snapped_clusters.h"
 #include "raster/tile_kernel.h"
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -79,8 +78,7 @@ struct TileMemory {
 struct Rasterizer::Memory {
     SnappedClusters clusters;
     OcclusionPass occlusion;
-    RowBands rows;      // of this pass where they lie unevenly
-    ColumnRuns columns; // likewise
+    RowBands rows; // of this pass where they lie unevenly
     std::vector<BinItem> items;
     Bins bins;
     tbb::enumerable_thread_specific<TileMemory> tiles;
@@ -169,18 +167,12 @@ void Rasterizer::Memory::draw(
     });
 }
 
-/// Of a map; takes the view's rows and columns where they lie unevenly.
+/// Of a map; takes the view's rows where they lie unevenly.
 Projection Rasterizer::Memory::depthProjection(const View& view) {
-    if (view.rowPositions.empty()) {
-        GNOMON_CHECK(view.columnRuns.empty());
-        return projection(view, false);
-    }
+    if (view.rowPositions.empty()) return projection(view, false);
     GNOMON_CHECK_OP(view.rowPositions.size(), ==, static_cast<std::size_t>(view.viewport.height()));
-    rows.reset(view.rowPositions, view.viewport.y0, view.columnRuns.empty() ? kMostUnits : kMostUnitsWithRuns);
-    if (view.columnRuns.empty()) return projection(view, false, &rows);
-    GNOMON_CHECK_OP(view.columnRuns.back().end, ==, view.viewport.x1);
-    columns.reset(view.columnRuns, view.viewport.x0, kGuardPixels);
-    return projection(view, false, &rows, &columns);
+    rows.reset(view.rowPositions, view.viewport.y0);
+    return projection(view, false, &rows);
 }
 
 /// `drawDepth` on rows from an array.
@@ -189,7 +181,7 @@ void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& 
     snapClusters(input, projection);
     binClusters(view.viewport, DepthKind::kSide);
     drawTiles<DepthKind>({target.depths, target.width}, {}, [&](const TileBin& tile, float* depths) {
-        return drawUnevenTile({tile.box, clusters.all(), bins.of(tile)}, rows, projection.columns, depths);
+        return drawUnevenTile({tile.box, clusters.all(), bins.of(tile)}, rows, depths);
     });
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/check.h"
 #include "raster/clip.h"
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -28,12 +27,6 @@ std::array<int, 2> rowsOf(const RowBands* rows, const SnappedVertex& corner) {
     return rows->rowsBetween(position, position);
 }
 
-std::array<int, 2> columnsOf(const ColumnRuns* columns, const SnappedVertex& corner) {
-    if (columns == nullptr) return {(corner.x + kSubpixels - 1) >> kSubpixelBits, (corner.x >> kSubpixelBits) + 1};
-    const auto position = std::bit_cast<float>(corner.x);
-    return columns->columnsBetween(position, position);
-}
-
 void addTriangle(
     CutCluster& cut, const std::array<SnappedVertex, 3>& corners, std::uint32_t id, const Projection& projection) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -43,10 +36,9 @@ void addTriangle(
         cut.z[vertex] = corners[k].z;
         cut.rests[vertex] = packedRests(corners[k]);
         const auto [firstRow, endRow] = rowsOf(projection.rows, corners[k]);
-        const auto [firstColumn, endColumn] = columnsOf(projection.columns, corners[k]);
-        cut.box.x0 = std::min(cut.box.x0, firstColumn);
+        cut.box.x0 = std::min(cut.box.x0, (corners[k].x + kSubpixels - 1) >> kSubpixelBits);
         cut.box.y0 = std::min(cut.box.y0, firstRow);
-        cut.box.x1 = std::max(cut.box.x1, endColumn);
+        cut.box.x1 = std::max(cut.box.x1, (corners[k].x >> kSubpixelBits) + 1);
         cut.box.y1 = std::max(cut.box.y1, endRow);
     }
     cut.ids[cut.count++] = id;

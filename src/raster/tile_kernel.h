@@ -10,9 +10,8 @@ namespace gnomon::raster {
 /// many pixels of the tile the triangles cover, each one's counted.
 std::uint64_t drawDepthTile(const TileWork& work, float* depths);
 
-/// The same where the clusters' y is that of uneven `rows`, of the pass's viewport, and their x that of `columns`, if
-/// there are any.
-std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, const ColumnRuns* columns, float* depths);
+/// The same where the clusters' y is that of uneven `rows`, of the pass's viewport.
+std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, float* depths);
 
 /// Raises `words` likewise where a triangle is nearer to the eye. With `farthest`, of these words, triangles are passed
 /// by of which every pixel between their extremes holds something nearer than all of them before their cluster is

@@ -1,6 +1,5 @@
 #include "raster/vertex_kernel.h"
 
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -153,7 +152,7 @@ HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
     return hn::Add(hn::Min(hn::Max(hn::Mul(z, inverseW), hn::Neg(limit)), limit), hn::Zero(kFloats));
 }
 
-/// What a pass keeps of y where rows lie unevenly, or of x where columns do, and its extremes in the vertices so far.
+/// What a pass keeps of y where rows lie unevenly, and its extremes in the vertices so far.
 struct UnevenAxis {
     Floats lowest, highest;
 
@@ -171,17 +170,6 @@ struct UnevenAxis {
 
     HWY_INLINE float most() const { return hn::GetLane(hn::MaxOfLanes(kFloats, highest)); }
 };
-
-HWY_INLINE void setUnevenBox(
-    const Projection& projection, const UnevenAxis& alongX, const UnevenAxis& alongY, PixelBox& box) {
-    const auto [firstRow, endRow] = projection.rows->rowsBetween(alongY.least(), alongY.most());
-    box.y0 = firstRow;
-    box.y1 = endRow;
-    if (projection.columns == nullptr) return;
-    const auto [firstColumn, endColumn] = projection.columns->columnsBetween(alongX.least(), alongX.most());
-    box.x0 = firstColumn;
-    box.x1 = endColumn;
-}
 
 /// Joins x (in place) and y to words where the box allows it, else lays down y.
 HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
@@ -211,16 +199,13 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
     auto maxY = maxX;
     auto maxZ = hn::Set(kFloats, -kDepthLimit);
     const bool isUneven = projection.rows != nullptr;
-    const bool hasRuns = projection.columns != nullptr;
-    UnevenAxis alongX;
     UnevenAxis alongY;
     for (std::uint32_t first = 0; first < cluster.vertexCount; first += lanes) {
         const Positions p = clipPositions(projection, cellsOf(cluster, first));
         allInside = hn::And(allInside, insideGuard(projection, p));
         allOutside = hn::And(allOutside, outside(projection, p));
         const auto inverseW = hn::Div(hn::Set(kFloats, 1.0F), p.w);
-        const auto [x, restX] =
-            hasRuns ? alongX.take(p.x, inverseW) : snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
+        const auto [x, restX] = snappedAxis(p.x, inverseW, projection.scaleX, projection.translateX);
         const auto [y, restY] = isUneven ? alongY.take(p.y, inverseW)
                                          : snappedAxis(p.y, inverseW, projection.scaleY, projection.translateY);
         const auto rests = hn::Or(hn::And(restX, hn::Set(kInts, 0xFFFF)), hn::ShiftLeft<16>(restY));
@@ -252,7 +237,9 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         (hn::GetLane(hn::MaxOfLanes(kInts, maxY)) >> kSubpixelBits) + 1};
     stage.mostZ = hn::GetLane(hn::MaxOfLanes(kFloats, maxZ));
     if (isUneven) {
-        setUnevenBox(projection, alongX, alongY, stage.box);
+        const auto [firstRow, endRow] = projection.rows->rowsBetween(alongY.least(), alongY.most());
+        stage.box.y0 = firstRow;
+        stage.box.y1 = endRow;
         std::copy_n(allY.data(), paddedVertexCount(cluster.vertexCount), snapped.y);
         return stage;
     }

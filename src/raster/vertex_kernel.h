@@ -14,7 +14,7 @@ constexpr std::uint32_t paddedVertexCount(std::uint32_t count) {
 
 /// A cluster's snapped vertices: paddedVertexCount elements each.
 struct SnappedArrays {
-    std::int32_t* x = nullptr; // 1/256 pixel in the target; where columns lie unevenly: the bits of x / w
+    std::int32_t* x = nullptr; // 1/256 pixel in the target
     std::int32_t* y = nullptr; // where rows lie unevenly: the bits of y / w
     float* z = nullptr;
     std::uint32_t* rests = nullptr; // what snapping cut off: x in the low half, y in the high half, as SnappedVertex

@@ -52,17 +52,6 @@ ordered_json planesJson(const plan::FramePlan& plan, const ConvexVolume& volume)
     return planes;
 }
 
-/// How rows, or columns, are fitted to the view: over a part of the map, from low to high, so many for one without;
-/// null: they are not.
-ordered_json fittedJson(const shadow::ShadowMap& map, shadow::FittedAxis shadow::FittedGrid::*axis) {
-    if (!map.warped.fitted) return nullptr;
-    const shadow::FittedAxis& fitted = (*map.warped.fitted).*axis;
-    ordered_json densities = ordered_json::array();
-    for (std::size_t part = 0; part < shadow::kFittedParts; ++part)
-        densities.push_back(fitted.ofPart(part));
-    return {{"low", fitted.low()}, {"high", fitted.high()}, {"densities", densities}};
-}
-
 ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass) {
     const shadow::ShadowMap& map = pass.map;
     const shadow::TexelRectangle& r = map.rectangle;
@@ -80,9 +69,6 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     json["kappa"] = map.warped.kappa;
     // Rows up from the rectangle's lower edge: this times ln(w), w of the matrix; 0: rows lie evenly in y / w.
     json["rows_per_log"] = map.warped.rows == shadow::RowSpacing::Even ? 0.0 : map.rowsPerLog();
-    json["fitted_rows"] = fittedJson(map, &shadow::FittedGrid::rows);
-    json["fitted_columns"] = fittedJson(map, &shadow::FittedGrid::columns);
-    json["promised_for"] = map.warped.fitted ? "view" : "frustum";
     json["promised_aliasing_x"] = map.promised.x;
     json["promised_aliasing_z"] = map.promised.z;
     json["promised_aliasing_z_sheared"] = map.promised.sheared;
@@ -187,15 +173,9 @@ std::string mapsText(const plan::FramePlan& plan) {
             map.promised.sheared,
             static_cast<unsigned long long>(pass.estimatedTriangles));
     }
-    const auto isFitted = [](const plan::ShadowPass& pass) { return pass.map.warped.fitted != nullptr; };
-    const auto isLog = [&](const plan::ShadowPass& pass) {
-        return shadow::hasLogRows(pass.map.warped) && !isFitted(pass);
-    };
+    const auto isLog = [](const plan::ShadowPass& pass) { return shadow::hasLogRows(pass.map.warped); };
     if (std::any_of(plan.passes.begin(), plan.passes.end(), isLog))
         text += "rows of warped maps lie evenly in the logarithm of w; z is promised sheared\n";
-    if (std::any_of(plan.passes.begin(), plan.passes.end(), isFitted))
-        text += "rows and columns are fitted to the view: what is promised is of what it shows, not of all in its "
-                "frustum\n";
     return text;
 }
 

@@ -223,8 +223,10 @@ Settings settingsOf(const SettingTexts& texts, bool withSwept) {
     if (known != texts.size()) // first of all that are none of the table's
         for (const auto& given : texts)
             if (std::none_of(
-                    table().begin(), table().end(), [&](const Setting& each) { return each.name() == given.first; }))
+                    table().begin(), table().end(), [&](const Setting& each) { return each.name() == given.first; })) {
+                refuseRemovedOption("--" + given.first);
                 throw UsageError{"--" + given.first + ": there is no such option"};
+            }
     Settings result;
     for (const Setting& setting : table()) {
         const auto text = texts.find(setting.name());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "settings/codec.h"
+#include "settings/removed_words.h"
 #include "settings/settings.h"
 
 #include <algorithm>
@@ -82,7 +83,10 @@ public:
     }
 
     /// The value of `text`. Throws UsageError that names `option`, of which there may be others than `option()`.
-    Value parse(const std::string& option, const std::string& text) const { return parse_(option, text); }
+    Value parse(const std::string& option, const std::string& text) const {
+        refuseRemovedWord(this->option(), text);
+        return parse_(option, text);
+    }
 
     Value parse(const std::string& text) const { return parse(option(), text); }
 

@@ -6,44 +6,10 @@
 #include "shadow/texels/packing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 namespace gnomon::shadow {
-
-/// Rows or columns, here rows, fitted to a view, in texels: what is added up to count them is counted from their lower
-/// end without a fit.
-template <typename Number>
-struct AxisParts {
-    Number partsPerTexel = 1;                   // of the rows without a fit
-    std::array<Number, kFittedParts> start{};   // the row of the texture where the part begins
-    std::array<Number, kFittedParts> density{}; // rows for one without a fit
-    std::array<Number, kFittedParts> longest{}; // unfitted rows, as the bias counts them, in the longest that a kernel
-                                                // reads around a point of the part
-
-    int partOf(Number unfitted) const {
-        const Number place = std::floor(unfitted * partsPerTexel);
-        return static_cast<int>(std::clamp(place, Number{0}, static_cast<Number>(kFittedParts - 1)));
-    }
-
-    Number texelAt(Number unfitted) const {
-        const auto part = static_cast<std::size_t>(partOf(unfitted));
-        return start[part] + (unfitted - static_cast<Number>(part) / partsPerTexel) * density[part];
-    }
-
-    Number densityAt(Number unfitted) const { return density[static_cast<std::size_t>(partOf(unfitted))]; }
-
-    Number longestAt(Number unfitted) const { return longest[static_cast<std::size_t>(partOf(unfitted))]; }
-};
-
-/// Both of a map.
-template <typename Number>
-struct GridParts {
-    AxisParts<Number> columns;
-    AxisParts<Number> rows;
-};
 
 /// One map for positions in a space of world units, whose axes may be any. Shaders repeat texelAt and receiverBias.
 template <typename Number>
@@ -75,9 +41,6 @@ struct MapImage {
     /// 1 where the map is a point light's, else 0. What unevenness changes in depth over a texel, along x and along z,
     /// is then `unevenX` and `unevenZ` over w, the distance along the axis.
     Number fromPoint = 0;
-    /// Of maps fitted to a view: columns and rows come of what is said above by `texelAt`; byColumn and unevenX, byRow
-    /// and unevenZ grow by `longest`.
-    std::shared_ptr<const GridParts<Number>> fitted;
 };
 
 using DoubleMapImage = MapImage<double>;
@@ -92,28 +55,16 @@ struct MapTexel {
     Number w = 1;
 };
 
-/// The column and the row of what lies at `clip`, before they are fitted.
-template <typename Number>
-Number unfittedColumn(const MapImage<Number>& image, const glm::vec<4, Number, glm::defaultp>& clip) {
-    return clip.x / clip.w * image.texelScale.x + image.texelOffset.x;
-}
-
-template <typename Number>
-Number unfittedRow(const MapImage<Number>& image, const glm::vec<4, Number, glm::defaultp>& clip) {
-    const Number up = image.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
-    return up * image.texelScale.y + image.texelOffset.y;
-}
-
 /// Where `p` lies in the map. Only meaningful where w > 0.
 template <typename Number>
 MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number, glm::defaultp>& p) {
     const auto clip = image.clipFromOffset * typename MapImage<Number>::Vec4(p - image.origin, 1);
-    MapTexel<Number> texel{unfittedColumn(image, clip), unfittedRow(image, clip), clip.z / clip.w, clip.w};
-    if (image.fitted) {
-        texel.column = image.fitted->columns.texelAt(texel.column);
-        texel.row = image.fitted->rows.texelAt(texel.row);
-    }
-    return texel;
+    const Number up = image.logRows == 0 ? clip.y / clip.w : std::log(clip.w);
+    return {
+        clip.x / clip.w * image.texelScale.x + image.texelOffset.x,
+        up * image.texelScale.y + image.texelOffset.y,
+        clip.z / clip.w,
+        clip.w};
 }
 
 /// What to subtract from the depth of a receiver at `p` with flat unit normal `normal` and cosine `cosine` (above 0) to
@@ -132,35 +83,18 @@ Number receiverBias(
     const Vec4 clip = image.clipFromOffset * Vec4(offset, 1);
     const Number w = clip.w;
     const bool isEven = image.logRows == 0;
-    Number widest = 1;
-    Number longest = 1;
-    if (image.fitted) {
-        widest = image.fitted->columns.longestAt(unfittedColumn(image, clip));
-        longest = image.fitted->rows.longestAt(unfittedRow(image, clip));
-    }
-    const Number byRow = std::abs(glm::dot(plane, image.byRow)) * longest / (isEven ? Number{1} : w);
-    const Number steep = std::abs(glm::dot(plane, image.byColumn)) * widest + byRow;
+    const Number byRow = std::abs(glm::dot(plane, image.byRow)) / (isEven ? Number{1} : w);
+    const Number steep = std::abs(glm::dot(plane, image.byColumn)) + byRow;
     const Number slope = steep / across * std::min(Number{1}, cosine / static_cast<Number>(kLeastCosine));
-    const Number alongZ = image.unevenZ * longest * (isEven ? w : Number{1});
-    const Number uneven = image.fromPoint == 0 ? std::hypot(image.unevenX * widest, alongZ)
-                                               : std::hypot(image.unevenX, image.unevenZ) / w;
+    const Number alongZ = image.unevenZ * (isEven ? w : Number{1});
+    const Number uneven =
+        image.fromPoint == 0 ? std::hypot(image.unevenX, alongZ) : std::hypot(image.unevenX, image.unevenZ) / w;
     return (slope + uneven) * image.reach + static_cast<Number>(kDepthRounding);
 }
 
-/// Where the rows of the texture that `image` fills from `firstRow` on lie, y / w of their middles, if logarithmically
-/// or fitted; else nothing.
+/// Where the rows of the texture that `image` fills from `firstRow` on lie, y / w of their middles, if
+/// logarithmically; else nothing.
 std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count);
-
-/// Columns of the texture that lie evenly: up to `end`, column = x / w * scale + offset.
-struct EvenColumns {
-    int end = 0;
-    float scale = 1;
-    float offset = 0;
-};
-
-/// The runs that the columns of the texture which `image` fills from `firstColumn` on lie in, if they are fitted
-/// unevenly; else nothing.
-std::vector<EvenColumns> columnRuns(const FloatMapImage& image, int firstColumn, int count);
 
 /// The image in single precision, each number rounded once.
 FloatMapImage rounded(const DoubleMapImage& image);

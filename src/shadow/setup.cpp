@@ -4,8 +4,6 @@
 #include "core/error.h"
 #include "shadow/partition/grazing.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,10 +15,9 @@ namespace {
 /// The steepest warp whose matrix still keeps its promise to a thousandth as floats: its derivatives are differences of
 /// numbers kappa d times as large. Only a TSM with its focus on the near side, and a PSM of a depth ratio above this,
 /// ask for more.
-double mostKappa(const LightFit& fit, WarpRule rule) {
-    // Logarithmic rows are counted from the vanishing line, and lose less; unless they are made denser yet.
-    const bool losesLess = fit.rows == RowSpacing::Logarithmic && rule != WarpRule::Fitted;
-    const double kMostWarp = losesLess ? 1e6 : 1e4; // of kappa d
+double mostKappa(const LightFit& fit) {
+    // Logarithmic rows are counted from the vanishing line, and lose less.
+    const double kMostWarp = fit.rows == RowSpacing::Logarithmic ? 1e6 : 1e4; // of kappa d
     return fit.length > 0 ? kMostWarp / fit.length : std::numeric_limits<double>::infinity();
 }
 
@@ -31,7 +28,6 @@ struct Draft {
     double kappa = 0;
     Aliasing unit;      // at unit resolutions and a single lookup
     double sheared = 0; // likewise
-    std::optional<MapFit> viewFit;
 };
 
 double filterWidth(const ShadowOptions& options) {
@@ -68,7 +64,7 @@ Draft draftOf(const ShadowView& view, const ShadowOptions& options, Region regio
     draft.fit = fitRegion(frame, region.frustum, region.vertices);
     const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
     draft.fit.rows = rowsOf(warp.rule);
-    draft.kappa = std::min(kappaOfMap(warp, draft.fit, region.face), mostKappa(draft.fit, warp.rule));
+    draft.kappa = std::min(kappaOfMap(warp, draft.fit, region.face), mostKappa(draft.fit));
     // Rows that are all but even are drawn evenly: so near the vanishing line lies far, and floats tell few apart.
     constexpr double kLeastLogWarp = 0.05; // of kappa d
     if (draft.fit.rows == RowSpacing::Logarithmic && draft.kappa * draft.fit.length < kLeastLogWarp) draft.kappa = 0;
@@ -107,16 +103,11 @@ bool isLogFace(const Draft& draft) {
 
 WarpedMap regionMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
-    Resolution least = texels;
-    if (draft.viewFit) {
-        least.s *= draft.viewFit->columns.leastDensity();
-        least.t *= draft.viewFit->rows.leastDensity();
-    }
     // The width of a kernel with so much more reach on each side.
     const double missed =
         isLogFace(draft) ? 2 * rowsMissed(draft.region.frustum, draft.region.face, draft.fit.frame.y, texelsT) : 0;
     const double width = std::max(1.0, options.filterTexels) + missed;
-    const double bias = largestRawBias(draft.fit, draft.kappa, least, missed > 0 ? width : options.filterTexels);
+    const double bias = largestRawBias(draft.fit, draft.kappa, texels, missed > 0 ? width : options.filterTexels);
     return warpedMap(draft.fit, draft.kappa, bias);
 }
 
@@ -173,55 +164,15 @@ ShadowMap finished(
     } else {
         result.warped = regionMap(options, draft, texelsS, texelsT);
     }
-    // Where they are fitted, columns and rows that a lookup reaches are at most the longest.
     const double reach = layout.gutter;
-    const double widest = draft.viewFit ? 1 / draft.viewFit->columns.leastDensity() : 1;
-    const double longest = draft.viewFit ? 1 / draft.viewFit->rows.leastDensity() : 1;
     // A stabilised map stays from frame to frame while its casters do, so what is seen must not choose among them.
     const std::vector<glm::dvec3> receivers =
         options.stabilized ? cornersOf(draft.region) : receiversOf(view, draft.region);
-    result.casterVolume =
-        grownCasterVolume(receivers, result.warped, reach * widest / texelsS, reach * longest / texelsT);
-    if (draft.viewFit) result.warped = fitted(result.warped, *draft.viewFit);
+    result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach / texelsT);
     result.promised = promiseOf(view, options, draft, result.warped, texelsS, texelsT);
     if (isThin(view.frustum)) result.origin = originOf(draft.region);
     result.region = std::move(draft.region);
     return result;
-}
-
-/// Adds what `samples` need of the maps that they lie in. They are shared out in as many parts whatever the threads,
-/// and the parts added in order, so that the sums are the same to the bit.
-void addSamples(const std::vector<glm::vec3>& samples, const ShadowMapSetup& setup, std::vector<SampleNeeds>& needs) {
-    const std::size_t count = std::clamp<std::size_t>(samples.size() / 4096, 1, 16);
-    std::vector<std::vector<SampleNeeds>> parts(count, needs);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t part) {
-        const std::size_t end = samples.size() * (part + 1) / count;
-        for (std::size_t i = samples.size() * part / count; i < end; ++i) {
-            const std::size_t map = setup.mapOf(samples[i]);
-            if (map != ShadowMapSetup::kNoMap) parts[part][map].add(samples[i]);
-        }
-    });
-    for (const std::vector<SampleNeeds>& part : parts)
-        for (std::size_t map = 0; map < needs.size(); ++map)
-            needs[map].add(part[map]);
-}
-
-/// Fits the drafts to the view's samples.
-void fitToSamples(const ShadowView& view, std::vector<Draft>& drafts, ShadowMapSetup& setup) {
-    std::vector<SampleNeeds> needs;
-    std::vector<Aliasing> bounds;
-    for (const Draft& draft : drafts) {
-        needs.emplace_back(warpedMap(draft.fit, draft.kappa), draft.region.frustum);
-        bounds.push_back(draft.unit);
-    }
-    if (view.samples) addSamples(*view.samples, setup, needs);
-    setup.fits = view.samples ? fitsOf(needs, bounds, view.fitsBefore) : view.fitsBefore;
-    for (std::size_t i = 0; i < drafts.size(); ++i) {
-        drafts[i].viewFit = setup.fits[i];
-        const SampleNeeds::Found found = needs[i].under(setup.fits[i]);
-        drafts[i].unit = {found.x.most, found.sheared.most};
-        drafts[i].sheared = found.sheared.most;
-    }
 }
 
 void requireValid(const ShadowView& view, const ShadowOptions& options) {
@@ -285,13 +236,9 @@ ShadowMapSetup shadowMapSetup(
                                : draftOf(view, options, std::move(region), frame));
     }
     if (drafts.empty()) return setup;
-    const bool canFit = view.samples || view.fitsBefore.size() == drafts.size();
-    if (scheme.warp.rule == WarpRule::Fitted && canFit && !options.stabilized) fitToSamples(view, drafts, setup);
     const double pixels = view.imageHeight * filterWidth(options);
-    for (std::size_t i = 0; i < drafts.size(); ++i) {
-        const Aliasing& unit = setup.fits.empty() ? drafts[i].unit : setup.fits[i].unit;
-        setup.demands.push_back({unit.x * pixels, unit.z * pixels});
-    }
+    for (const Draft& draft : drafts)
+        setup.demands.push_back({draft.unit.x * pixels, draft.unit.z * pixels});
     const TexelLayout layout = splitTexels(setup.demands, limitsOf(options));
     setup.textureWidth = layout.packing.width;
     setup.textureHeight = layout.packing.height;

@@ -6,11 +6,9 @@
 #include "shadow/scheme.h"
 #include "shadow/shadow_map.h"
 #include "shadow/texels/texel_budget.h"
-#include "shadow/view_fit.h"
 #include "shadow/warp/orientation.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,10 +22,6 @@ struct ShadowView {
     int imageHeight = 800;            // pixels of the real viewport
     WorldAnchor anchor;               // stabilised slices look at it, and `seen` lies in its axes
     std::vector<SeenPart> seen;       // all that the image shows, by depth; nothing: anything may be anywhere
-    /// All that looks up a map, which maps with WarpRule::Fitted are fitted to; null: nobody has looked yet, and fits
-    /// of the frame before are taken as they are, if there are as many.
-    std::shared_ptr<const std::vector<glm::vec3>> samples;
-    std::vector<MapFit> fitsBefore; // those of the frame before, kept as fitsOf says
 };
 
 /// How the frame's shadows are mapped.
@@ -53,7 +47,6 @@ struct ShadowMapSetup {
     int textureHeight = 0;
     OrientationState orientation;     // for the next frame
     std::vector<TexelDemand> demands; // by map; see texelsThatWouldDo
-    std::vector<MapFit> fits;         // by map, where they are fitted to samples: for the next frame
 
     /// The map that the lookup of `p` (camera space) reads, or kNoMap.
     std::size_t mapOf(const glm::dvec3& p) const { return mapOfPartition[ownerOf(selector, p)]; }

@@ -53,58 +53,9 @@ double ShadowMap::rowsPerLog() const {
 
 namespace {
 
-/// The longest texels along an axis, in unfitted ones, of those that a kernel reads within `reach`, of the axis, of a
-/// point of each part.
-std::array<double, kFittedParts> longestTexels(const FittedAxis& axis, double reach) {
-    std::array<double, kFittedParts> longest{};
-    for (std::size_t i = 0; i < kFittedParts; ++i) {
-        const double from = axis.start(i) - reach;
-        const double to = axis.start(i + 1) + reach;
-        for (std::size_t k = 0; k < kFittedParts; ++k)
-            if (axis.start(k + 1) >= from && axis.start(k) <= to) longest[i] = std::max(longest[i], 1 / axis.ofPart(k));
-    }
-    return longest;
-}
-
-/// The parts of an axis of `count` texels from `first` on, for a kernel that reaches so many; takes from `offset` what
-/// unfitted texels then are counted from.
-AxisParts<double> axisParts(const FittedAxis& axis, double first, double count, double reach, double& offset) {
-    offset -= first + axis.low() * count;
-    AxisParts<double> parts;
-    parts.partsPerTexel = kFittedParts / (count * (axis.high() - axis.low()));
-    parts.longest = longestTexels(axis, reach / count);
-    for (std::size_t i = 0; i < kFittedParts; ++i) {
-        parts.start[i] = first + axis.start(i) * count;
-        parts.density[i] = axis.ofPart(i);
-    }
-    return parts;
-}
-
-void fitGrid(const ShadowMap& map, DoubleMapImage& image) {
-    const FittedGrid& grid = *map.warped.fitted;
-    const TexelRectangle inner = map.innerRectangle();
-    GridParts<double> parts;
-    parts.columns = axisParts(grid.columns, inner.x, inner.width, image.reach, image.texelOffset.x);
-    parts.rows = axisParts(grid.rows, inner.y, inner.height, image.reach, image.texelOffset.y);
-    for (std::size_t i = 0; i < kFittedParts; ++i) {
-        parts.columns.start[i] += map.shift.x;
-        parts.rows.start[i] += map.shift.y;
-    }
-    if (image.logRows != 0) {
-        const double steps = image.reach / image.texelScale.y;
-        for (double& longest : parts.rows.longest)
-            longest = std::expm1(steps * longest) / steps;
-    }
-    image.fitted = std::make_shared<const GridParts<double>>(parts);
-}
-
-} // namespace
-
-namespace {
-
 /// `clip` with even columns and rows moved by the map's shift. Clip space is 2 w wide over the rectangle.
 glm::dmat4 shifted(const ShadowMap& map, glm::dmat4 clip) {
-    if (map.shift == glm::dvec2(0) || map.warped.fitted) return clip;
+    if (map.shift == glm::dvec2(0)) return clip;
     const bool hasEvenRows = map.cubeFace || map.warped.rows == RowSpacing::Even;
     const glm::dvec2 perW = 2.0 * map.shift / glm::dvec2(map.rectangle.width, map.rectangle.height);
     for (glm::length_t column = 0; column < 4; ++column) {
@@ -139,76 +90,29 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromO
         image.fromPoint = 1;
         return image;
     }
-    if (map.warped.rows == RowSpacing::Even) {
-        if (map.warped.fitted) fitGrid(map, image);
-        return image;
-    }
+    if (map.warped.rows == RowSpacing::Even) return image;
     image.logRows = 1;
     image.reach += rowsMissed(map.region.frustum, map.region.face, map.warped.frame.y, map.texels().t);
     image.texelScale.y = map.rowsPerLog();
-    image.texelOffset.y = r.y + (map.warped.fitted ? 0 : map.shift.y);
+    image.texelOffset.y = r.y + map.shift.y;
     // A step of `reach` rows towards the light's near end is the longest: 1 / w grows by e^(reach / rowsPerLog).
     const double steps = image.reach / map.rowsPerLog();
-    const double longer = map.warped.fitted ? 1 : std::expm1(steps) / steps; // else it is the parts'
+    const double longer = std::expm1(steps) / steps;
     image.byRow = offsetFromClip[1] * (longer / map.rowsPerLog());
     image.unevenZ *= longer;
-    if (map.warped.fitted) fitGrid(map, image);
     return image;
 }
 
-namespace {
-
-/// The part that a texel lies in.
-std::size_t partFrom(const AxisParts<float>& parts, double texel) {
-    const auto after = std::upper_bound(parts.start.begin() + 1, parts.start.end(), texel);
-    return static_cast<std::size_t>(after - parts.start.begin()) - 1;
-}
-
-/// The inverse of `texelAt`.
-double unfittedFrom(const AxisParts<float>& parts, double row) {
-    const std::size_t i = partFrom(parts, row);
-    return static_cast<double>(i) / double{parts.partsPerTexel} +
-           (row - double{parts.start[i]}) / double{parts.density[i]};
-}
-
-} // namespace
-
 std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count) {
     std::vector<float> positions;
-    if (image.logRows == 0 && !image.fitted) return positions;
+    if (image.logRows == 0) return positions;
     positions.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         const double row = firstRow + i + 0.5;
-        const double unfitted = image.fitted ? unfittedFrom(image.fitted->rows, row) : row;
-        const double up = (unfitted - double{image.texelOffset.y}) / double{image.texelScale.y};
-        positions.push_back(static_cast<float>(image.logRows == 0 ? up : -std::exp(-up)));
+        const double up = (row - double{image.texelOffset.y}) / double{image.texelScale.y};
+        positions.push_back(static_cast<float>(-std::exp(-up)));
     }
     return positions;
-}
-
-std::vector<EvenColumns> columnRuns(const FloatMapImage& image, int firstColumn, int count) {
-    std::vector<EvenColumns> runs;
-    if (!image.fitted) return runs;
-    const AxisParts<float>& parts = image.fitted->columns;
-    const auto run = [&](std::size_t part, int end) -> EvenColumns {
-        const double density = parts.density[part];
-        const double begins = static_cast<double>(part) / double{parts.partsPerTexel};
-        return {
-            end,
-            static_cast<float>(double{image.texelScale.x} * density),
-            static_cast<float>(double{parts.start[part]} + (double{image.texelOffset.x} - begins) * density)};
-    };
-    // Parts beside each other that are alike are one run.
-    float before = 0;
-    for (int i = 0; i < count; ++i) {
-        const std::size_t part = partFrom(parts, firstColumn + i + 0.5);
-        const float density = parts.density[part];
-        if (i == 0 || density != before) runs.push_back(run(part, 0));
-        runs.back().end = firstColumn + i + 1;
-        before = density;
-    }
-    if (runs.size() == 1) runs.clear(); // even over all of the map
-    return runs;
 }
 
 DoubleMapImage cameraImage(const ShadowMap& map) {
@@ -229,19 +133,6 @@ FloatMapImage rounded(const DoubleMapImage& image) {
     result.reach = static_cast<float>(image.reach);
     result.logRows = static_cast<float>(image.logRows);
     result.fromPoint = static_cast<float>(image.fromPoint);
-    if (!image.fitted) return result;
-    const auto roundedParts = [](const AxisParts<double>& from) {
-        AxisParts<float> parts;
-        parts.partsPerTexel = static_cast<float>(from.partsPerTexel);
-        for (std::size_t i = 0; i < kFittedParts; ++i) {
-            parts.start[i] = static_cast<float>(from.start[i]);
-            parts.density[i] = static_cast<float>(from.density[i]);
-            parts.longest[i] = static_cast<float>(from.longest[i]);
-        }
-        return parts;
-    };
-    result.fitted = std::make_shared<const GridParts<float>>(
-        GridParts<float>{roundedParts(image.fitted->columns), roundedParts(image.fitted->rows)});
     return result;
 }
 

@@ -2,12 +2,10 @@
 
 #include "shadow/scheme.h"
 #include "shadow/stable_slice.h"
-#include "shadow/view_fit.h"
 #include "shadow/warp/orientation.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace gnomon::theory {
 
@@ -22,7 +20,7 @@ struct NamedScheme {
     bool faces;
 };
 
-constexpr std::array<NamedScheme, 12> kSchemes{{
+constexpr std::array<NamedScheme, 10> kSchemes{{
     {"ZP", "none", WarpRule::None, false},
     {"ZP+W", "psm", WarpRule::Psm, false},
     {"ZP+W", "lspsm", WarpRule::Lspsm, false},
@@ -33,8 +31,6 @@ constexpr std::array<NamedScheme, 12> kSchemes{{
     {"FP+ZP+W", "auto", WarpRule::Auto, true},
     {"ZP", "log", WarpRule::Log, false},
     {"FP", "log", WarpRule::Log, true},
-    {"ZP", "fitted", WarpRule::Fitted, false},
-    {"FP", "fitted", WarpRule::Fitted, true},
 }};
 
 void add(SchemeRow& row, const Aliasing& unit, double sheared) {
@@ -44,27 +40,6 @@ void add(SchemeRow& row, const Aliasing& unit, double sheared) {
     row.worstZ = std::max(row.worstZ, unit.z);
 }
 
-/// What a view that shows all of `map`'s region has of it. The needs of a row are largest at the ends of its section of
-/// the region, which lie on lines between vertices.
-SampleNeeds::Found ofWholeRegion(const SchemeMap& map) {
-    constexpr int kSteps = 250;
-    SampleNeeds needs(warpedMap(map.fit, map.kappa), map.fit.slice);
-    const auto vertices = map.fit.points();
-    const auto at = [&](const FitPoint& p) { return toCamera(map.fit.frame, {p.x, p.y, p.zeta + map.fit.zMin}); };
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        for (std::size_t j = 0; j <= i; ++j)
-            for (int step = 0; step <= kSteps; ++step) {
-                // Evenly in the logarithm of depth, as pixels see it.
-                const double part = static_cast<double>(step) / kSteps;
-                const double near = std::min(vertices[i].depth, vertices[j].depth);
-                const double far = std::max(vertices[i].depth, vertices[j].depth);
-                const double along = far > near ? (near * std::pow(far / near, part) - near) / (far - near) : part;
-                const bool isTurned = vertices[i].depth > vertices[j].depth;
-                needs.add(glm::mix(at(vertices[isTurned ? j : i]), at(vertices[isTurned ? i : j]), along));
-            }
-    return needs.under(needs.fit({map.unit.x, map.sheared}));
-}
-
 SchemeRow schemeRow(const ViewFrustum& frustum, const glm::dvec3& light, const NamedScheme& named, int slices) {
     Scheme scheme;
     scheme.warp.rule = named.rule;
@@ -72,14 +47,8 @@ SchemeRow schemeRow(const ViewFrustum& frustum, const glm::dvec3& light, const N
     scheme.slices = slices;
     const std::vector<SchemeMap> maps = schemeMaps(frustum, light, scheme);
     SchemeRow row{named.scheme, named.warp, slices, maps.size()};
-    for (const SchemeMap& map : maps) {
-        if (named.rule != WarpRule::Fitted) {
-            add(row, map.unit, map.sheared);
-            continue;
-        }
-        const SampleNeeds::Found found = ofWholeRegion(map);
-        add(row, {found.x.most, found.z}, found.sheared.most);
-    }
+    for (const SchemeMap& map : maps)
+        add(row, map.unit, map.sheared);
     return row;
 }
 

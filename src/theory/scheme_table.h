@@ -11,8 +11,7 @@ namespace gnomon::theory {
 /// One row: a scheme at k slices.
 struct SchemeRow {
     std::string scheme{}; // ZP, ZP+W, FP+ZP, FP+ZP+W, FP, ZP stable
-    std::string warp{};   // as the option --warp says it; auto* is auto in the chosen orientation, and fitted that of
-                          // a view that shows all of its frustum
+    std::string warp{};   // as the option --warp says it; auto* is auto in the chosen orientation
     int slices = 1;
     std::size_t maps = 1;
     double storageFactor = 0;

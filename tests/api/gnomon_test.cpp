@@ -158,7 +158,7 @@ TEST(Schemes, LogarithmicMapsOnFacesNeedLeast) {
     for (const ShadowScheme& scheme : schemes) {
         EXPECT_GE(scheme.maps, 1);
         EXPECT_GT(scheme.storageFactor, 0);
-        if (scheme.storageFactor < least && scheme.scheme != "ZP stable" && scheme.warp != "fitted") {
+        if (scheme.storageFactor < least && scheme.scheme != "ZP stable") {
             least = scheme.storageFactor;
             warp = scheme.warp;
         }

@@ -63,27 +63,6 @@ class AutoShadows(ProgramTest):
                     "--z-partitions", "auto")  # fmt: skip
         self.assertIn("+log", json.loads(stats.read_text())["scheme"])
 
-    def test_rows_fitted_to_the_view_are_named_wherever_their_promise_is_shown(self):
-        fitted = ("--shadows", "maps", "--warp", "fitted", "--z-partitions", "1")
-        plan = self.plan(*SIZE, *SOFTWARE, *fitted)
-        self.assertEqual(plan["scheme"], "map+fitted")
-        (shadow,) = [one for one in plan["passes"] if one["kind"] == "shadow_map"]
-        self.assertEqual(shadow["promised_for"], "view")
-        for axis in ("fitted_rows", "fitted_columns"):
-            fit = shadow[axis]
-            self.assertEqual(len(fit["densities"]), 64)
-            self.assertAlmostEqual(sum(fit["densities"]) * (fit["high"] - fit["low"]) / 64, 1)
-        text = self.expect(0, "", "explain", self.sundial, *SIZE, *SOFTWARE, *fitted).stdout
-        self.assertIn("what is promised is of what it shows", text)
-        self.assertEqual({row["scheme"] for row in self.logged(*fitted)}, {"map+fitted"})
-        log = self.plan(*SIZE, *SOFTWARE, "--shadows", "maps", "--warp", "log", "--z-partitions", "1")
-        (shadow,) = [one for one in log["passes"] if one["kind"] == "shadow_map"]
-        self.assertEqual((shadow["promised_for"], shadow["fitted_rows"]), ("frustum", None))
-        table = ("theory", "table", "--near", "0.1", "--far", "100", "--fov-y", "60", "--light", "0.4,1,0.3")
-        self.assertIn("fitted", self.expect(0, "", *table).stdout)
-        self.expect(2, "contradict each other: only the software executor draws rows that lie unevenly", "explain",
-                    self.sundial, "--backend", "egl", *fitted)  # fmt: skip
-
     def test_it_means_maps_beside_each_option_of_them_even_at_its_default(self):
         for option, value in OF_MAPS:
             for named in ((), ("--shadows", "auto")):

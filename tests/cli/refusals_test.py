@@ -298,6 +298,7 @@ class Refusals(ProgramTest):
             ("--eye", "1,2,3", "--target", "1,2,3"),
             ("--size", "0x4"),
             ("--warp", "wavy"),
+            ("--warp", "fitted"),
             ("--frames", "3"),
             ("--stabilize", "on", "--eta", "0.5"),
         ):

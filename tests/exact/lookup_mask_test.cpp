@@ -147,15 +147,6 @@ std::vector<float> unevenRows(Random& random, int count) {
     return rows;
 }
 
-/// A few runs of columns, the first four times as dense as the next or the other way round.
-std::vector<raster::ColumnRun> unevenColumns(Random& random, const raster::PixelBox& viewport) {
-    const double dense = random.below(2) == 0 ? 0.8 : 0.2; // of the columns, in the left half
-    const double middle = viewport.x0 + dense * viewport.width();
-    const auto scale = [&](double share) { return static_cast<float>(share * viewport.width()); };
-    const auto atZero = static_cast<float>(middle); // where both meet
-    return {{static_cast<int>(std::ceil(middle - 0.5)), scale(dense), atZero}, {viewport.x1, scale(1 - dense), atZero}};
-}
-
 TEST(CasterBound, HoldsWhateverIsDrawnOfABox) {
     raster::Rasterizer rasterizer;
     Random random(8);
@@ -166,8 +157,6 @@ TEST(CasterBound, HoldsWhateverIsDrawnOfABox) {
         raster::View view = randomView(random);
         const std::vector<float> rows = unevenRows(random, view.viewport.height());
         if (trial % 2 == 1) view.rowPositions = rows;
-        const std::vector<raster::ColumnRun> runs = unevenColumns(random, view.viewport);
-        if (trial % 4 == 1) view.columnRuns = runs;
         const BoxOfTriangles made = randomTriangles(random);
         std::vector<float> depths(std::size_t{kWidth} * kHeight, 1);
         const raster::Cluster cluster = {made.positions.data(), 12, 60, made.triangles, 0};

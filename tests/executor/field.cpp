@@ -86,29 +86,11 @@ std::vector<LodSubstitute> Field::someSubstitutes() const {
     return result;
 }
 
-/// Points of the image of `view`, denser in its lower half.
-std::shared_ptr<const std::vector<glm::vec3>> somePoints(const plan::View& view, double nearest, double farthest) {
-    auto points = std::make_shared<std::vector<glm::vec3>>();
-    for (int i = 0; i < 400; ++i) {
-        const double depth = std::max(nearest, 0.05) + (farthest - nearest) * (i % 20) / 20;
-        const int row = i / 20;
-        const double up = -1 + 2.0 * row / (i % 3 == 0 ? 20 : 40);
-        points->emplace_back((i * 7 % 20 / 10.0 - 1) * view.tanHalfX() * depth, up * view.tanHalfY() * depth, depth);
-    }
-    return points;
-}
-
 plan::FramePlan Field::plan(const plan::View& view, const plan::Quality& quality) const {
     plan::SceneFacts facts;
     facts.bounds = model_.summary.bounds;
     const Depths depths = depthsOf(view);
     facts.visible = {depths.nearest, depths.farthest, true};
-    if (quality.warp.rule == shadow::WarpRule::Fitted) {
-        plan::SceneFacts::Light light;
-        light.lit = {{depths.nearest, depths.farthest}};
-        light.points = somePoints(view, depths.nearest, depths.farthest);
-        facts.light = light;
-    }
     return plan::planFrame(view, quality, facts).plan;
 }
 
@@ -141,7 +123,7 @@ plan::Quality fieldQuality(std::uint64_t seed) {
 plan::Quality softwareQuality(std::uint64_t seed) {
     plan::Quality quality = fieldQuality(seed);
     if (seed % 3 == 1 && !quality.stabilize) {
-        quality.warp.rule = seed % 6 == 1 ? shadow::WarpRule::Log : shadow::WarpRule::Fitted;
+        quality.warp.rule = shadow::WarpRule::Log;
         quality.facePartitions = seed % 2 == 0 ? plan::Choice::On : plan::Choice::Off;
     }
     return quality;

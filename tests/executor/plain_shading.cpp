@@ -186,27 +186,6 @@ float plainLog(float value) {
     return exponent * 0.693359375F + (s * series + exponent * -2.12194440e-4F);
 }
 
-namespace {
-
-/// Where a column or a row lies on the map, and how many of it one may be at most.
-struct FittedTexel {
-    float texel = 0;
-    float longest = 1;
-};
-
-FittedTexel fittedTexel(const ShadingFrame& f, const block::Partition& part, int axis, float texel) {
-    if (part.fitTable <= 0) return {texel};
-    constexpr std::ptrdiff_t kParts = shadow::kFittedParts;
-    const float* starts = f.fitTables + ((static_cast<std::ptrdiff_t>(part.fitTable) - 1) * 2 + axis) * 3 * kParts;
-    const float perTexel = part.partsPerTexel[axis];
-    const float place =
-        std::min(std::max(std::floor(texel * perTexel), 0.0F), static_cast<float>(shadow::kFittedParts - 1));
-    const auto at = static_cast<std::ptrdiff_t>(place);
-    return {starts[at] + (texel - place / perTexel) * starts[kParts + at], starts[2 * kParts + at]};
-}
-
-} // namespace
-
 float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec3& normal, float cosine) {
     const block::Partition& part = f.shadows->partitions[pass];
     const vec3 offset = p - part.origin;
@@ -222,19 +201,14 @@ float plainLitFraction(const ShadingFrame& f, int pass, const vec3& p, const vec
     const int width = std::max(f.frame->filterTexels, 1);
     const bool isLog = part.logRows > 0;
     const float along = isLog ? plainLog(std::max(w, 1e-30F)) : coordinate(1) * inverseW;
-    const FittedTexel row = fittedTexel(f, part, 1, along * part.texelScale.y + part.texelOffset.y);
-    const FittedTexel column =
-        fittedTexel(f, part, 0, coordinate(0) * inverseW * part.texelScale.x + part.texelOffset.x);
-    const float longest = row.longest;
-    const float byRow = withPlane(part.byRow) * longest * (isLog ? inverseW : 1.0F);
-    const float slope = (withPlane(part.byColumn) * column.longest + byRow) / std::max(withPlane(part.byDepth), 1e-30F);
-    const float unevenZ = part.unevenZ * longest * (isLog ? 1.0F : w);
-    const float uneven = std::hypot(part.unevenX * column.longest, unevenZ);
+    const glm::vec2 texels = glm::vec2(coordinate(0) * inverseW, along) * part.texelScale + part.texelOffset;
+    const float byRow = withPlane(part.byRow) * (isLog ? inverseW : 1.0F);
+    const float slope = (withPlane(part.byColumn) + byRow) / std::max(withPlane(part.byDepth), 1e-30F);
+    const float uneven = std::hypot(part.unevenX, part.unevenZ * (isLog ? 1.0F : w));
     const float bias = (slope * std::min(1.0F, cosine * 10) + uneven) * part.reach + 6e-7F;
     const float depth = std::min(coordinate(2) * inverseW - bias, 1.0F);
     const auto start = [&](int axis) {
-        const float texel = axis == 0 ? column.texel : row.texel;
-        return std::min(std::max(texel - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
+        return std::min(std::max(texels[axis] - 0.5F * static_cast<float>(width - 1), -1e6F), 1e6F);
     };
     const auto isLit = [&](int x, int y) {
         const int texelX =

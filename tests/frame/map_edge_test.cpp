@@ -101,7 +101,7 @@ TEST(MapEdge, HasNoSawTeethInTheMeanOfFrames) {
     EXPECT_LT(unevenness(exact), 0.11);
     wall.quality().shadows = plan::ShadowMode::Maps;
     using shadow::WarpRule;
-    for (const WarpRule rule : {WarpRule::None, WarpRule::Auto, WarpRule::Log, WarpRule::Fitted}) {
+    for (const WarpRule rule : {WarpRule::None, WarpRule::Auto, WarpRule::Log}) {
         SCOPED_TRACE(name(rule));
         wall.quality().warp.rule = rule;
         const std::vector<double> one = edgeOf(wall.picture(1));

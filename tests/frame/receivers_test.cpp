@@ -86,7 +86,7 @@ Drawn expectSamePictures(const tests::BuiltFile& model, std::uint64_t count, int
         tests::ShadowTriple triple = tests::shadowTriple(model.file().summary().bounds, index, side, 1200);
         if (index % 3 == 2) {
             triple.quality.warp = {};
-            triple.quality.warp.rule = index % 2 == 0 ? shadow::WarpRule::Log : shadow::WarpRule::Fitted;
+            triple.quality.warp.rule = shadow::WarpRule::Log;
         }
         SCOPED_TRACE(std::to_string(index) + ": " + tests::describe(triple));
         constexpr std::array kKinds = {

@@ -99,7 +99,7 @@ plan::Quality anyQuality(Random& random) {
         quality.zPartitions.reset();
         break;
     case 1:
-        quality.warp.rule = shadow::WarpRule::Fitted;
+        quality.warp.rule = shadow::WarpRule::Log;
         quality.zPartitions = 1;
         break;
     case 2:

@@ -54,6 +54,17 @@ std::map<std::string, std::string> fullContext() {
     return context;
 }
 
+/// What usage is found wrong.
+template <class Do>
+std::string usageObjection(const Do& action) {
+    try {
+        action();
+        return {};
+    } catch (const settings::UsageError& error) {
+        return error.message;
+    }
+}
+
 report::RunSummary runOf(const std::string& name, double p50Ms) {
     report::RunSummary run;
     run.name = name;
@@ -84,6 +95,15 @@ TEST(Baseline, IsWhatABenchWroteBefore) {
         EXPECT_EQ(objection([&] { requireNotSlower(baseline, same, 0); }), "") << "than itself";
         EXPECT_TRUE(notCompared(baseline, same).empty());
     }
+}
+
+TEST(Baseline, WithARemovedWordIsRefusedWithTheReplacement) {
+    for (const char* text :
+         {R"({"context": {"warp": "fitted"}, "benchmarks": []})",
+          R"({"context": {}, "benchmarks": [{"name": "error_pixels:1/warp:fitted/filter:3", "p50": 1}]})"})
+        EXPECT_NE(usageObjection([&] { readText(text); }).find("use --warp log"), std::string::npos) << text;
+    EXPECT_EQ(
+        usageObjection([] { readText(R"({"context": {}, "benchmarks": [{"name": "warp:log", "p50": 1}]})"); }), "");
 }
 
 TEST(Baseline, OfAnotherShapeIsRefusedWithItsPlace) {

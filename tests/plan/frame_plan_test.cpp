@@ -81,8 +81,7 @@ TEST(FramePlanNames, SayTheWarpRule) {
         {WarpRule::LeastStorage, "sopt"},
         {WarpRule::Eta, "eta"},
         {WarpRule::Given, "given"},
-        {WarpRule::Log, "log"},
-        {WarpRule::Fitted, "fitted"}};
+        {WarpRule::Log, "log"}};
     for (const auto& [rule, name] : table)
         EXPECT_EQ(shadow::name(rule), name);
 }

@@ -1,7 +1,6 @@
 #include "tests/raster/plain_uneven.h"
 
 #include "raster/clip.h"
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <algorithm>
@@ -52,29 +51,13 @@ double planeAt(const BandCorners& c, double x, double y) {
 using SampleVisit = std::function<void(int, int, double, std::uint32_t)>;
 using SnappedCorners = std::array<SnappedVertex, 3>;
 
-/// Columns that are snapped alike: all of a viewport, or those of a run.
-struct Columns {
-    int first = 0;
-    int end = 0;
-    const ColumnRun* run = nullptr;
-};
-
-/// x of `corner` in 1/256 column and what snapping cut off.
-std::pair<std::int64_t, double> snappedX(const Columns& columns, const SnappedVertex& corner) {
-    if (columns.run == nullptr) return {corner.x, double{restOf(corner.restX)}};
-    const float column = std::bit_cast<float>(corner.x) * columns.run->scale + columns.run->offset;
-    const float whole = (column - 0.5F) * 256;
-    const std::int64_t snapped = std::llrint(whole);
-    return {snapped, static_cast<double>(whole) - static_cast<double>(snapped)};
-}
-
-/// The corners in the units of `band` and of `columns`, counter-clockwise.
-BandCorners cornersIn(const RowBand& band, const Columns& columns, const SnappedCorners& corners) {
+/// The corners in the units of `band`, counter-clockwise.
+BandCorners cornersIn(const RowBand& band, const SnappedCorners& corners) {
     BandCorners c{};
     for (std::size_t k = 0; k < 3; ++k) {
         const float units = (std::bit_cast<float>(corners[k].y) - band.base) * band.scale;
-        const auto [x, rest] = snappedX(columns, corners[k]);
-        c[k] = {x, std::llrint(units), static_cast<double>(x) + rest, units, corners[k].z};
+        const std::int64_t x = corners[k].x;
+        c[k] = {x, std::llrint(units), static_cast<double>(x) + double{restOf(corners[k].restX)}, units, corners[k].z};
     }
     if (twiceArea(c[0], c[1], c[2].x, c[2].y) < 0) std::swap(c[1], c[2]);
     return c;
@@ -85,18 +68,13 @@ bool isInTriangle(const BandCorners& c, std::int64_t x, std::int64_t y) {
 }
 
 void visitBand(
-    const View& view,
-    const RowBand& band,
-    const Columns& columns,
-    const SnappedCorners& corners,
-    std::uint32_t id,
-    const SampleVisit& visit) {
-    const BandCorners c = cornersIn(band, columns, corners);
+    const View& view, const RowBand& band, const SnappedCorners& corners, std::uint32_t id, const SampleVisit& visit) {
+    const BandCorners c = cornersIn(band, corners);
     if (twiceArea(c[0], c[1], c[2].x, c[2].y) == 0) return;
     const auto [minX, maxX] = std::minmax({c[0].x, c[1].x, c[2].x});
     const auto [minZ, maxZ] = std::minmax({c[0].z, c[1].z, c[2].z});
-    const auto x0 = static_cast<int>(std::max<std::int64_t>(columns.first, minX >> 8));
-    const auto x1 = static_cast<int>(std::min<std::int64_t>(columns.end, (maxX >> 8) + 1));
+    const auto x0 = static_cast<int>(std::max<std::int64_t>(view.viewport.x0, minX >> 8));
+    const auto x1 = static_cast<int>(std::min<std::int64_t>(view.viewport.x1, (maxX >> 8) + 1));
     for (int y = band.first; y < band.end; ++y) {
         const float position = view.rowPositions[static_cast<std::size_t>(y - view.viewport.y0)];
         const std::int64_t up = std::llrint((position - band.base) * band.scale);
@@ -109,19 +87,12 @@ void visitBand(
     }
 }
 
-/// A triangle as it is clipped, in all bands and runs of columns.
+/// A triangle as it is clipped, in all bands.
 void visitPolygon(
-    const View& view,
-    const RowBands& rows,
-    const std::vector<Columns>& columns,
-    const ClippedPolygon& polygon,
-    std::uint32_t id,
-    const SampleVisit& visit) {
+    const View& view, const RowBands& rows, const ClippedPolygon& polygon, std::uint32_t id, const SampleVisit& visit) {
     for (std::size_t k = 2; k < polygon.count; ++k)
         for (const RowBand& band : rows.bands())
-            for (const Columns& part : columns)
-                visitBand(
-                    view, band, part, {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]}, id, visit);
+            visitBand(view, band, {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]}, id, visit);
 }
 
 } // namespace
@@ -131,21 +102,15 @@ void visitUnevenSamples(
     const View& view,
     const std::function<void(int, int, double, std::uint32_t)>& visit) {
     RowBands rows;
-    rows.reset(view.rowPositions, view.viewport.y0, view.columnRuns.empty() ? kMostUnits : kMostUnitsWithRuns);
-    ColumnRuns runs;
-    runs.reset(view.columnRuns, view.viewport.x0, kGuardPixels);
-    const Projection pass = projection(view, false, &rows, runs.empty() ? nullptr : &runs);
-    std::vector<Columns> columns;
-    for (const ColumnRun& run : view.columnRuns)
-        columns.push_back({columns.empty() ? view.viewport.x0 : columns.back().end, run.end, &run});
-    if (columns.empty()) columns.push_back({view.viewport.x0, view.viewport.x1, nullptr});
+    rows.reset(view.rowPositions, view.viewport.y0);
+    const Projection pass = projection(view, false, &rows);
     for (const Cluster& cluster : clusters)
         for (std::uint32_t i = 0; i < cluster.triangles.size(); ++i) {
             std::array<ClipPosition, 3> corners;
             for (std::size_t k = 0; k < 3; ++k)
                 corners[k] = clipPosition(
                     pass, cluster.positions + std::size_t{cluster.triangles[i][k]} * cluster.positionStride / 4);
-            visitPolygon(view, rows, columns, clipTriangle(pass, corners), cluster.firstTriangleId + i, visit);
+            visitPolygon(view, rows, clipTriangle(pass, corners), cluster.firstTriangleId + i, visit);
         }
 }
 

@@ -77,15 +77,10 @@ TEST(UnevenRows, AFanOf85TrianglesHasNoHoleAndNoDouble) {
             const Scene scene = fanAround(1000.3, hubY, 4000, 85);
             const Cluster whole = scene.clusters().front();
             std::vector<float> depths(std::size_t{kSide} * kSide);
-            const std::vector<ColumnRun> runs = runsOf(viewport, kSpreadDensities);
-            for (const std::span<const ColumnRun> columns : {std::span<const ColumnRun>(), std::span(runs)}) {
-                view.columnRuns = columns;
-                const std::uint64_t fragments =
-                    Rasterizer().drawDepth({&whole, 1}, view, {depths.data(), kSide, kSide});
-                // As many fragments as samples, and none without: each is covered once.
-                EXPECT_EQ(fragments, depths.size()) << "each sample once";
-                EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0F), 0) << "no hole";
-            }
+            const std::uint64_t fragments = Rasterizer().drawDepth({&whole, 1}, view, {depths.data(), kSide, kSide});
+            // As many fragments as samples, and none without: each is covered once.
+            EXPECT_EQ(fragments, depths.size()) << "each sample once";
+            EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0F), 0) << "no hole";
         }
     }
 }
@@ -104,7 +99,6 @@ TEST(UnevenRows, KeepTheirDepthsWithoutWhatIsHidden) {
     constexpr int kHeight = 290;
     constexpr PixelBox kViewport{7, 5, 330, 281};
     const std::vector<float> rows = fanningRows(kViewport.height());
-    const std::vector<ColumnRun> runs = runsOf(kViewport, kSpreadDensities);
     const std::size_t pixels = std::size_t{kWidth} * kHeight;
     std::uint64_t hidden = 0;
     Rasterizer rasterizer;
@@ -114,7 +108,6 @@ TEST(UnevenRows, KeepTheirDepthsWithoutWhatIsHidden) {
         const std::vector<CellBox> boxes = boxesOf(scene.clusters());
         for (View view : {flatView(kViewport), insideView(kViewport, seed)}) {
             view.rowPositions = rows;
-            if (seed % 2 == 1) view.columnRuns = runs;
             std::vector<float> whole(pixels, 2);
             rasterizer.drawDepth(scene.clusters(), view, {whole.data(), kWidth, kHeight});
             tests::onEachTarget([&](const char* target) {
@@ -267,11 +260,9 @@ TEST(SlowUnevenRows, HardCasesAreCoveredAsPlainCodeCoversThemAt2048Square) {
     View view = logMapView();
     const std::vector<float> logarithmic = logarithmicRows(kMapSide, kDensityRatio);
     const std::vector<float> random = randomRows(kMapSide, kDensityRatio, 9);
-    const std::vector<ColumnRun> runs = runsOf(view.viewport, kSpreadDensities);
     for (const auto& hardCase : hardCasesInMap())
         for (const std::vector<float>* rows : {&logarithmic, &random}) {
             SCOPED_TRACE(hardCase.first);
-            view.columnRuns = rows == &random ? std::span(runs) : std::span<const ColumnRun>();
             const std::vector<Cluster> clusters = hardCase.second.clusters();
             view.rowPositions = *rows;
             const PlainDepths plain = plainly(clusters, view, kMapSide, kMapSide);

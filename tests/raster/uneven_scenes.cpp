@@ -62,25 +62,6 @@ std::vector<std::pair<const char*, std::vector<float>>> kindsOfRows(int count) {
         {"mirrored, 1e4", mirroredRows(count, 1e4)}};
 }
 
-std::vector<ColumnRun> runsOf(const PixelBox& viewport, std::span<const double> densities) {
-    double sum = 0;
-    for (const double density : densities)
-        sum += density;
-    const auto count = static_cast<double>(densities.size());
-    std::vector<ColumnRun> runs;
-    double begins = viewport.x0;
-    for (std::size_t i = 0; i < densities.size(); ++i) {
-        const double from = 2 * static_cast<double>(i) / count - 1;
-        const double columns = viewport.width() * densities[i] / sum;
-        const double scale = columns * count / 2;
-        const int end = i + 1 < densities.size() ? static_cast<int>(std::ceil(begins + columns - 0.5)) : viewport.x1;
-        if (end > (runs.empty() ? viewport.x0 : runs.back().end))
-            runs.push_back({end, static_cast<float>(scale), static_cast<float>(begins - from * scale)});
-        begins += columns;
-    }
-    return runs;
-}
-
 DrawnDepths drawn(std::span<const Cluster> clusters, const View& view, int width, int height) {
     DrawnDepths result{std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -7), 0};
     result.fragments = Rasterizer().drawDepth(clusters, view, {result.depths.data(), width, height});

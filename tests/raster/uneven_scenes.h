@@ -1,9 +1,8 @@
-// Rows and columns that lie unevenly, and depths drawn on them beside plain ones.
+// Rows that lie unevenly, and depths drawn on them beside plain ones.
 #pragma once
 
 #include "raster/raster.h"
 
-#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,12 +19,6 @@ std::vector<float> randomRows(int count, double ratio, std::uint64_t seed);
 
 /// Names the kinds of rows that every scene is drawn on.
 std::vector<std::pair<const char*, std::vector<float>>> kindsOfRows(int count);
-
-/// Runs of columns that part `viewport` in `densities.size()` of x / w from -1 to 1, each that dense against the mean.
-std::vector<ColumnRun> runsOf(const PixelBox& viewport, std::span<const double> densities);
-
-inline constexpr std::array kSpreadDensities = {0.06, 4.0, 0.5, 0.06, 1.0, 0.06, 3.0, 1.5};
-inline constexpr std::array kAlternatingDensities = {1.0, 0.1, 1.0, 0.1, 1.0, 0.1, 1.0, 0.1, 1.0, 0.1, 1.0, 0.1};
 
 struct DrawnDepths {
     std::vector<float> depths;

@@ -4,8 +4,8 @@
 #include "shadow/partition/grazing.h"
 #include "shadow/scheme.h"
 #include "shadow/setup.h"
-#include "shadow/warp/log_forms.h"
 #include "shadow/warp/warped_map.h"
+#include "tests/theory/log_forms.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 // the receiver's own plane over what a kernel reads, and whether a lookup stays in the map.
 #pragma once
 
-#include "core/check.h"
 #include "shadow/depth_bias.h"
 #include "shadow/map_image.h"
 #include "shadow/setup.h"
@@ -21,10 +20,9 @@ using WideVec3 = glm::vec<3, Wide, glm::defaultp>;
 using WideVec4 = glm::vec<4, Wide, glm::defaultp>;
 using WideMat4 = glm::mat<4, 4, Wide, glm::defaultp>;
 
-/// The image of a map that is fitted to no view, as far as a place in it is told.
+/// The image of a map, as far as a place in it is told.
 inline MapImage<Wide> wideImage(const ShadowMap& map) {
     const DoubleMapImage image = cameraImage(map);
-    GNOMON_CHECK(!image.fitted);
     MapImage<Wide> wide;
     wide.origin = WideVec3(image.origin);
     wide.clipFromOffset = WideMat4(image.clipFromOffset);

@@ -3,10 +3,10 @@
 #include "shadow/depth_bias.h"
 #include "shadow/scheme.h"
 #include "shadow/stable_slice.h"
-#include "shadow/warp/log_forms.h"
 #include "shadow/warp/warped_map.h"
 #include "tests/shadow/random_views.h"
 #include "tests/theory/exact_theory.h"
+#include "tests/theory/log_forms.h"
 
 #include <algorithm>
 #include <array>
@@ -251,41 +251,6 @@ Reals exactMapped(const Reals& in) {
     return {found.begin(), found.end()};
 }
 
-/// Ends, a row, a place between them, and the densities of fitted rows.
-Doubles drawRows(Random& random) {
-    const double low = static_cast<double>(random.below(8)) / 8;
-    const double high = low + (1 - low) * (1 + static_cast<double>(random.below(8))) / 8;
-    Doubles in{low, high, random.unit(), random.uniform(low, high)};
-    for (int i = 0; i < shadow::kFittedParts; ++i)
-        in.push_back(std::pow(2, random.uniform(-4, 3)));
-    return in;
-}
-
-Doubles oursRows(const Doubles& in) {
-    shadow::FittedAxis::Densities densities{};
-    std::copy(in.begin() + 4, in.end(), densities.begin());
-    const shadow::FittedAxis rows(in[0], in[1], densities);
-    return {rows.at(in[3]), rows.inverse(in[2])};
-}
-
-/// The integral of the densities up to a place, and where it is so much of the whole.
-Reals exactRows(const Reals& in) {
-    Real whole = 0;
-    for (std::size_t i = 4; i < in.size(); ++i)
-        whole += in[i];
-    const Real parts = Real(shadow::kFittedParts);
-    const Real place = (in[3] - in[0]) / (in[1] - in[0]) * parts;
-    Real upTo = 0;
-    Real where = 0;
-    Real left = in[2] * whole;
-    for (std::size_t i = 4; i < in.size(); ++i) {
-        upTo += in[i] * greater(0, lesser(1, place - static_cast<double>(i - 4)));
-        where += lesser(1, left / in[i]);
-        left = greater(0, left - in[i]);
-    }
-    return {upTo / whole, in[0] + (in[1] - in[0]) * where / parts};
-}
-
 const std::vector<ClosedForm> kForms = {
     {"one map overhead", {"n'_LSPSM", "M_x", "M_z", "S"}, drawWarped, oursOverhead, exactOverhead},
     {"S overhead, n' < n",
@@ -367,7 +332,6 @@ const std::vector<ClosedForm> kForms = {
      oursMinimax,
      [](const Reals& in) { return Reals{exact::kappaMinimax(in[0], in[1], in[2], in[3])}; }},
     {"point of a map", {"s", "t", "depth", "w_lx", "w_lz", "sheared w_lz"}, drawMapped, oursMapped, exactMapped},
-    {"fitted rows", {"row", "t"}, drawRows, oursRows, exactRows},
 };
 
 } // namespace

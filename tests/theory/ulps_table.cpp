@@ -13,9 +13,9 @@ namespace {
 constexpr int kFirst = -6;
 constexpr std::size_t kPowers = 15; // 1e-6 to 1e8
 
-/// Of the closed forms those of a view; the others have no depth ratio.
+/// Of the closed forms those of a view; the other has no depth ratio.
 bool isOfView(const ClosedForm& form) {
-    return std::strcmp(form.name, "kappa of a fit") != 0 && std::strcmp(form.name, "fitted rows") != 0;
+    return std::strcmp(form.name, "kappa of a fit") != 0;
 }
 
 std::size_t powerOf(const Doubles& in) {

@@ -54,7 +54,7 @@ def standing(session):
 
 def check_rest_after_motion(display, program, folder, model):
     """Where a window comes to rest, what it shows depends on nothing that it has shown before: `render` makes the same."""
-    for shadows in (("--shadows", "maps"), ("--shadows", "maps", "--warp", "fitted"), ("--shadows", "auto", "--z-partitions", "auto")):
+    for shadows in (("--shadows", "maps"), ("--shadows", "maps", "--warp", "log", "--z-partitions", "1"), ("--shadows", "auto", "--z-partitions", "auto")):
         session = Session(display, program, folder, model, *shadows, samples=2, target=3)  # what is given up is back, too
         for key, seconds in (("w", 0.7), ("a", 0.2), ("s", 0.5)):
             display.do("keydown", key)

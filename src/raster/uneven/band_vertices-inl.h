@@ -8,7 +8,6 @@
 #endif
 
 #include "raster/triangle_lanes-inl.h"
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 
 #include <array>
@@ -31,8 +30,7 @@ HWY_INLINE IntMask isAtMost(Ints a, Ints b) {
 /// A band as its tiles see it.
 struct BandLanes {
     const RowBand* band;
-    const ColumnBand* run; // null: columns are those that vertices are snapped to already
-    const PixelBox* tile;  // within the band, and the run
+    const PixelBox* tile; // within the band
 
     HWY_INLINE Ints row(Ints index) const { return hn::GatherIndex(kInts, band->rows.data(), index); }
 
@@ -75,19 +73,18 @@ struct VertexPlace {
     }
 };
 
-/// The vertices of a cluster snapped for a band: y in its units, x in the target, what snapping cut off, packed as of
-/// even rows, and their places. Each serves about six corners, twice.
+/// The vertices of a cluster snapped for a band: y in its units, what snapping cut off, packed as of even rows, and
+/// their places. Each serves about six corners, twice.
 struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to the cluster's count
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
     alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> places;
-    alignas(64) std::array<std::int32_t, kMaxClusterVertices> ownX; // in a run
-    const std::int32_t* x;                                          // these, or the cluster's
-    bool isNarrow;                                                  // every triangle of the cluster
+    const std::int32_t* x; // the cluster's, in the target
+    bool isNarrow;         // every triangle of the cluster
 
     HWY_INLINE void take(const SnappedCluster& cluster, const BandLanes& rows) {
         const RowBand& band = *rows.band;
-        x = rows.run == nullptr ? cluster.vertices.x : ownX.data();
+        x = cluster.vertices.x;
         const auto base = hn::Set(kFloats, band.base);
         const auto scale = hn::Set(kFloats, band.scale);
         const auto far = hn::Set(kFloats, kFarUnits);
@@ -104,7 +101,8 @@ struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled 
             const auto rest = hn::Mul(
                 hn::Sub(units, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
             const auto restY = hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)));
-            const auto [column, restX] = snappedX(cluster, rows, i);
+            const auto column = hn::LoadU(kInts, cluster.vertices.x + i);
+            const auto restX = hn::BitCast(kInts, hn::LoadU(kUints, cluster.vertices.rests + i));
             hn::StoreU(snapped, kInts, y.data() + i);
             const auto low = hn::And(restX, hn::Set(kInts, 0xFFFF));
             hn::StoreU(hn::BitCast(kUints, hn::Or(low, hn::ShiftLeft<16>(restY))), kUints, rests.data() + i);
@@ -120,25 +118,6 @@ struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled 
     }
 
 private:
-    struct SnappedLanes {
-        Ints snapped, rest;
-    };
-
-    /// The x of vertices i and on: in a run snapped for it, and kept.
-    HWY_INLINE SnappedLanes snappedX(const SnappedCluster& cluster, const BandLanes& rows, std::uint32_t i) {
-        const auto held = hn::LoadU(kInts, cluster.vertices.x + i);
-        if (rows.run == nullptr) return {held, hn::BitCast(kInts, hn::LoadU(kUints, cluster.vertices.rests + i))};
-        const auto pixels = hn::Add(
-            hn::Mul(hn::BitCast(kFloats, held), hn::Set(kFloats, rows.run->scale)), hn::Set(kFloats, rows.run->offset));
-        const auto whole =
-            hn::Mul(hn::Sub(pixels, hn::Set(kFloats, 0.5F)), hn::Set(kFloats, static_cast<float>(kSubpixels)));
-        const auto snapped = hn::NearestInt(whole);
-        hn::StoreU(snapped, kInts, ownX.data() + i);
-        const auto rest = hn::Mul(
-            hn::Sub(whole, hn::ConvertTo(kFloats, snapped)), hn::Set(kFloats, static_cast<float>(1 << kRestBits)));
-        return {snapped, hn::NearestInt(hn::Min(rest, hn::Set(kFloats, 32767.0F)))};
-    }
-
     static HWY_INLINE std::int64_t extent(Ints low, Ints high) {
         return std::int64_t{hn::GetLane(hn::MaxOfLanes(kInts, high))} - hn::GetLane(hn::MinOfLanes(kInts, low));
     }

@@ -20,7 +20,7 @@ float scaleFor(int bucketBits, float narrowest) {
 
 } // namespace
 
-void RowBands::reset(std::span<const float> positions, int firstRow, float mostUnits) {
+void RowBands::reset(std::span<const float> positions, int firstRow) {
     GNOMON_CHECK(!positions.empty());
     positions_.assign(positions.begin(), positions.end());
     bands_.clear();
@@ -47,20 +47,20 @@ void RowBands::reset(std::span<const float> positions, int firstRow, float mostU
             least = std::min(least, next);
             most = std::max(most, next);
         }
-        addBand(first, end, end - first > 1 ? least : narrowest, mostUnits);
+        addBand(first, end, end - first > 1 ? least : narrowest);
         first = end;
     }
 }
 
-void RowBands::addBand(std::size_t first, std::size_t end, float narrowest, float mostUnits) {
+void RowBands::addBand(std::size_t first, std::size_t end, float narrowest) {
     RowBand& band = bands_.emplace_back();
     band.first = firstRow_ + static_cast<int>(first);
     band.end = firstRow_ + static_cast<int>(end);
     band.base = positions_[first];
-    while (band.bucketBits > kLeastBucketBits && scaleFor(band.bucketBits, narrowest) * guard_ > mostUnits)
+    while (band.bucketBits > kLeastBucketBits && scaleFor(band.bucketBits, narrowest) * guard_ > kMostUnits)
         --band.bucketBits;
     band.scale = scaleFor(band.bucketBits, narrowest);
-    GNOMON_CHECK_OP(band.scale * guard_, <=, mostUnits);
+    GNOMON_CHECK_OP(band.scale * guard_, <=, kMostUnits);
     for (std::size_t i = first; i < end; ++i)
         band.rows.push_back(static_cast<std::int32_t>(std::lrint(band.units(positions_[i]))));
     const std::int32_t last = band.rows.back();

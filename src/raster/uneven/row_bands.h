@@ -36,17 +36,15 @@ struct RowBand {
     float units(float position) const { return (position - base) * scale; }
 };
 
-/// Largest |y / w| times scale: with columns within 2^24 of each other an edge then stays under 2^63. With runs of
-/// columns these may be within 2^26.
+/// Largest |y / w| times scale: with columns within 2^24 of each other an edge then stays under 2^63.
 constexpr float kMostUnits = 0x1p36F;
-constexpr float kMostUnitsWithRuns = 0x1p34F;
 
 /// The rows of a viewport.
 class RowBands {
 public:
     /// `positions` of the rows from `firstRow` of the target on, in y / w, strictly increasing. Narrower gaps than
-    /// 2^-30 of the largest |y / w| leave no room for exact edges, with kMostUnits.
-    void reset(std::span<const float> positions, int firstRow, float mostUnits = kMostUnits);
+    /// 2^-30 of the largest |y / w| leave no room for exact edges.
+    void reset(std::span<const float> positions, int firstRow);
 
     std::span<const RowBand> bands() const { return bands_; }
 
@@ -62,7 +60,7 @@ public:
     std::array<int, 2> rowsBetween(float low, float high) const;
 
 private:
-    void addBand(std::size_t first, std::size_t end, float narrowest, float mostUnits);
+    void addBand(std::size_t first, std::size_t end, float narrowest);
 
     std::vector<float> positions_;
     std::vector<RowBand> bands_;

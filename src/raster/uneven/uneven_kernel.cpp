@@ -1,5 +1,4 @@
 #include "raster/tile_kernel.h"
-#include "raster/uneven/column_runs.h"
 #include "raster/uneven/row_bands.h"
 #include "raster/uneven/uneven_triangle.h"
 
@@ -291,11 +290,11 @@ HWY_INLINE void drawWideUneven(
     }
 }
 
-std::uint64_t drawUnevenInLanes(const TileWork& work, const RowBand& band, const ColumnBand* run, float* depths) {
+std::uint64_t drawUnevenInLanes(const TileWork& work, const RowBand& band, float* depths) {
     DepthTile target{depths};
     SortedCluster sorted;  // NOLINT(cppcoreguidelines-pro-type-member-init): sortUneven fills it
     BandVertices vertices; // NOLINT(cppcoreguidelines-pro-type-member-init): filled for each cluster
-    const BandLanes rows{&band, run, &work.box};
+    const BandLanes rows{&band, &work.box};
     for (const std::uint32_t index : work.indices) {
         const SnappedCluster& cluster = work.clusters[index];
         if (cluster.box.y1 <= work.box.y0 || cluster.box.y0 >= work.box.y1) continue;
@@ -321,10 +320,7 @@ namespace gnomon::raster {
 
 HWY_EXPORT(drawUnevenInLanes);
 
-namespace {
-
-/// A tile, or the part of it in one run of columns.
-std::uint64_t drawUnevenRun(const TileWork& work, const RowBands& rows, const ColumnBand* run, float* depths) {
+std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, float* depths) {
     std::uint64_t covered = 0;
     for (const RowBand& band : rows.bands()) {
         const int y0 = std::max(band.first, work.box.y0);
@@ -332,22 +328,7 @@ std::uint64_t drawUnevenRun(const TileWork& work, const RowBands& rows, const Co
         if (y0 >= y1) continue;
         const TileWork part{{work.box.x0, y0, work.box.x1, y1}, work.clusters, work.indices};
         float* from = depths + static_cast<std::size_t>(y0 - work.box.y0) * kTileStride;
-        covered += HWY_DYNAMIC_DISPATCH(drawUnevenInLanes)(part, band, run, from);
-    }
-    return covered;
-}
-
-} // namespace
-
-std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, const ColumnRuns* columns, float* depths) {
-    if (columns == nullptr) return drawUnevenRun(work, rows, nullptr, depths);
-    std::uint64_t covered = 0;
-    for (const ColumnBand& run : columns->bands()) {
-        const int x0 = std::max(run.first, work.box.x0);
-        const int x1 = std::min(run.end, work.box.x1);
-        if (x0 >= x1) continue;
-        const TileWork part{{x0, work.box.y0, x1, work.box.y1}, work.clusters, work.indices};
-        covered += drawUnevenRun(part, rows, &run, depths + (x0 - work.box.x0));
+        covered += HWY_DYNAMIC_DISPATCH(drawUnevenInLanes)(part, band, from);
     }
     return covered;
 }

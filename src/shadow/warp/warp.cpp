@@ -179,7 +179,6 @@ double kappaOf(const Warp& warp, const LightFit& fit) {
     case WarpRule::Given:
         return warp.kappa;
     case WarpRule::Log:
-    case WarpRule::Fitted:
         return kappaLog(fit);
     }
     GNOMON_CHECK(false && "a warp rule without a kappa");

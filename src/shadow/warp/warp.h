@@ -24,7 +24,6 @@ enum class WarpRule : std::uint8_t {
     Eta,          // n' from eta by Eq 11
     Given,        // kappa itself
     Log,          // logarithmic rows (Lloyd 2007), and of kappa the least S with them
-    Fitted,       // the same, with rows and columns moved to where a view's samples need them (shadow/view_fit.h)
 };
 
 /// Those that are asked for by a word.
@@ -36,7 +35,6 @@ inline constexpr std::array kWarpRules = {
     Word<WarpRule>{WarpRule::Minimax, "minimax"},
     Word<WarpRule>{WarpRule::Auto, "auto"},
     Word<WarpRule>{WarpRule::Log, "log"},
-    Word<WarpRule>{WarpRule::Fitted, "fitted"},
 };
 
 /// The word for `rule`, also where it is asked for in another way.
@@ -88,9 +86,9 @@ double kappaAuto(const LightFit& fit);
 /// The kappa >= 0 of least S, by a scan and golden sections: slow, for comparison only.
 double kappaLeastStorage(const LightFit& fit);
 
-/// The rows of the maps that `rule` warps, before they are fitted to a view.
+/// The rows of the maps that `rule` warps.
 constexpr RowSpacing rowsOf(WarpRule rule) {
-    return rule == WarpRule::Log || rule == WarpRule::Fitted ? RowSpacing::Logarithmic : RowSpacing::Even;
+    return rule == WarpRule::Log ? RowSpacing::Logarithmic : RowSpacing::Even;
 }
 
 /// The kappa of a warp about the eye: one over its distance in front of the region's least z; nothing where that is not

@@ -25,6 +25,12 @@ LightRows lightRows(const WarpedMap& map) {
     return rows;
 }
 
+double tOf(const WarpedMap& map, double zeta) {
+    if (map.rows == RowSpacing::Even)
+        return zeta * (1 + map.kappa * map.length) / (map.length * (1 + map.kappa * zeta));
+    return std::log1p(map.kappa * zeta) / std::log1p(map.kappa * map.length);
+}
+
 } // namespace
 
 WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
@@ -50,29 +56,13 @@ WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
     return map;
 }
 
-double unfittedS(const WarpedMap& map, const glm::dvec3& p) {
-    const glm::dvec3 light = toLight(map.frame, p);
-    return (light.x / (1 + map.kappa * (light.z - map.zMin)) - map.uMin) / map.width;
-}
-
-double unfittedT(const WarpedMap& map, const glm::dvec3& p) {
-    const double zeta = toLight(map.frame, p).z - map.zMin;
-    if (map.rows == RowSpacing::Even)
-        return zeta * (1 + map.kappa * map.length) / (map.length * (1 + map.kappa * zeta));
-    return std::log1p(map.kappa * zeta) / std::log1p(map.kappa * map.length);
-}
-
 MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
     const glm::dvec3 light = toLight(map.frame, p);
     const double zeta = light.z - map.zMin;
     MapPoint result;
     result.w = 1 + map.kappa * zeta;
     result.s = (light.x / result.w - map.uMin) / map.width;
-    result.t = unfittedT(map, p);
-    if (map.fitted) {
-        result.s = map.fitted->columns.at(result.s);
-        result.t = map.fitted->rows.at(result.t);
-    }
+    result.t = tOf(map, zeta);
     result.depth = (-light.y / result.w - map.rawMin) / map.rawRange;
     return result;
 }
@@ -80,10 +70,6 @@ MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p) {
 std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t) {
     const double warp = map.kappa * map.length;
     double zeta = 0;
-    if (map.fitted) {
-        s = map.fitted->columns.inverse(s);
-        t = map.fitted->rows.inverse(t);
-    }
     if (map.rows == RowSpacing::Even) {
         const double divisor = 1 + warp * (1 - t);
         if (!(divisor > 0)) return std::nullopt;
@@ -104,10 +90,6 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p) {
     result.s = (map.frame.x - gradientOfW * (light.x / w)) / (w * map.width);
     const double growth = map.rows == RowSpacing::Even ? w * w : w;
     result.t = map.frame.z / (rowLength(map.kappa, map.length, map.rows) * growth);
-    if (map.fitted) {
-        result.s *= map.fitted->columns.density(unfittedS(map, p));
-        result.t *= map.fitted->rows.density(unfittedT(map, p));
-    }
     result.depth = (-map.frame.y + gradientOfW * (light.y / w)) / (w * map.rawRange);
     return result;
 }
@@ -120,10 +102,6 @@ LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution&
     beam.x = map.width * w / resolution.s;
     const double growth = map.rows == RowSpacing::Even ? w * w : w;
     beam.z = rowLength(map.kappa, map.length, map.rows) * growth / resolution.t;
-    if (map.fitted) {
-        beam.x /= map.fitted->columns.density(unfittedS(map, p));
-        beam.z /= map.fitted->rows.density(unfittedT(map, p));
-    }
     beam.sheared = beam.z * std::sqrt(1 + shear * shear);
     return beam;
 }

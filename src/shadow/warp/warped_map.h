@@ -2,9 +2,7 @@
 #pragma once
 
 #include "shadow/fit/light_fit.h"
-#include "shadow/warp/fitted_axis.h"
 
-#include <memory>
 #include <optional>
 
 namespace gnomon::shadow {
@@ -13,8 +11,7 @@ namespace gnomon::shadow {
 /// u = x / w, s = (u - uMin) / width, t = zeta (1 + kappa d) / (d w), depth = (rawDepth - rawMin) / rawRange with
 /// w = 1 + kappa zeta and rawDepth = -y / w: 0 is nearest to the light. With logarithmic rows t = ln w / ln(1 + kappa
 /// d) instead, which no matrix gives: the matrix below then gives the t of even rows, 1 - 1 / w up to a factor, of
-/// which that is a function; a fitted grid makes of s and of either t what it is a function for. What uses a map should
-/// use point and Jacobian.
+/// which that is a function. What uses a map should use point and Jacobian.
 struct WarpedMap {
     LightFrame frame;
     RowSpacing rows = RowSpacing::Even;
@@ -25,16 +22,11 @@ struct WarpedMap {
     double width = 0; // W
     double rawMin = 0;
     double rawRange = 1;
-    std::shared_ptr<const FittedGrid> fitted; // null: columns lie evenly, rows as `rows` says
 };
 
+/// Whether only a rasteriser that takes rows from an array can draw it.
 inline bool hasLogRows(const WarpedMap& map) {
     return map.rows == RowSpacing::Logarithmic;
-}
-
-/// Whether only a rasteriser that takes rows from an array can draw it.
-inline bool hasUnevenRows(const WarpedMap& map) {
-    return hasLogRows(map) || map.fitted;
 }
 
 /// The map with warp `kappa` of `fit`, whose depth is fitted to its vertices, grown by `bias` (in rawDepth) at both
@@ -51,14 +43,9 @@ struct MapPoint {
 
 MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p);
 
-/// The s and the t of `p` before columns and rows are fitted.
-double unfittedS(const WarpedMap& map, const glm::dvec3& p);
-double unfittedT(const WarpedMap& map, const glm::dvec3& p);
-
 /// The inverse of mapPoint without its depth: where (s, t) lies in light space, x and z; nothing from the warp's
-/// vanishing line on, which logarithmic rows never reach. A grown or shrunk rectangle of a map that is not
-/// fitted is the hull of what its corners come to: even rows are linear over linear, and a step in ln w is linear in
-/// (x, w).
+/// vanishing line on, which logarithmic rows never reach. A grown or shrunk rectangle of a map is the hull of what
+/// its corners come to: even rows are linear over linear, and a step in ln w is linear in (x, w).
 std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t);
 
 /// The derivatives of (s, t, depth) by camera-space position: rows are the gradients of s, t and depth.
@@ -72,7 +59,7 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p);
 
 /// The widths of a texel's light beam at `p` along x and along z, world units (section 4.1, without the shear term):
 /// w_lx = W w / res_s and w_lz = d w^2 / ((1 + kappa d) res_t), with logarithmic rows w ln(1 + kappa d) / (kappa
-/// res_t), all over the densities of a fitted grid; `sheared` is the length of a whole step in t.
+/// res_t); `sheared` is the length of a whole step in t.
 struct LightBeam {
     double x = 0;
     double z = 0;

@@ -1,4 +1,4 @@
-#include "shadow/warp/log_forms.h"
+#include "tests/theory/log_forms.h"
 
 #include "shadow/partition/faces.h"
 

@@ -18,7 +18,6 @@ enum class Subject : std::uint8_t {
     Ready,  // helper to leader: nothing
     Task,   // leader to helper: Assignment
     Result, // helper to leader: Outcome
-    News,   // helper to leader, of a task that runs (src/mpi): News
     Lend,   // leader to helper: how many threads of others its tasks may share
     Failed, // helper to leader: a text
     Stop,   // leader to helper: nothing

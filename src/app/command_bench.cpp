@@ -20,7 +20,6 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <numeric>
 
 namespace gnomon::app {
 
@@ -44,7 +43,6 @@ struct BenchOptions {
     std::string budgetMs;
     std::string baseline;
     std::string failAbovePercent = "10";
-    bool sharesNodes = false;
 };
 
 /// What the options ask of each walk: --quick shortens it, a report wants repetitions and proofs.
@@ -101,28 +99,20 @@ std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     return runs;
 }
 
-/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed. A process that
-/// another one leads makes no files.
+/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
 class Bench {
 public:
-    Bench(const BenchOptions& options, TaskFarm& farm)
+    explicit Bench(const BenchOptions& options)
         : options_(options),
-          farm_(farm),
           bounds_(boundsOf(options)),
           runs_(runsOf(options)),
           path_(path::projected(path::readCameraPath(options.path), runs_.front().settings.projection)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(
-              options.model,
-              measure::executorSettings(runs_),
-              [&farm](const std::string& warning) {
-                  if (!farm.isLed()) printWarning(warning);
-              }),
-          csv_(ownFile(options.csv)),
-          json_(ownFile(options.json)),
-          images_(ownFile(options.images)),
-          report_(ownFile(options.report)) {
-        if (farm.isLed()) options_.common.progress = "none";
+          session_(options.model, measure::executorSettings(runs_), printWarning),
+          csv_(options.csv),
+          json_(options.json),
+          images_(options.images),
+          report_(options.report) {
         if (options.isQuick) shorten();
         context_ = measure::statedFacts(runs_, path_, options_.walk, session_);
         context_["path"] = std::filesystem::path(options.path).filename().string();
@@ -136,15 +126,13 @@ public:
     }
 
     void run() {
-        gather();
-        if (farm_.isLed()) return farm_.serve(measure::workOf(walks()), *makeProgress(options_.common));
         const std::vector<measure::RunResult> results = walked();
         std::vector<report::RunSummary> summaries;
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summary);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         tellShortfall(results);
         csv_.write(measure::csvText(results)); // before what may be stopped: it has taken the longest
-        json_.write(measure::benchmarkText(context_, results, farm_.report()));
+        json_.write(measure::benchmarkText(context_, results));
         std::fputs(measure::tableText(summaries).c_str(), stdout);
         std::fputs(choicesText(summaries).c_str(), stdout);
         if (!options_.images.empty()) writeImages();
@@ -168,23 +156,7 @@ private:
         if (const std::string line = measure::shortfallLine(shortfall); !line.empty()) printWarning(line);
     }
 
-    std::string ownFile(const std::string& path) const { return farm_.isLed() ? std::string() : path; }
-
-    measure::BenchWalks walks() { return {session_, path_, runs_, options_.walk, farm_}; }
-
-    void gather() {
-        FarmMember self;
-        self.threads = static_cast<std::uint32_t>(ThreadLimit::current());
-        self.machine = context_["cpu"];
-        farm_.gather(measure::keyOf(walks()), self, *makeProgress(options_.common));
-        const std::string shared = measure::sharedHost(farm_.report());
-        if (!shared.empty() && !options_.sharesNodes)
-            throw settings::UsageError{
-                shared + " and would disturb each other's times: start one a node (mpirun --map-by ppr:1:node), or "
-                         "say --share-nodes"};
-        for (const std::string& sentence : measure::unlikeMachines(farm_.report()))
-            printWarning(sentence);
-    }
+    measure::BenchWalks walks() { return {session_, path_, runs_, options_.walk}; }
 
     std::string choicesText(const std::vector<report::RunSummary>& summaries) {
         std::string text;
@@ -200,7 +172,7 @@ private:
         const int wanted = options_.walk.frames;
         options_.walk.frames = measure::quickFrames(session_, path_, runs_, options_.walk);
         options_.walk.provenFrames = std::min(options_.walk.provenFrames, options_.walk.frames);
-        if (options_.walk.frames < wanted && !farm_.isLed())
+        if (options_.walk.frames < wanted)
             printMessage(
                 "--quick walks " + std::to_string(options_.walk.frames) + " of " + std::to_string(wanted) +
                 " frames a run: so many triangles take their time");
@@ -225,13 +197,10 @@ private:
     }
 
     void writeImages() {
-        std::vector<std::size_t> all(runs_.size());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        const auto write = [this](std::size_t run, const std::vector<report::Picture>& pictures) {
-            measure::writePictures(options_.images, run, pictures);
-        };
         const auto progress = staged("pictures", measure::kFramesOfPictures * runs_.size());
-        measure::middlePicturesOfEach(walks(), all, write, *progress);
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            measure::writePictures(
+                options_.images, run, measure::middlePictures(session_, path_, runs_[run], options_.walk, *progress));
     }
 
     report::Report pageOf(const std::vector<report::RunSummary>& summaries) {
@@ -250,7 +219,6 @@ private:
     }
 
     BenchOptions options_;
-    TaskFarm& farm_;
     Bounds bounds_;
     std::vector<measure::BenchRun> runs_;
     path::CameraPath path_;
@@ -263,18 +231,18 @@ private:
     PreparedFolder report_;
 };
 
-void runBench(BenchOptions options, TaskFarm& farm) {
+void runBench(BenchOptions options) {
     const ThreadLimit limit(options.common);
     settings::requireApart(
         {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
         {{"--csv", options.csv}, {"--json-file", options.json}});
     options.walk = walkOf(options);
-    Bench(options, farm).run();
+    Bench(options).run();
 }
 
 } // namespace
 
-void addBenchCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm) {
+void addBenchCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "bench",
         "Walk a camera path for every combination of settings and log every frame.\n"
@@ -322,16 +290,10 @@ void addBenchCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm) {
     command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench");
     command->add_option("--fail-above", options->failAbovePercent, "Exit 1 if a median grew by more percent than this")
         ->capture_default_str();
-    if (farm)
-        command->add_flag(
-            "--share-nodes", options->sharesNodes, "Time even where several processes of the job share a host");
     options->settings.addTo(*command);
     shadowMaps->excludes("--z-partitions");
     addCommonOptions(*command, options->common);
-    command->callback([options, farm] {
-        LoneFarm lone;
-        runBench(*options, farm ? *farm : lone);
-    });
+    command->callback([options] { runBench(*options); });
 }
 
 } // namespace gnomon::app

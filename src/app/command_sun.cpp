@@ -80,16 +80,15 @@ struct HoursOptions {
     CommonOptions common;
 };
 
-void runHours(HoursOptions options, TaskFarm& farm) {
+void runHours(HoursOptions options, measure::SunHoursTeam& team) {
     const ThreadLimit threads(options.common);
     measure::SunHoursTask task = options.task;
-    task.farm = &farm;
-    task.threads = static_cast<std::uint32_t>(ThreadLimit::current());
-    if (farm.isLed()) options.common.progress = "none";
+    task.team = &team;
+    if (!team.leads()) options.common.progress = "none";
     task.settings = options.settings.settings();
     settings::requireDirectionalLight(task.settings, "sun hours");
-    task.warn = [&farm](const std::string& warning) {
-        if (!farm.isLed()) printWarning(warning);
+    task.warn = [&team](const std::string& warning) {
+        if (team.leads()) printWarning(warning);
     };
     task.period.place = settings::parsed(settings::place(), "--at", options.at);
     task.period.from = settings::parsed(settings::moment(), "--from", options.from);
@@ -118,11 +117,11 @@ void runHours(HoursOptions options, TaskFarm& farm) {
         std::fputs(measure::summaryText(*done, task.period.stepSeconds).c_str(), stderr);
         return;
     }
-    std::printf("%s\n", measure::summaryJson(*done, farm.report()).c_str());
+    std::printf("%s\n", measure::summaryJson(*done).c_str());
     requirePrinted("the files that were asked for are complete");
 }
 
-void addHoursCommand(CLI::App& group, const std::shared_ptr<TaskFarm>& farm) {
+void addHoursCommand(CLI::App& group, const std::shared_ptr<measure::SunHoursTeam>& team) {
     auto options = std::make_shared<HoursOptions>();
     CLI::App* command = group.add_subcommand("hours", "Count the hours of sun over a period, by exact shadows");
     measure::SunHoursTask& task = options->task;
@@ -143,10 +142,10 @@ void addHoursCommand(CLI::App& group, const std::shared_ptr<TaskFarm>& farm) {
         ->excludes(points);
     command->add_option("--error", options->error, "Of --points, --vertices: the level's error, world units [finest]");
     command->add_flag("--resume", task.isResumed, "Go on with what a killed run left");
-    command->add_flag("--json", options->isJson, "Print what was counted, and who counted, as JSON on stdout");
+    command->add_flag("--json", options->isJson, "Print what was counted as JSON on stdout");
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
-    command->callback([options, farm] { runHours(*options, *farm); });
+    command->callback([options, team] { runHours(*options, *team); });
 }
 
 void addPositionCommand(CLI::App& group) {
@@ -167,11 +166,11 @@ void addPositionCommand(CLI::App& group) {
 
 } // namespace
 
-void addSunCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm) {
+void addSunCommand(CLI::App& program, const std::shared_ptr<measure::SunHoursTeam>& team) {
     CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands, and how long it shines on what");
     group->require_subcommand(1);
-    if (!farm) addPositionCommand(*group);
-    addHoursCommand(*group, farm ? farm : std::make_shared<LoneFarm>());
+    if (!team) addPositionCommand(*group);
+    addHoursCommand(*group, team ? team : std::make_shared<measure::SunHoursTeam>());
 }
 
 } // namespace gnomon::app

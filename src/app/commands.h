@@ -1,7 +1,6 @@
 // The subcommands of `gnomon`: each adds itself, its options and what it does to the command line.
 #pragma once
 
-#include "core/process/task_farm.h"
 #include "core/progress.h"
 #include "preprocess/pipeline/build_model.h"
 
@@ -12,6 +11,10 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+
+namespace gnomon::measure {
+class SunHoursTeam;
+}
 
 namespace gnomon::app {
 
@@ -40,8 +43,7 @@ void addServerOptions(CLI::App& command);
 /// Adds MODEL, the name of a .gnm that is read, and those.
 void addModel(CLI::App& command, std::string& model);
 
-/// Without `farm` by this process alone.
-void addBenchCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm = {});
+void addBenchCommand(CLI::App& program);
 
 /// How a command builds: nothing comes back to a process that only helped another.
 using BuildBy = std::function<std::optional<pipeline::BuildReport>(
@@ -58,8 +60,8 @@ void addMeasureCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 
-/// Without `farm` by this process alone; with it hours of sun alone.
-void addSunCommand(CLI::App& program, const std::shared_ptr<TaskFarm>& farm = {});
+/// Without `team` by this process alone; with it hours of sun alone.
+void addSunCommand(CLI::App& program, const std::shared_ptr<measure::SunHoursTeam>& team = {});
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);

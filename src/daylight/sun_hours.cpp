@@ -1,7 +1,5 @@
 #include "daylight/sun_hours.h"
 
-#include "hierarchy/bytes.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -32,36 +30,6 @@ std::vector<std::uint32_t> stepsOfLights(const std::vector<SunStep>& steps) {
     return places;
 }
 
-TaskBytes encodedLight(std::size_t light) {
-    hierarchy::ByteWriter out;
-    out.putVarint(light);
-    return out.take();
-}
-
-/// What came of a light: a bit for each receiver.
-TaskBytes encodedVerdict(const exact::ExactStatistics& statistics, const std::vector<std::uint8_t>& isLit) {
-    hierarchy::ByteWriter out;
-    out.putVarint(statistics.samples);
-    out.putVarint(statistics.touching);
-    for (std::size_t i = 0; i < isLit.size(); i += 8) {
-        unsigned bits = 0;
-        for (std::size_t k = i; k < std::min(i + 8, isLit.size()); ++k)
-            bits |= (isLit[k] != 0 ? 1U : 0U) << (k - i);
-        out.put(static_cast<std::uint8_t>(bits));
-    }
-    return out.take();
-}
-
-void takeVerdict(std::span<const std::byte> bytes, LitSteps& sums, std::vector<std::uint8_t>& isLit) {
-    hierarchy::ByteReader in(bytes);
-    sums.samples += in.takeVarint();
-    sums.touching += in.takeVarint();
-    const std::span<const std::byte> bits = in.take((isLit.size() + 7) / 8);
-    in.expectEnd();
-    for (std::size_t i = 0; i < isLit.size(); ++i)
-        isLit[i] = static_cast<std::uint8_t>(std::to_integer<unsigned>(bits[i / 8]) >> i % 8 & 1U);
-}
-
 } // namespace
 
 std::vector<IntegerLight> lightsOf(const std::vector<SunStep>& steps) {
@@ -71,20 +39,12 @@ std::vector<IntegerLight> lightsOf(const std::vector<SunStep>& steps) {
     return lights;
 }
 
-FarmWork workOf(Receivers& receivers, const std::vector<SunStep>& steps) {
-    return {
-        [&receivers,
-         lights = lightsOf(steps)](std::span<const std::byte> input, Progress& /*progress*/, const auto& /*tell*/) {
-            hierarchy::ByteReader in(input);
-            std::vector<std::uint8_t> isLit(receivers.count());
-            const exact::ExactStatistics statistics = receivers.decide(lights.at(in.takeVarint()), isLit);
-            return encodedVerdict(statistics, isLit);
-        },
-        FarmWork::Thread::Another};
-}
-
 LitSteps litSteps(
-    Receivers& receivers, const std::vector<SunStep>& steps, LitLog& log, TaskFarm& farm, Progress& progress) {
+    Receivers& receivers,
+    const std::vector<SunStep>& steps,
+    LitLogs& logs,
+    const LightShare& share,
+    Progress& progress) {
     const std::vector<std::uint32_t> stepOf = stepsOfLights(steps);
     LitSteps result;
     result.count.assign(receivers.count(), 0);
@@ -92,28 +52,18 @@ LitSteps litSteps(
     result.last.assign(receivers.count(), LitSteps::kNever);
     result.stepsUp = static_cast<std::uint32_t>(stepOf.size());
     std::vector<std::uint8_t> isLit(receivers.count());
-    progress.stage("sun", "directions", stepOf.size());
-    std::vector<std::size_t> missing;
+    progress.stage("sun", "directions", (stepOf.size() + share.ranks - 1 - share.rank) / share.ranks);
     for (std::size_t light = 0; light < stepOf.size(); ++light) {
-        if (!log.has(light)) {
-            missing.push_back(light);
-            continue;
+        if (!share.owns(light)) continue;
+        if (!logs.read(light, isLit)) {
+            const exact::ExactStatistics statistics = receivers.decide(steps[stepOf[light]].light, isLit);
+            result.samples += statistics.samples;
+            result.touching += statistics.touching;
+            logs.put(light, isLit);
         }
-        log.read(light, isLit);
         add(isLit, stepOf[light], result);
         progress.advance(1);
     }
-    FarmTasks tasks;
-    tasks.name = "sun";
-    tasks.count = missing.size();
-    tasks.input = [&](std::size_t task) { return encodedLight(missing[task]); };
-    tasks.take = [&](std::size_t task, std::span<const std::byte> bytes) {
-        takeVerdict(bytes, result, isLit);
-        log.put(missing[task], isLit);
-        add(isLit, stepOf[missing[task]], result);
-        progress.advance(1);
-    };
-    farm.run(tasks, workOf(receivers, steps), progress);
     return result;
 }
 

@@ -1,7 +1,7 @@
 // Hours of sun: of each receiver in how many steps the Sun reaches it, when first and when last.
 #pragma once
 
-#include "core/process/task_farm.h"
+#include "core/progress.h"
 #include "daylight/lit_log.h"
 #include "daylight/receivers.h"
 #include "daylight/sun_steps.h"
@@ -26,13 +26,14 @@ struct LitSteps {
 /// The lights of those steps in which the Sun is up.
 std::vector<IntegerLight> lightsOf(const std::vector<SunStep>& steps);
 
-/// How a process decides `receivers` for another, light by light.
-FarmWork workOf(Receivers& receivers, const std::vector<SunStep>& steps);
-
-/// Decides `receivers` for all steps whose lights `log` lacks, in all processes of `farm`, and adds what each light
-/// comes to to the log. `progress` advances by one for each light, those of the log included; where it throws, the log
-/// holds what was done.
+/// Decides `receivers` for the lights of `share`, but for those that `logs` has, and adds each decided light to the
+/// logs. The result counts the lights of `share` only. `progress` advances by one for each of them. If it
+/// throws, the logs hold what was done.
 LitSteps litSteps(
-    Receivers& receivers, const std::vector<SunStep>& steps, LitLog& log, TaskFarm& farm, Progress& progress);
+    Receivers& receivers,
+    const std::vector<SunStep>& steps,
+    LitLogs& logs,
+    const LightShare& share,
+    Progress& progress);
 
 } // namespace gnomon::daylight

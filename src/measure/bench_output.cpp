@@ -55,8 +55,7 @@ std::string csvText(const std::vector<RunResult>& results) {
     return text;
 }
 
-std::string benchmarkText(
-    const std::map<std::string, std::string>& context, const std::vector<RunResult>& results, const FarmReport& farm) {
+std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results) {
     std::vector<telemetry::RunTimes> runs;
     for (const RunResult& result : results) {
         const report::RunSummary facts = summary(result);
@@ -65,32 +64,7 @@ std::string benchmarkText(
             times.totalMs.push_back(row.totalMs.value_or(0));
         runs.push_back(times);
     }
-    return telemetry::benchmarkJson(context, runs, farm) + "\n";
-}
-
-std::string sharedHost(const FarmReport& farm) {
-    std::map<std::string, std::uint32_t> rankOf;
-    for (const FarmMember& member : farm.members) {
-        const auto [other, isFirst] = rankOf.try_emplace(member.host, member.rank);
-        if (!isFirst)
-            return "ranks " + std::to_string(other->second) + " and " + std::to_string(member.rank) + " are both on " +
-                   member.host;
-    }
-    return {};
-}
-
-std::vector<std::string> unlikeMachines(const FarmReport& farm) {
-    std::vector<std::string> sentences;
-    const auto textOf = [](const FarmMember& member) {
-        return "rank " + std::to_string(member.rank) + " on " + member.host + " has " + std::to_string(member.threads) +
-               " threads of " + member.machine;
-    };
-    for (const FarmMember& member : farm.members) {
-        const FarmMember& first = farm.members.front();
-        if (member.threads != first.threads || member.machine != first.machine)
-            sentences.push_back(textOf(member) + ", but " + textOf(first) + ": their times do not compare");
-    }
-    return sentences;
+    return telemetry::benchmarkJson(context, runs) + "\n";
 }
 
 void writePictures(const std::string& folder, std::size_t run, const std::vector<report::Picture>& pictures) {

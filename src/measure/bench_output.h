@@ -24,19 +24,8 @@ std::map<std::string, std::string> statedFacts(
 /// The log: a header line and a row a frame.
 std::string csvText(const std::vector<RunResult>& results);
 
-/// A document of the shape of Google Benchmark's; where several processes measured, `farm` says who.
-std::string benchmarkText(
-    const std::map<std::string, std::string>& context,
-    const std::vector<RunResult>& results,
-    const FarmReport& farm = {});
-
-/// Two processes of one host, as "ranks 0 and 1 are both on node1": they would disturb each other's times. Empty if
-/// there are none.
-std::string sharedHost(const FarmReport& farm);
-
-/// What makes times of different processes hard to compare, a sentence each: other threads or another processor than
-/// rank 0 has.
-std::vector<std::string> unlikeMachines(const FarmReport& farm);
+/// A document of the shape of Google Benchmark's.
+std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results);
 
 /// Writes the pictures of run `run` into `folder`, under its number.
 void writePictures(const std::string& folder, std::size_t run, const std::vector<report::Picture>& pictures);

@@ -1,11 +1,9 @@
 // The runs of a bench: every combination of the swept settings, walked along one camera path by whoever is free.
 #pragma once
 
-#include "core/process/task_farm.h"
 #include "measure/bench_walk.h"
 #include "report/page.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,20 +15,13 @@ std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
 /// The settings that the executor of all runs is made by: those of a run that needs the software backend, if one does.
 settings::Settings executorSettings(const std::vector<BenchRun>& runs);
 
-/// What a bench walks and who does: all processes of `farm` have the same. All must outlive it.
+/// What a bench walks. All must outlive it.
 struct BenchWalks {
     Session& session;
     const path::CameraPath& path;
     const std::vector<BenchRun>& runs;
     const WalkOptions& options;
-    TaskFarm& farm;
 };
-
-/// What each process of the farm must have alike.
-std::string keyOf(const BenchWalks& walks);
-
-/// How a process does walks, and pictures, for another.
-FarmWork workOf(const BenchWalks& walks);
 
 /// Walks every run along the path: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
 /// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In
@@ -62,13 +53,6 @@ std::vector<report::Picture> middlePictures(
     const BenchRun& run,
     const WalkOptions& options,
     Progress& progress);
-
-/// Gets the pictures of one run.
-using TakePictures = std::function<void(std::size_t run, std::vector<report::Picture> pictures)>;
-
-/// Those of all `which` of the runs, each taken as soon as it is drawn.
-void middlePicturesOfEach(
-    const BenchWalks& walks, const std::vector<std::size_t>& which, const TakePictures& take, Progress& progress);
 
 /// Those of all `which` of the runs, one after the other. What runs that draw alike show is drawn once. Progress
 /// advances by kFramesOfPictures a run.

@@ -8,7 +8,6 @@
 #include "measure/sun_hours_points.h"
 #include "settings/codec.h"
 #include "settings/resolve.h"
-#include "telemetry/farm_json.h"
 #include "telemetry/json_text.h"
 
 namespace gnomon::measure {
@@ -44,13 +43,13 @@ std::optional<SunHoursSummary> computeViewHours(const SunHoursTask& task, Progre
     Session session(task.model, settings, task.warn);
     const plan::View view = settings::viewOf(settings, session.model());
     SunHoursRun run(task, stepsOf(task, view.up), keyOfView(view, quality));
-    const bool isLed = task.farm->isLed();
-    if (!isLed)
+    const bool leads = task.team->leads();
+    if (leads)
         for (const std::string& path : {task.output, task.pfm, task.csv})
             requireWritable(path);
-    const PreparedFolder report(isLed ? std::string() : task.report);
+    const PreparedFolder report(leads ? task.report : std::string());
     daylight::SunView receivers(session.renderer(), view, quality, daylight::lightsOf(run.steps()));
-    if (!isLed) tellShortfall(receivers.prepared(), quality, task.warn);
+    if (leads) tellShortfall(receivers.prepared(), quality, task.warn);
     const daylight::LitSteps* const lit = run.decide(receivers, progress);
     if (lit == nullptr) return std::nullopt;
     const SunHoursFiles files(receivers, *lit, run, task.period);
@@ -90,15 +89,14 @@ std::string summaryText(const SunHoursSummary& summary, double stepSeconds) {
         stepSeconds);
 }
 
-std::string summaryJson(const SunHoursSummary& summary, const FarmReport& farm) {
-    nlohmann::ordered_json json = {
+std::string summaryJson(const SunHoursSummary& summary) {
+    const nlohmann::ordered_json json = {
         {"receivers", summary.receivers},
         {"steps", summary.steps},
         {"steps_up", summary.stepsUp},
         {"verdicts", summary.samples},
         {"touching", summary.touching},
         {"detail", summary.detail}};
-    if (!farm.members.empty()) json.update(telemetry::farmJson(farm));
     return telemetry::jsonText(json, 1);
 }
 

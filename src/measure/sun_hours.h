@@ -11,13 +11,13 @@ namespace gnomon::measure {
 
 /// Computes and writes them; files appear when they are complete. Throws Error, UsageError for what contradicts itself,
 /// and what `progress` throws: then a file beside the first output holds what was done, for a task with `isResumed`.
-/// Nothing in a process that another one leads.
+/// Returns nothing in a rank that does not lead the team.
 std::optional<SunHoursSummary> computeSunHours(const SunHoursTask& task, Progress& progress);
 
 /// What was computed, in a line; each time errs by up to half of `stepSeconds`.
 std::string summaryText(const SunHoursSummary& summary, double stepSeconds);
 
-/// What was computed as JSON; where several processes decided, who did what (telemetry/farm_json.h).
-std::string summaryJson(const SunHoursSummary& summary, const FarmReport& farm);
+/// What was computed as JSON.
+std::string summaryJson(const SunHoursSummary& summary);
 
 } // namespace gnomon::measure

@@ -115,7 +115,7 @@ std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progr
     plan::View view;
     settings::setSections(task.settings, view);
     std::vector<daylight::SunStep> steps = stepsOf(task, upright.up.value_or(summary.up.direction));
-    if (!task.farm->isLed())
+    if (task.team->leads())
         for (const std::string& path : {task.output, task.csv})
             requireWritable(path);
     exporter::ExportLimit limit;

@@ -6,7 +6,7 @@
 
 namespace gnomon::measure {
 
-/// Hours of sun of a task's points or vertices; nothing in a process that another one leads.
+/// Hours of sun of a task's points or vertices; nothing in a rank that does not lead the team.
 std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progress& progress);
 
 } // namespace gnomon::measure

@@ -28,14 +28,33 @@ std::string keyOfRun(const SunHoursTask& task, const std::vector<daylight::SunSt
 }
 
 /// What a killed run leaves, beside the first of its outputs.
-std::string logPathOf(const SunHoursTask& task) {
+std::string logStemOf(const SunHoursTask& task) {
     std::string path = !task.output.empty() ? task.output : !task.pfm.empty() ? task.pfm : task.csv;
     if (path.empty()) path = task.report;
     while (path.size() > 1 && path.back() == '/')
         path.pop_back();
     GNOMON_CHECK(!path.empty());
-    return path + ".steps";
+    return path;
 }
+
+/// Asks the team after each light whether to go on.
+class PolledProgress final : public Progress {
+public:
+    PolledProgress(SunHoursTeam& team, Progress& progress) : team_(team), progress_(progress) {}
+
+    void stage(std::string_view name, std::string_view unit, std::uint64_t total) override {
+        progress_.stage(name, unit, total);
+    }
+
+    void advance(std::uint64_t count) override {
+        progress_.advance(count);
+        team_.poll();
+    }
+
+private:
+    SunHoursTeam& team_;
+    Progress& progress_;
+};
 
 } // namespace
 
@@ -61,25 +80,30 @@ std::vector<daylight::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec
 }
 
 SunHoursRun::SunHoursRun(const SunHoursTask& task, std::vector<daylight::SunStep> steps, const std::string& key)
-    : farm_(*task.farm),
-      threads_(task.threads),
-      logPath_(logPathOf(task)),
+    : team_(*task.team),
+      logStem_(logStemOf(task)),
       key_(keyOfRun(task, steps) + key),
       isResumed_(task.isResumed),
       stepSeconds_(task.period.stepSeconds),
       steps_(std::move(steps)) {}
 
 const daylight::LitSteps* SunHoursRun::decide(daylight::Receivers& receivers, Progress& progress) {
-    FarmMember self;
-    self.threads = threads_;
-    farm_.gather(key_ + "; receivers " + std::to_string(receivers.count()), self, progress);
-    if (farm_.isLed()) {
-        farm_.serve(daylight::workOf(receivers, steps_), progress);
-        return nullptr;
-    }
-    log_.emplace(logPath_, key_, receivers.count(), daylight::lightsOf(steps_).size(), isResumed_);
-    lit_ = daylight::litSteps(receivers, steps_, *log_, farm_, progress);
+    team_.begin(key_ + "; receivers " + std::to_string(receivers.count()), progress);
+    const daylight::LightShare share = team_.share();
+    logs_.emplace(logStem_, key_, receivers.count(), share, isResumed_);
+    PolledProgress polled(team_, progress);
+    lit_ = daylight::litSteps(receivers, steps_, *logs_, share, polled);
+    logs_->handOver();
+    team_.combine(lit_, progress);
+    if (!team_.leads()) return nullptr;
+    if (share.ranks > 1) logs_->openOthers();
     return &lit_;
+}
+
+void SunHoursRun::readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const {
+    if (!logs_->read(light, isLit))
+        throw Error(
+            logStem_ + ".steps", "a record that was written is not there", "light " + std::to_string(light), "nothing");
 }
 
 std::string SunHoursRun::time(std::uint32_t step) const {
@@ -93,7 +117,7 @@ std::string SunHoursRun::row(std::size_t receiver) const {
 }
 
 SunHoursSummary SunHoursRun::finish(std::size_t receivers, std::string detail) {
-    log_->remove();
+    logs_->remove();
     return {receivers, steps_.size(), lit_.stepsUp, lit_.samples, lit_.touching, std::move(detail)};
 }
 

@@ -19,38 +19,38 @@ std::string keyOfSections(const plan::View& view);
 /// One run through all steps.
 class SunHoursRun {
 public:
-    /// `key` tells the receivers from others of the same model. The log lies beside the task's first output. Throws
+    /// `key` tells the receivers from others of the same model. The logs lie beside the task's first output. Throws
     /// Error.
     SunHoursRun(const SunHoursTask& task, std::vector<daylight::SunStep> steps, const std::string& key);
 
     const std::vector<daylight::SunStep>& steps() const { return steps_; }
 
-    /// Decides `receivers` for all steps, in all processes of the task's farm; those of the log are not decided again.
-    /// Nothing in a process that another one leads: it has helped.
+    /// Decides `receivers` for all steps, in all ranks of the task's team. Steps of the logs are not decided again.
+    /// Returns nothing in a rank that does not lead the team.
     const daylight::LitSteps* decide(daylight::Receivers& receivers, Progress& progress);
 
-    /// Sets `isLit` to which receivers are lit at light `light`, by the log; after `decide`.
-    void readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const { log_->read(light, isLit); }
+    /// Sets `isLit` to which receivers are lit at light `light`, by the logs; after `decide`.
+    /// Throws Error if no log has its record.
+    void readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
     double hours(std::uint32_t steps) const { return steps * stepSeconds_ / 3600; }
 
     /// "steps,hours,first_sun,last_sun" of a receiver.
     std::string row(std::size_t receiver) const;
 
-    /// Ends the run: its files are written, the log goes. `detail` as SunHoursSummary has it.
+    /// Ends the run: its files are written, the logs go. `detail` as SunHoursSummary has it.
     SunHoursSummary finish(std::size_t receivers, std::string detail);
 
 private:
     std::string time(std::uint32_t step) const;
 
-    TaskFarm& farm_;
-    std::uint32_t threads_;
-    std::string logPath_;
+    SunHoursTeam& team_;
+    std::string logStem_;
     std::string key_;
     bool isResumed_;
     double stepSeconds_;
     std::vector<daylight::SunStep> steps_;
-    std::optional<daylight::LitLog> log_;
+    std::optional<daylight::LitLogs> logs_;
     daylight::LitSteps lit_;
 };
 

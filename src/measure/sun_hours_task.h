@@ -1,7 +1,7 @@
 // Hours of sun of a model: which receivers, over which period, and what of it goes where.
 #pragma once
 
-#include "core/process/task_farm.h"
+#include "measure/sun_hours_team.h"
 #include "settings/sun_period.h"
 
 #include <cstdint>
@@ -14,8 +14,7 @@ namespace gnomon::measure {
 /// An empty path is nothing. Receivers are the pixels of a view; or, in a uniform cut, the points of a file or all of
 /// its vertices.
 struct SunHoursTask {
-    TaskFarm* farm = nullptr;  // whose processes decide; one that is led writes nothing
-    std::uint32_t threads = 1; // of this one
+    SunHoursTeam* team = nullptr; // the processes that decide
     std::string model;
     settings::Settings settings; // of the view, which is from above where they pose none; its light is not looked at
     std::function<void(const std::string&)> warn;

@@ -8,23 +8,23 @@
 #include "core/error.h"
 #include "core/printable.h"
 #include "hierarchy/bytes.h"
-#include "mpi/leading_farm.h"
-#include "mpi/serving_farm.h"
+#include "mpi/sun_team.h"
 #include "preprocess/distributed/helper.h"
 #include "preprocess/distributed/leader.h"
 #include "settings/table.h"
+
+#include <string_view>
 
 namespace {
 
 using namespace gnomon;
 
-app::Program programOf(const app::BuildBy& buildBy, const std::shared_ptr<TaskFarm>& farm, bool isSilent) {
+app::Program programOf(const app::BuildBy& buildBy, const std::shared_ptr<mpi::SunTeam>& team, bool isSilent) {
     return {
         "gnomon-mpi",
         "What gnomon does, by the processes of an MPI job: mpirun -n N gnomon-mpi COMMAND",
         {[buildBy](CLI::App& program) { app::addBuildCommand(program, buildBy); },
-         [farm](CLI::App& program) { app::addBenchCommand(program, farm); },
-         [farm](CLI::App& program) { app::addSunCommand(program, farm); },
+         [team](CLI::App& program) { app::addSunCommand(program, team); },
          [isSilent](CLI::App& program) { app::addManualCommand(program, isSilent); }},
         isSilent};
 }
@@ -44,8 +44,11 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
         report.processes.front().bytesWritten = report.scratchWritten;
         return std::optional(std::move(report));
     };
-    const int code = app::exitCodeOf(
-        [&] { app::runProgram(programOf(build, std::make_shared<mpi::LeadingFarm>(mailbox), false), argc, argv); });
+    const int code = app::exitCodeOf([&] {
+        if (argc > 1 && std::string_view(argv[1]) == "bench")
+            throw settings::UsageError{"bench runs in one process: gnomon bench"};
+        app::runProgram(programOf(build, std::make_shared<mpi::SunTeam>(mailbox), false), argc, argv);
+    });
     if (!isDismissed) leader.dismiss();
     return code;
 }
@@ -58,7 +61,8 @@ int help(distributed::Mailbox& mailbox, int argc, char** argv) {
         return std::optional<pipeline::BuildReport>();
     };
     try {
-        app::runProgram(programOf(build, std::make_shared<mpi::ServingFarm>(mailbox, helper), true), argc, argv);
+        const auto team = std::make_shared<mpi::SunTeam>(mailbox, [&] { helper.noteStop(); });
+        app::runProgram(programOf(build, team, true), argc, argv);
     } catch (const settings::UsageError& error) {
         helper.fail(error.message);
     } catch (const Interrupted&) {

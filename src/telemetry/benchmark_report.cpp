@@ -1,7 +1,6 @@
 #include "telemetry/benchmark_report.h"
 
 #include "core/check.h"
-#include "telemetry/farm_json.h"
 #include "telemetry/json_text.h"
 
 #include <algorithm>
@@ -28,11 +27,9 @@ double quantile(std::span<const double> values, double fraction) {
     return std::lerp(sorted[below], sorted[above], rank - static_cast<double>(below));
 }
 
-std::string benchmarkJson(
-    const std::map<std::string, std::string>& context, std::span<const RunTimes> runs, const FarmReport& farm) {
+std::string benchmarkJson(const std::map<std::string, std::string>& context, std::span<const RunTimes> runs) {
     nlohmann::ordered_json document;
     document["context"] = context;
-    if (!farm.members.empty()) document["context"].update(farmJson(farm));
     document["benchmarks"] = nlohmann::ordered_json::array();
     for (const RunTimes& run : runs) {
         const double sum = std::accumulate(run.totalMs.begin(), run.totalMs.end(), 0.0);

@@ -1,8 +1,6 @@
 // The summary of a bench in the shape of Google Benchmark's JSON, so that its tools read it.
 #pragma once
 
-#include "core/process/task_farm.h"
-
 #include <cstdint>
 #include <map>
 #include <span>
@@ -25,9 +23,8 @@ double quantile(std::span<const double> values, double fraction);
 
 /// `context` (what was measured and where) and `benchmarks`: one entry a run with `name`, `iterations`, `real_time`
 /// (the mean), `cpu_time` (the mean), `time_unit`, `p50`, `p95` and `p99`, in milliseconds, `pages_damaged` and
-/// `pages_missing`. Where several processes measured, the context also tells who (telemetry/farm_json.h).
-std::string benchmarkJson(
-    const std::map<std::string, std::string>& context, std::span<const RunTimes> runs, const FarmReport& farm = {});
+/// `pages_missing`.
+std::string benchmarkJson(const std::map<std::string, std::string>& context, std::span<const RunTimes> runs);
 
 /// The facts of this machine and build that every context has: date, host_name, num_cpus, cpu, memory_bytes, compiler,
 /// library_build_type.

@@ -29,33 +29,9 @@ Value read(const FrameRow& row) {
     return toValue(row.*Member);
 }
 
-template <class T>
-void fromValue(const Value& value, T& member) {
-    member = std::get<T>(value);
-}
-
-template <class T>
-void fromValue(const Value& value, std::optional<T>& member) {
-    if (std::holds_alternative<std::monostate>(value))
-        member.reset();
-    else
-        member = std::get<T>(value);
-}
-
 template <auto Member>
-void write(FrameRow& row, const Value& value) {
-    fromValue(value, row.*Member);
-}
-
-/// A column, and how its value gets into a row.
-struct Entry {
-    Column column{};
-    void (*set)(FrameRow& row, const Value& value) = nullptr;
-};
-
-template <auto Member>
-constexpr Entry column(std::string_view name) {
-    return {{name, read<Member>}, write<Member>};
+constexpr Column column(std::string_view name) {
+    return {name, read<Member>};
 }
 
 template <class Number>
@@ -104,7 +80,7 @@ struct JsonCell {
 using R = FrameRow;
 
 /// All columns in their order.
-constexpr std::array kEntries = {
+constexpr std::array kColumns = {
     column<&R::run>("run"),
     column<&R::repetition>("repetition"),
     column<&R::model>("model"),
@@ -180,29 +156,8 @@ constexpr std::array kEntries = {
 
 } // namespace
 
-const std::vector<Column>& columns() {
-    static const std::vector<Column> table = [] {
-        std::vector<Column> made;
-        std::transform(
-            kEntries.begin(), kEntries.end(), std::back_inserter(made), [](const Entry& e) { return e.column; });
-        return made;
-    }();
-    return table;
-}
-
-FrameRow rowOf(std::span<const Value> values) {
-    if (values.size() != kEntries.size())
-        throw Error(
-            "a row of the log", "it has other columns", std::to_string(kEntries.size()), std::to_string(values.size()));
-    FrameRow row;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        try {
-            kEntries[i].set(row, values[i]);
-        } catch (const std::bad_variant_access&) {
-            throw Error("a row of the log", "a value of another type in " + std::string(kEntries[i].column.name));
-        }
-    }
-    return row;
+std::span<const Column> columns() {
+    return kColumns;
 }
 
 std::string csvHeader() {

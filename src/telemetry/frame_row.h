@@ -103,11 +103,7 @@ struct Column {
 };
 
 /// All columns in the order in which they are written.
-const std::vector<Column>& columns();
-
-/// The row whose columns, in their order, have `values`: for what was measured in another process. Throws Error where
-/// there are more or fewer, or one of another type.
-FrameRow rowOf(std::span<const Value> values);
+std::span<const Column> columns();
 
 /// The header line, without a line break.
 std::string csvHeader();

@@ -17,8 +17,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <numeric>
-#include <random>
+#include <set>
 
 namespace gnomon::daylight {
 namespace {
@@ -179,35 +178,57 @@ private:
     std::uint64_t left_;
 };
 
-/// A name for a log, which goes with it.
+/// A name for the logs of a run, which go with it.
 struct LogName {
-    LogName() { std::filesystem::remove(path); }
+    LogName() { std::filesystem::create_directory(folder); }
 
-    ~LogName() { std::filesystem::remove(path); }
+    ~LogName() { std::filesystem::remove_all(folder); }
 
     LogName(const LogName&) = delete;
     LogName& operator=(const LogName&) = delete;
     LogName(LogName&&) = delete;
     LogName& operator=(LogName&&) = delete;
 
-    std::string path =
-        (std::filesystem::temp_directory_path() / ("gnomon_sun_log_" + std::to_string(::getpid()))).string();
+    /// The files that are there.
+    std::set<std::string> left() const {
+        std::set<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            names.insert(entry.path().filename().string());
+        return names;
+    }
+
+    std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("gnomon_sun_log_" + std::to_string(::getpid()));
+    std::string stem = (folder / "h.png").string();
+    std::string path = stem + ".steps"; // of rank 0
 };
+
+constexpr LightShare kAll;
+
+LitLogs logsOf(const LogName& name, bool isResumed, const LightShare& share = kAll, const std::string& key = "a") {
+    return {name.stem, key, Dice().count(), share, isResumed};
+}
+
+void expectSame(const LitSteps& found, const LitSteps& expected) {
+    EXPECT_EQ(found.count, expected.count);
+    EXPECT_EQ(found.first, expected.first);
+    EXPECT_EQ(found.last, expected.last);
+    EXPECT_EQ(found.stepsUp, expected.stepsUp);
+}
 
 TEST(LitSteps, CountEachStepAndKeepTheFirstAndTheLast) {
     const std::vector<SunStep> steps = sunSteps(midsummerDay());
     const LogName name;
-    LitLog log(name.path, "a", Dice().count(), lightsOf(steps).size(), false);
+    LitLogs logs = logsOf(name, false);
     Dice dice;
-    LoneFarm lone;
     NoProgress silent;
-    const LitSteps found = litSteps(dice, steps, log, lone, silent);
-    EXPECT_EQ(found.stepsUp, lightsOf(steps).size());
+    const LitSteps found = litSteps(dice, steps, logs, kAll, silent);
     EXPECT_EQ(found.samples, 1000U * found.stepsUp);
     std::vector<std::uint8_t> lit(dice.count());
     LitSteps expected;
     expected.count.assign(dice.count(), 0);
     expected.first = expected.last = std::vector<std::uint32_t>(dice.count(), LitSteps::kNever);
+    expected.stepsUp = static_cast<std::uint32_t>(lightsOf(steps).size());
     for (std::uint32_t s = 0; s < steps.size(); ++s) {
         if (!steps[s].isUp) continue;
         dice.decide(steps[s].light, lit);
@@ -217,20 +238,31 @@ TEST(LitSteps, CountEachStepAndKeepTheFirstAndTheLast) {
             if (lit[i] != 0) expected.last[i] = s;
         }
     }
-    EXPECT_EQ(found.count, expected.count);
-    EXPECT_EQ(found.first, expected.first);
-    EXPECT_EQ(found.last, expected.last);
+    expectSame(found, expected);
+    logs.remove();
+    EXPECT_TRUE(name.left().empty());
 }
 
 /// What comes of a run that nobody stops.
 LitSteps undisturbed(const std::vector<SunStep>& steps, const LogName& name) {
     Dice dice;
-    LoneFarm lone;
     NoProgress silent;
-    LitLog log(name.path, "a", dice.count(), lightsOf(steps).size(), false);
-    LitSteps whole = litSteps(dice, steps, log, lone, silent);
-    log.remove();
+    LitLogs logs = logsOf(name, false);
+    LitSteps whole = litSteps(dice, steps, logs, kAll, silent);
+    logs.remove();
     return whole;
+}
+
+/// The sum of what ranks came to, as a job reduces it.
+LitSteps reduced(const std::vector<LitSteps>& ranks) {
+    LitSteps sum = ranks.front();
+    for (std::size_t rank = 1; rank < ranks.size(); ++rank)
+        for (std::size_t i = 0; i < sum.count.size(); ++i) {
+            sum.count[i] += ranks[rank].count[i];
+            sum.first[i] = std::min(sum.first[i], ranks[rank].first[i]);
+            sum.last[i] = std::max(sum.last[i] + 1, ranks[rank].last[i] + 1) - 1;
+        }
+    return sum;
 }
 
 TEST(LitSteps, GoOnWhereAKilledRunStopped) {
@@ -238,140 +270,132 @@ TEST(LitSteps, GoOnWhereAKilledRunStopped) {
     const std::size_t lights = lightsOf(steps).size();
     const LogName name;
     Dice dice;
-    LoneFarm lone;
     NoProgress silent;
     const LitSteps whole = undisturbed(steps, name);
     for (const int cut : {0, 1, 50, 136}) { // bytes that a kill leaves of a record more
         Stopping stopping(20);
         {
-            LitLog log(name.path, "a", dice.count(), lights, false);
-            EXPECT_THROW(litSteps(dice, steps, log, lone, stopping), Interrupted);
+            LitLogs logs = logsOf(name, false);
+            EXPECT_THROW(litSteps(dice, steps, logs, kAll, stopping), Interrupted);
         }
         std::ofstream(name.path, std::ios::app | std::ios::binary) << std::string(static_cast<std::size_t>(cut), 'x');
-        EXPECT_THROW(LitLog(name.path, "b", dice.count(), lights, true), Error);
-        LitLog log(name.path, "a", dice.count(), lights, true);
-        EXPECT_EQ(log.size(), 20U);
-        EXPECT_THROW(LitLog(name.path, "a", dice.count(), lights, true), Error) << "one process at a time";
+        EXPECT_THROW(logsOf(name, true, kAll, "b"), Error);
+        LitLogs logs = logsOf(name, true);
+        EXPECT_THROW(logsOf(name, true), Error) << "one process at a time";
         dice.decided = 0;
-        const LitSteps resumed = litSteps(dice, steps, log, lone, silent);
+        const LitSteps resumed = litSteps(dice, steps, logs, kAll, silent);
         EXPECT_EQ(dice.decided, lights - 20);
-        EXPECT_EQ(resumed.count, whole.count);
-        EXPECT_EQ(resumed.first, whole.first);
-        EXPECT_EQ(resumed.last, whole.last);
-        log.remove();
+        EXPECT_EQ(resumed.samples, 1000U * (lights - 20)) << "of those that were decided now";
+        expectSame(resumed, whole);
+        logs.remove();
     }
 }
 
-/// Has tasks done by somebody else's receivers, and takes them in an order of their own.
-class Shuffled final : public TaskFarm {
-public:
-    explicit Shuffled(FarmWork other) : other_(std::move(other)) {}
-
-    bool isLed() const override { return false; }
-
-    void gather(const std::string& /*key*/, const FarmMember& /*self*/, Progress& /*progress*/) override {}
-
-    void serve(const FarmWork& /*work*/, Progress& /*progress*/) override {}
-
-    void run(const FarmTasks& tasks, const FarmWork& /*work*/, Progress& progress) override {
-        std::vector<std::size_t> order(tasks.count);
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::shuffle(order.begin(), order.end(), std::mt19937(5));
-        for (const std::size_t task : order)
-            tasks.take(task, other_.perform(tasks.input(task), progress, {}));
-    }
-
-    FarmReport report() const override { return {}; }
-
-private:
-    FarmWork other_;
-};
-
-TEST(LitSteps, AreTheSameInAnyOrderAndGoOnBetweenHoles) {
+TEST(LitSteps, OfRanksAddUpAndAreResumedByAnyNumberOfThem) {
     const std::vector<SunStep> steps = sunSteps(midsummerDay());
     const std::size_t lights = lightsOf(steps).size();
     const LogName name;
     Dice dice;
-    Dice other;
-    LoneFarm lone;
     NoProgress silent;
     const LitSteps whole = undisturbed(steps, name);
-    Shuffled farm(workOf(other, steps));
-    Stopping stopping(20);
-    {
-        LitLog log(name.path, "a", dice.count(), lights, false);
-        EXPECT_THROW(litSteps(dice, steps, log, farm, stopping), Interrupted);
+    const auto run = [&](std::uint32_t ranks, bool isResumed) {
+        std::vector<LitSteps> parts;
+        for (std::uint32_t rank = 0; rank < ranks; ++rank) {
+            LitLogs logs = logsOf(name, isResumed, {rank, ranks});
+            parts.push_back(litSteps(dice, steps, logs, {rank, ranks}, silent));
+        }
+        return reduced(parts);
+    };
+    expectSame(run(3, false), whole);
+    EXPECT_EQ(name.left(), (std::set<std::string>{"h.png.steps", "h.png.1.steps", "h.png.2.steps"}));
+    for (std::uint32_t rank = 0; rank < 3; ++rank) { // killed after a few lights each
+        Stopping stopping(5 + rank);
+        LitLogs logs = logsOf(name, false, {rank, 3});
+        EXPECT_THROW(litSteps(dice, steps, logs, {rank, 3}, stopping), Interrupted);
     }
-    EXPECT_EQ(other.decided, 20U);
-    LitLog log(name.path, "a", dice.count(), lights, true);
-    EXPECT_EQ(log.size(), 20U);
-    EXPECT_FALSE(log.has(0) && log.has(1) && log.has(2) && log.has(3)) << "no holes: this tests nothing";
-    dice.decided = 0;
-    const LitSteps resumed = litSteps(dice, steps, log, lone, silent);
-    EXPECT_EQ(dice.decided, lights - 20);
-    EXPECT_EQ(log.size(), lights);
-    std::vector<std::uint8_t> lit(dice.count());
+    for (const std::uint32_t ranks : {2U, 1U, 4U}) {
+        dice.decided = 0;
+        expectSame(run(ranks, true), whole);
+        EXPECT_EQ(dice.decided, ranks == 2 ? lights - 18 : 0) << "the first resume decides the rest";
+    }
+    std::ofstream(name.folder / "h.png.7.steps") << "a text of some length that is nobody's log";
+    LitLogs logs = logsOf(name, true);
+    std::vector<std::uint8_t> lit;
     std::vector<std::uint8_t> expected(dice.count());
     for (std::size_t light = 0; light < lights; ++light) {
-        log.read(light, lit);
+        EXPECT_TRUE(logs.read(light, lit));
         dice.decide(lightsOf(steps)[light], expected);
         EXPECT_EQ(lit, expected) << light;
     }
-    EXPECT_EQ(resumed.count, whole.count);
-    EXPECT_EQ(resumed.first, whole.first);
-    EXPECT_EQ(resumed.last, whole.last);
-    EXPECT_EQ(resumed.stepsUp, whole.stepsUp);
-    EXPECT_EQ(resumed.samples, 1000U * (lights - 20)) << "of those that were decided now";
+    EXPECT_FALSE(logs.read(lights, lit));
+    logs.remove();
+    EXPECT_EQ(name.left(), (std::set<std::string>{"h.png.7.steps"})) << "it is no log";
+}
+
+TEST(LitLogs, OfARunThatIsNotResumedBeginAnew) {
+    const LogName name;
+    const std::vector<std::uint8_t> isLit(Dice().count(), 1);
+    std::vector<std::uint8_t> read;
+    for (const std::uint32_t rank : {0U, 1U, 2U})
+        logsOf(name, false, {rank, 3}).put(rank, isLit);
+    LitLogs logs = logsOf(name, false, {0, 2});
+    EXPECT_EQ(name.left(), (std::set<std::string>{"h.png.steps", "h.png.1.steps"})) << "there is no rank 2 now";
+    for (const std::size_t light : {0U, 1U, 2U})
+        EXPECT_FALSE(logs.read(light, read));
 }
 
 TEST(LitLog, BeginsAnewAfterAKillWithinItsHead) {
     const LogName name;
     const std::string key = "a key of some length";
-    LitLog(name.path, key, 64, 1, false).put(0, std::vector<std::uint8_t>(64, 1));
+    const std::vector<std::uint8_t> isLit(64, 1);
+    std::vector<std::uint8_t> read;
+    LitLog(name.path, key, 64, false).put(0, isLit);
     for (std::uintmax_t bytes = 0; bytes < 2 * sizeof(std::uint64_t) + key.size(); ++bytes) {
         std::filesystem::resize_file(name.path, bytes);
-        LitLog log(name.path, key, 64, 1, true);
-        EXPECT_EQ(log.size(), 0U) << bytes;
-        log.put(0, std::vector<std::uint8_t>(64, 1));
+        EXPECT_FALSE(LitLog::ofAnother(name.path, key, 64)) << bytes;
+        LitLog log(name.path, key, 64, true);
+        EXPECT_FALSE(log.read(0, read)) << bytes;
+        log.put(0, isLit);
     }
-    EXPECT_EQ(LitLog(name.path, key, 64, 1, true).size(), 1U);
+    EXPECT_TRUE(LitLog(name.path, key, 64, true).read(0, read));
+    EXPECT_EQ(read, isLit);
+    EXPECT_THROW(LitLog::ofAnother(name.path, "another", 64), Error);
 }
 
-TEST(LitLog, LooksForNoRecordBehindItsLastLight) {
+TEST(LitLog, ReadsNoRecordBehindTheLastOneThatIsAskedFor) {
     const LogName name;
-    {
-        LitLog log(name.path, "a", 64, 3, false);
-        for (std::size_t light = 0; light < 3; ++light)
-            log.put(light, std::vector<std::uint8_t>(64, 1));
-    }
+    const std::vector<std::uint8_t> isLit(64, 1);
+    LitLog(name.path, "a", 64, false).put(2, isLit);
     std::filesystem::resize_file(name.path, std::uintmax_t{1} << 40U); // a hole: no test would end that reads it
-    {
-        const LitLog log(name.path, "a", 64, 2, true);
-        EXPECT_EQ(log.size(), 2U);
-        EXPECT_FALSE(log.has(2));
-    }
-    EXPECT_LT(std::filesystem::file_size(name.path), 100U) << "the file ends behind its last record";
+    const LitLog log(name.path, "a", 64, true);
+    std::vector<std::uint8_t> read;
+    EXPECT_TRUE(log.read(2, read));
+    for (const std::size_t light : {0U, 1U, 3U, 1000000U})
+        EXPECT_FALSE(log.read(light, read)) << "zeros are no record";
 }
 
 TEST(LitLog, WithAnotherNameIsNotWritten) {
     const LogName name;
-    LitLog(name.path, "a", 64, 1, false).put(0, std::vector<std::uint8_t>(64, 1));
+    const std::vector<std::uint8_t> isLit(64, 1);
+    LitLog(name.path, "a", 64, false).put(0, isLit);
     const std::string other = name.path + ".other";
     std::filesystem::create_hard_link(name.path, other);
     const auto size = std::filesystem::file_size(other);
-    EXPECT_THROW(LitLog(name.path, "a", 64, 1, false), Error);
+    EXPECT_THROW(LitLog(name.path, "a", 64, false), Error);
     EXPECT_EQ(std::filesystem::file_size(other), size);
     std::filesystem::remove(other);
-    EXPECT_EQ(LitLog(name.path, "a", 64, 1, true).size(), 1U);
+    std::vector<std::uint8_t> read;
+    EXPECT_TRUE(LitLog(name.path, "a", 64, true).read(0, read));
 }
 
 TEST(LitLog, LeavesWhatIsNoLogAlone) {
     const LogName name;
+    std::vector<std::uint8_t> read;
     std::ofstream(name.path) << "a text of some length that is nobody's log";
-    EXPECT_THROW(LitLog(name.path, "a", 64, 1, true), Error);
+    EXPECT_THROW(LitLog(name.path, "a", 64, true), Error);
     EXPECT_GT(std::filesystem::file_size(name.path), 0U);
     std::filesystem::remove(name.path);
-    EXPECT_EQ(LitLog(name.path, "a", 64, 1, true).size(), 0U) << "nothing to resume is a beginning";
+    EXPECT_FALSE(LitLog(name.path, "a", 64, true).read(0, read)) << "nothing to resume is a beginning";
 }
 
 } // namespace

@@ -56,6 +56,40 @@ private:
     std::uint64_t done_ = 0;
 };
 
+TEST(BenchWalk, TellsPicturesAndProvesFramesOfTheFirstRepetition) {
+    std::vector<settings::Settings> swept(2, smallSettings());
+    swept[1].quality.zPartitions = 2;
+    const std::vector<BenchRun> runs = runsOf(swept);
+    const path::CameraPath path = flight();
+    WalkOptions options = frames(3);
+    options.repetitions = 2;
+    options.oracle = proof::Oracle::SameDetail;
+    options.provenFrames = 2;
+    std::set<std::pair<std::size_t, int>> told;
+    options.onPicture = [&](std::size_t run, int frame, std::span<const std::uint8_t> png) {
+        EXPECT_TRUE(told.emplace(run, frame).second);
+        EXPECT_FALSE(png.empty());
+    };
+    Session session(model(), smallSettings(), failOnWarning);
+    NoProgress progress;
+    const std::vector<RunResult> results = walkAlone(session, path, runs, options, progress);
+    ASSERT_EQ(results.size(), 2U);
+    EXPECT_EQ(told.size(), 6U);
+    for (const RunResult& result : results) {
+        ASSERT_EQ(result.rows.size(), 6U);
+        for (std::size_t row = 0; row < 6; ++row)
+            EXPECT_EQ(result.rows[row].wrongShadowFraction.has_value(), row == 0 || row == 2) << row;
+        EXPECT_GT(result.cpuMs, 0);
+        EXPECT_GT(result.firstFrameMs, 0);
+    }
+    told.clear();
+    options.oracle = proof::Oracle::None;
+    const RunResult again = walkAgain({session, path, runs, options}, 1, progress);
+    EXPECT_EQ(again.run.name, runs[1].name);
+    EXPECT_EQ(again.rows.size(), 6U);
+    EXPECT_TRUE(told.empty());
+}
+
 TEST(BenchWalk, CanBeStoppedWhileItWarmsUpAndBetweenPictures) {
     const settings::Settings view = smallSettings();
     Session session(model(), view, failOnWarning);
@@ -228,11 +262,10 @@ TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
                 apart.push_back(std::move(picture));
         }
         Session session(model(), plain, failOnWarning);
-        LoneFarm lone;
         const path::CameraPath path = flight();
         const WalkOptions options = frames(2);
         const std::vector<report::Picture> together =
-            middlePicturesOfAll({session, path, runs, options, lone}, {0, 1, 2}, progress);
+            middlePicturesOfAll({session, path, runs, options}, {0, 1, 2}, progress);
         ASSERT_EQ(together.size(), apart.size());
         for (std::size_t i = 0; i < apart.size(); ++i) {
             EXPECT_EQ(together[i].run, apart[i].run);

@@ -74,15 +74,14 @@ inline WalkOptions frames(int count, bool isRealTime = false) {
     return options;
 }
 
-/// Walks all runs in this process.
+/// Walks all runs.
 inline std::vector<RunResult> walkAlone(
     Session& session,
     const path::CameraPath& path,
     const std::vector<BenchRun>& runs,
     const WalkOptions& options,
     Progress& progress) {
-    LoneFarm lone;
-    return walkAll({session, path, runs, options, lone}, progress);
+    return walkAll({session, path, runs, options}, progress);
 }
 
 inline RunResult walked(

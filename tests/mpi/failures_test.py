@@ -118,6 +118,7 @@ class Failures(JobTest):
 
     def test_wrong_usage_is_one_line_and_exit_2(self):
         for words, said in ((("build",), "INPUT is required"), (("walk",), "there is no command 'walk'"),
+                            (("bench", self.model, "--path", "p.json"), "bench runs in one process: gnomon bench"),
                             (("build", self.made("plant", "60k"), "-o", self.model, "--in-memory"), "without temporary files")):  # fmt: skip
             told = run(2, *words)
             self.assertEqual((told.returncode, len(told.lines)), (2, 1), told.stderr)

@@ -1,5 +1,4 @@
 """A job across two hosts: network namespaces of this machine that share a folder, a cable and nothing else."""
-import csv
 import json
 import os
 import pathlib
@@ -67,21 +66,6 @@ class TwoHosts(JobTest):
             read.append(read_of_chunks(report))
             self.assertEqual(self.left(), ["local", "m.gnm", "remote_shell"])
         self.assertLess(read[1], 0.75 * read[0])
-
-    def test_time_a_bench_each(self):
-        model, path = self.place / "b.gnm", self.place / "b.json"
-        alone("build", self.made("plant", "20k"), "-o", model)
-        alone("path", model, "--kind", "orbit", "-o", path)
-        log, runs = self.place / "log.csv", self.place / "runs.json"
-        told = self.across(GNOMON_MPI, "bench", model, "--path", path, "--size", "96x64", "--z-partitions", "1,2", "--frames", "3",
-                           "--backend", "software", "--threads", "1", "--csv", log, "--json-file", runs)  # fmt: skip
-        self.assertEqual((told.returncode, told.stderr), (0, ""))
-        ranks = json.loads(runs.read_text())["context"]["ranks"]
-        self.assertEqual([(rank["host"], rank["tasks"]) for rank in ranks], [("node-a", 1), ("node-b", 1)])
-        with open(log, newline="") as file:
-            self.assertEqual([row["z_partitions"] for row in csv.DictReader(file)], ["1"] * 3 + ["2"] * 3)
-        for path in (model, path, log, runs):
-            path.unlink()
 
 
 if __name__ == "__main__":

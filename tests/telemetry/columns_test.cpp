@@ -1,7 +1,6 @@
 // Every column of the log by its own value, and JSON of strings that are no UTF-8.
 #include "core/error.h"
 #include "telemetry/benchmark_report.h"
-#include "telemetry/farm_json.h"
 #include "telemetry/frame_row.h"
 #include "telemetry/json_text.h"
 
@@ -185,48 +184,6 @@ TEST(Quantile, IsThatOfTheSortedValuesWhateverTheirOrder) {
     for (const double fraction : {0.0, 0.01, 0.25, 0.5, 0.95, 1.0})
         EXPECT_NEAR(quantile(values, fraction), 100 * fraction, 1e-9);
     EXPECT_NEAR(quantile(values, 0.505), 50.5, 1e-9) << "linear between ranks";
-}
-
-std::vector<Value> valuesOf(const FrameRow& row) {
-    std::vector<Value> values;
-    for (const Column& column : columns())
-        values.push_back(column.value(row));
-    return values;
-}
-
-TEST(Columns, MakeTheirRowAgain) {
-    for (const FrameRow& row : {fullRow(), FrameRow()})
-        EXPECT_EQ(jsonObject(rowOf(valuesOf(row))), jsonObject(row));
-    std::vector<Value> values = valuesOf(fullRow());
-    values.pop_back();
-    EXPECT_THROW(rowOf(values), Error) << "a column too few";
-    values = valuesOf(fullRow());
-    std::swap(values[0], values[1]);
-    EXPECT_THROW(rowOf(values), Error) << "a number for a name";
-    values = valuesOf(fullRow());
-    values[1] = {};
-    EXPECT_THROW(rowOf(values), Error) << "nothing where there is always something";
-}
-
-TEST(FarmJson, TellsWhoMeasured) {
-    FarmReport farm;
-    farm.members.push_back({1, "node17", "a processor", 16, 5, 2.5, 4096, 99});
-    farm.phases.push_back({"bench", 12, 0.25, 1});
-    const auto context = nlohmann::json::parse(benchmarkJson({{"model", "m"}}, {}, farm)).at("context");
-    EXPECT_EQ(context.at("model"), "m");
-    const nlohmann::json rank = {
-        {"rank", 1},
-        {"host", "node17"},
-        {"threads", 16},
-        {"tasks", 5},
-        {"busy_seconds", 2.5},
-        {"peak_rss_bytes", 4096},
-        {"bytes_sent", 99}};
-    EXPECT_EQ(context.at("ranks"), nlohmann::json::array({rank}));
-    const nlohmann::json phase = {{"name", "bench"}, {"tasks", 12}, {"idle_share", 0.25}, {"slowest_rank", 1}};
-    EXPECT_EQ(context.at("phases"), nlohmann::json::array({phase}));
-    EXPECT_EQ(nlohmann::json::parse(farmJson(farm).dump()).at("phases"), context.at("phases"));
-    EXPECT_FALSE(nlohmann::json::parse(benchmarkJson({}, {})).at("context").contains("ranks"));
 }
 
 } // namespace

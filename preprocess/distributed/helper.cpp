@@ -84,8 +84,6 @@ public:
         });
     }
 
-    void borrow(std::size_t threads) { pool_.borrow(threads); }
-
     std::optional<Finished> finished() { return pool_.finished(); }
 
     Outcome outcomeOf(Finished finished) {
@@ -148,7 +146,6 @@ bool Helper::isBusy(Work& work) {
         if (letter->subject == Subject::Stop) isStopped_ = true;
         if (letter->subject == Subject::Task) work.start(decodedAssignment(letter->bytes));
         if (letter->subject == Subject::Facts) work.tell(pipeline::decodedFacts(letter->bytes));
-        if (letter->subject == Subject::Lend) work.borrow(decodedNumber(letter->bytes));
         if (letter->subject == Subject::Begin) {
             work.begin(decodedBeginning(letter->bytes), mailbox_.rank());
             mailbox_.send(0, Subject::Ready, {});

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/stopwatch.h"
-#include "preprocess/distributed/lent_threads.h"
 #include "preprocess/pipeline/build_key.h"
 #include "telemetry/process_clock.h"
 
@@ -134,20 +133,6 @@ bool Leader::handOut(TaskQueue& queue, const pipeline::TaskPhase& phase, const p
     return isBusy;
 }
 
-void Leader::lendIdleThreads() {
-    std::vector<HostMember> loads;
-    for (const Member& member : members_)
-        loads.push_back({member.report.host, member.report.threads, member.running > 0});
-    const std::vector<std::size_t> lent = lentThreads(loads);
-    for (std::uint32_t rank = 0; rank < members_.size(); ++rank) {
-        if (std::exchange(members_[rank].lent, lent[rank]) == lent[rank]) continue;
-        if (rank == 0)
-            pool_->borrow(lent[rank]);
-        else
-            mailbox_.send(rank, Subject::Lend, encoded(std::uint64_t{lent[rank]}));
-    }
-}
-
 void Leader::count(Member& member, double seconds) {
     --member.running;
     ++member.report.tasks;
@@ -199,12 +184,10 @@ void Leader::run(const pipeline::TaskPhase& phase, const pipeline::Perform& perf
             ++taken;
             isBusy = true;
         }
-        if (isBusy) {
-            lendIdleThreads();
+        if (isBusy)
             patience.restart();
-        } else {
+        else
             patience.wait();
-        }
         progress_->advance(0);
     }
     phaseSeconds_ += watch.elapsed().count / 1000;

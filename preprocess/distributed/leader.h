@@ -36,7 +36,6 @@ private:
         bool isReady = false;
         bool isGone = false;
         std::size_t running = 0;
-        std::size_t lent = 0;   // threads of others on its host that its tasks may share
         double busySeconds = 0; // in this phase
     };
 
@@ -44,9 +43,6 @@ private:
     bool handOut(TaskQueue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
 
     Member* freeMember(std::size_t atOnce);
-
-    /// Lets the tasks that run share the threads of those on their host that have none.
-    void lendIdleThreads();
 
     void count(Member& member, double seconds);
 

@@ -18,7 +18,6 @@ enum class Subject : std::uint8_t {
     Ready,  // helper to leader: nothing
     Task,   // leader to helper: Assignment
     Result, // helper to leader: Outcome
-    Lend,   // leader to helper: how many threads of others its tasks may share
     Failed, // helper to leader: a text
     Stop,   // leader to helper: nothing
     Bye,    // helper to leader, its last: Farewell

@@ -117,19 +117,6 @@ std::vector<std::byte> encoded(const std::string& text) {
     return out.take();
 }
 
-std::vector<std::byte> encoded(std::uint64_t number) {
-    ByteWriter out;
-    out.putVarint(number);
-    return out.take();
-}
-
-std::uint64_t decodedNumber(std::span<const std::byte> bytes) {
-    ByteReader in(bytes);
-    const std::uint64_t number = in.takeVarint();
-    in.expectEnd();
-    return number;
-}
-
 std::string decodedText(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     std::string text = in.takeText();

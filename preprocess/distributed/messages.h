@@ -49,7 +49,6 @@ std::vector<std::byte> encoded(const Assignment& assignment);
 std::vector<std::byte> encoded(const Outcome& outcome);
 std::vector<std::byte> encoded(const Farewell& farewell);
 std::vector<std::byte> encoded(const std::string& text);
-std::vector<std::byte> encoded(std::uint64_t number);
 
 /// What `encoded` made. Throw hierarchy::Damage.
 Hello decodedHello(std::span<const std::byte> bytes);
@@ -58,6 +57,5 @@ Assignment decodedAssignment(std::span<const std::byte> bytes);
 Outcome decodedOutcome(std::span<const std::byte> bytes);
 Farewell decodedFarewell(std::span<const std::byte> bytes);
 std::string decodedText(std::span<const std::byte> bytes);
-std::uint64_t decodedNumber(std::span<const std::byte> bytes);
 
 } // namespace gnomon::distributed

@@ -21,7 +21,8 @@ struct Finished {
 
 class TaskPool {
 public:
-    /// From now on until it goes, TBB has no more threads in this process, beside the one that makes it.
+    /// Runs tasks in `threads` threads. TBB has no more threads in this process while this object exists, beside the
+    /// thread that makes it.
     explicit TaskPool(std::size_t threads);
 
     /// Waits for the tasks that run.
@@ -30,14 +31,6 @@ public:
     TaskPool& operator=(const TaskPool&) = delete;
     TaskPool(TaskPool&&) = delete;
     TaskPool& operator=(TaskPool&&) = delete;
-
-    std::size_t threads() const { return threads_; }
-
-    /// Lets the tasks share `lent` more threads than `threads()`, as far as this process may use so many cores.
-    void borrow(std::size_t lent);
-
-    /// How many threads the tasks share.
-    std::size_t sharedThreads() const;
 
     /// How many tasks were started whose outcome was not taken.
     std::size_t running() const { return running_; }
@@ -54,7 +47,6 @@ public:
 private:
     struct State;
 
-    std::size_t threads_;
     std::size_t running_ = 0;
     std::unique_ptr<State> state_;
 };

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <chrono>
@@ -66,36 +64,6 @@ TEST(TaskPool, RunsAllAndHasNoMoreThreadsThanItSays) {
         expectAllOnce(pool, 40, 4);
         EXPECT_LE(together.most(), static_cast<int>(threads));
     }
-}
-
-TEST(TaskPool, BorrowsThreadsAndGivesThemBack) {
-    const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
-    TaskPool pool(1);
-    EXPECT_EQ(pool.sharedThreads(), 1U);
-    for (const std::size_t lent : {1U, 100U, 0U}) {
-        pool.borrow(lent);
-        EXPECT_EQ(pool.sharedThreads(), std::min(1 + lent, cores)) << "of the cores that this process may use";
-        const bool isShared = lent > 0 && cores > 1;
-        Together together;
-        pool.start(3, [&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            tbb::parallel_for(0, 200, [&](int) {
-                together.enter();
-                // However busy the machine is, the other thread comes at last.
-                for (int i = 0; i < 50'000 && isShared && together.most() < 2; ++i)
-                    std::this_thread::sleep_for(std::chrono::microseconds(200));
-                together.leave();
-            });
-            return std::vector<std::byte>(3);
-        });
-        expectAllOnce(pool, 1, 0);
-        EXPECT_LE(together.most(), static_cast<int>(pool.sharedThreads()));
-        EXPECT_GE(together.most(), isShared ? 2 : 1);
-    }
-    TaskPool more(cores + 3);
-    EXPECT_EQ(more.sharedThreads(), cores + 3) << "what it was told itself";
-    more.borrow(2);
-    EXPECT_EQ(more.sharedThreads(), cores + 3);
 }
 
 TEST(TaskPool, DrainsWhatRuns) {

@@ -65,7 +65,7 @@ public:
 
     void begin(const Beginning& beginning, std::uint32_t rank) {
         const pipeline::ScratchPlace& place = beginning.place;
-        scratch_.emplace(place.stem, place.firstPart + rank, space_, options_.localFolder);
+        scratch_.emplace(place.stem, place.firstPart + rank, space_);
         tasks_.emplace(source_, options_.level, *scratch_, progress_);
     }
 

@@ -86,7 +86,6 @@ void Leader::take(const Letter& letter) {
 void Leader::gather(const pipeline::BuildOptions& options, std::size_t threads, Progress& progress) {
     members_.front().report.threads = static_cast<std::uint32_t>(threads);
     key_ = pipeline::keyOf(options);
-    hasCopies_ = !options.localFolder.empty();
     pool_.emplace(threads);
     waitForAll([](const Member& member) { return member.isThere; }, progress);
 }
@@ -113,14 +112,15 @@ Leader::Member* Leader::freeMember(std::size_t atOnce) {
     return best;
 }
 
-bool Leader::handOut(TaskQueue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
+bool Leader::handOut(
+    std::deque<std::uint32_t>& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
     bool isBusy = false;
-    while (!queue.isEmpty()) {
+    while (!queue.empty()) {
         Member* const member = freeMember(phase.atOnce);
         if (member == nullptr) break;
         const std::uint32_t rank = member->report.rank;
-        const std::uint32_t task = queue.takeFor(rank);
-        if (hasCopies_ && readsAgain(phase.kind)) homes_[task] = rank;
+        const std::uint32_t task = queue.front();
+        queue.pop_front();
         ++member->running;
         isBusy = true;
         std::vector<std::byte> input = phase.input(task);
@@ -163,12 +163,10 @@ std::optional<Outcome> Leader::receiveOutcome() {
 void Leader::run(const pipeline::TaskPhase& phase, const pipeline::Perform& perform) {
     const Stopwatch watch;
     const DrainAtEnd drain(*pool_);
-    std::vector<std::uint32_t> tasks = phase.tasks;
-    std::stable_sort(tasks.begin(), tasks.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::deque<std::uint32_t> queue(phase.tasks.begin(), phase.tasks.end());
+    std::stable_sort(queue.begin(), queue.end(), [&](std::uint32_t a, std::uint32_t b) {
         return phase.weight(a) > phase.weight(b);
     });
-    if (!readsAgain(phase.kind)) homes_.clear();
-    TaskQueue queue(std::move(tasks), homes_);
     Patience patience;
     for (std::size_t taken = 0; taken < phase.tasks.size();) {
         bool isBusy = handOut(queue, phase, perform);

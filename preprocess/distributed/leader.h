@@ -4,8 +4,8 @@
 #include "preprocess/distributed/mailbox.h"
 #include "preprocess/distributed/messages.h"
 #include "preprocess/distributed/task_pool.h"
-#include "preprocess/distributed/task_queue.h"
 
+#include <deque>
 #include <optional>
 
 namespace gnomon::distributed {
@@ -40,7 +40,7 @@ private:
     };
 
     /// Whether it has handed out any.
-    bool handOut(TaskQueue& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
+    bool handOut(std::deque<std::uint32_t>& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
 
     Member* freeMember(std::size_t atOnce);
 
@@ -62,8 +62,6 @@ private:
     std::optional<TaskPool> pool_;
     Progress* progress_ = nullptr;
     std::string key_;
-    bool hasCopies_ = false;  // processes keep some of what they have read
-    Homes homes_;             // who has them of the tasks that read again
     double phaseSeconds_ = 0; // of runs since the last endPhase
     pipeline::TeamShare share_;
 };

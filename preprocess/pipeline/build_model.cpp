@@ -75,8 +75,7 @@ public:
                options.isInMemory,
                options.isResumed,
                options.onKeptFolder,
-               options.scratchBytesPerSecond,
-               options.localFolder},
+               options.scratchBytesPerSecond},
               progress) {}
 
     BuildReport run() {

@@ -27,7 +27,6 @@ struct BuildOptions {
     std::optional<double> maxStuckPercent;
     int threads = 0;                     // 0: all
     std::string temporaryFolder;         // for temporary files; empty: beside the output
-    std::string localFolder;             // of this host, for copies of what is read of these again; empty: none
     bool isInMemory = false;             // temporary files in memory
     std::optional<hierarchy::UpAxis> up; // nothing: guessed from the mesh's shape (hierarchy/up_guess.h)
     std::string upBecause = "as asked";  // where it is given: who says so

@@ -186,11 +186,11 @@ WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& prog
         records = scratch::RecordLog::create(folder_ + "/checkpoints");
         records->append(bytesOf(options.key));
     }
-    makeScratch(options.localFolder);
+    makeScratch();
     writer_.emplace(std::move(*records), *scratch_);
 }
 
-void WorkDirectory::makeScratch(const std::string& localFolder) {
+void WorkDirectory::makeScratch() {
     std::map<std::uint32_t, std::uint64_t> known;
     try {
         known = log_.scratchBytes();
@@ -210,7 +210,7 @@ void WorkDirectory::makeScratch(const std::string& localFolder) {
     for (const auto& [part, bytes] : known)
         names_.take(scratch::partPath(place_.stem, part));
     expectProcesses(1);
-    auto scratch = std::make_unique<scratch::PartedScratch>(place_.stem, place_.firstPart, space_, localFolder);
+    auto scratch = std::make_unique<scratch::PartedScratch>(place_.stem, place_.firstPart, space_);
     for (const auto& [part, bytes] : known)
         scratch->resume(part, bytes);
     scratch_ = std::move(scratch);

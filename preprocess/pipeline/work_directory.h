@@ -23,7 +23,6 @@ struct WorkDirectoryOptions {
     bool isResumed = false;  // go on with what is there, if anything
     std::function<void(const std::string&)> onKept = {}; // told which folder stays and why, if it cannot be removed
     std::uint64_t bytesPerSecond = 0;                    // read and written at most; 0: no limit
-    std::string localFolder = {};                        // for copies of what is read again; empty: none
 };
 
 /// Where a build's scratch files are.
@@ -115,7 +114,7 @@ private:
     std::optional<scratch::RecordLog> resumed(const std::string& key);
 
     /// Makes the scratch file of this process after those that the log tells of, and removes all others.
-    void makeScratch(const std::string& localFolder);
+    void makeScratch();
 
     scratch::TemporarySpace space_;
     std::string folder_; // empty: in memory

@@ -21,14 +21,12 @@ std::string partPath(const std::string& stem, std::uint32_t part) {
     return stem + std::to_string(part);
 }
 
-PartedScratch::PartedScratch(
-    std::string stem, std::uint32_t ownPart, TemporarySpace& space, const std::string& localFolder)
+PartedScratch::PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space)
     : ScratchFile(space, placeOf(ownPart, 0)),
       stem_(std::move(stem)),
       ownPart_(ownPart),
       own_(partPath(stem_, ownPart), File::Mode::Create) {
     GNOMON_CHECK_OP(ownPart, <, kMostParts);
-    if (!localFolder.empty()) copies_.emplace(localFolder);
 }
 
 void PartedScratch::resume(std::uint32_t part, std::uint64_t bytes) {
@@ -57,19 +55,6 @@ void PartedScratch::handOver() const {
 void PartedScratch::reopenOthers() {
     const std::scoped_lock lock(mutex_);
     others_.clear(); // who reads one now keeps it until that is done
-}
-
-void PartedScratch::handleCopies(Copies copies) {
-    handling_ = copies;
-    if (copies_ && copies == Copies::Drop) copies_->clear();
-}
-
-bool PartedScratch::loadCopy(std::uint64_t place, std::span<std::byte> out) const {
-    return copies_ && copies_->read(place, out);
-}
-
-void PartedScratch::keepCopy(std::uint64_t place, std::span<const std::byte> bytes) const {
-    if (copies_ && handling_ == Copies::Keep) copies_->keep(place, bytes);
 }
 
 std::shared_ptr<File> PartedScratch::other(std::uint32_t part) const {

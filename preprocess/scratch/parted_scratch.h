@@ -1,14 +1,11 @@
 // The scratch files of all processes that work, or have worked, for one build: each appends to its own and reads all.
 #pragma once
 
-#include "preprocess/scratch/local_copies.h"
 #include "preprocess/scratch/scratch_file.h"
 
-#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 
 namespace gnomon::scratch {
 
@@ -36,8 +33,8 @@ std::string partPath(const std::string& stem, std::uint32_t part);
 /// that share a network file system by its rule of close-to-open agree on what is there. Sizes are never asked of it.
 class PartedScratch final : public ScratchFile {
 public:
-    /// Makes the file of `ownPart`. Copies of what is to be read again are kept in `localFolder`, if there is one.
-    PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space, const std::string& localFolder = "");
+    /// Makes the file of `ownPart`.
+    PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space);
 
     /// Counts the first `bytes` of a part that an earlier process left, and cuts off what it wrote after them. Throws
     /// DamageError if the file is shorter or missing.
@@ -46,11 +43,8 @@ public:
     void sync(std::span<const std::uint32_t> parts) override;
     void handOver() const override;
     void reopenOthers() override;
-    void handleCopies(Copies copies) override;
 
 private:
-    bool loadCopy(std::uint64_t place, std::span<std::byte> out) const override;
-    void keepCopy(std::uint64_t place, std::span<const std::byte> bytes) const override;
     void load(std::uint64_t place, std::span<std::byte> out) const override;
     void store(std::uint64_t place, std::span<const std::byte> bytes) override;
     void forget(std::uint64_t place, std::uint64_t bytes) override;
@@ -61,8 +55,6 @@ private:
     std::string stem_;
     std::uint32_t ownPart_;
     File own_;
-    mutable std::optional<LocalCopies> copies_;
-    std::atomic<Copies> handling_{Copies::Use};
     mutable std::mutex mutex_;
     mutable std::map<std::uint32_t, std::shared_ptr<File>> others_; // that are open
 };

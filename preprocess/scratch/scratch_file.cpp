@@ -117,7 +117,6 @@ Block ScratchFile::append(std::span<const std::byte> bytes) {
 void ScratchFile::read(const Block& block, std::span<std::byte> out) const {
     GNOMON_CHECK_OP(out.size(), ==, block.bytes);
     if (out.empty()) return;
-    if (loadCopy(block.offset, out) && hierarchy::checksum64(out) == block.checksum) return;
     space_.countRead(out.size());
     space_.pace(out.size());
     load(block.offset, out);
@@ -127,7 +126,6 @@ void ScratchFile::read(const Block& block, std::span<std::byte> out) const {
             std::to_string(block.bytes) + " bytes of temporary data are damaged",
             checksumText(block.checksum),
             checksumText(found));
-    keepCopy(block.offset, out);
 }
 
 std::vector<std::byte> ScratchFile::read(std::span<const Block> blocks) const {

@@ -57,13 +57,6 @@ private:
     std::chrono::steady_clock::time_point free_; // when what was let through is through
 };
 
-/// What is done with copies of what is read, where a scratch file keeps any.
-enum class Copies : std::uint8_t {
-    Keep, // it will be read again
-    Use,  // it is read for the last time
-    Drop, // nothing of it is read again
-};
-
 /// Appended to and read by any number of threads at once.
 class ScratchFile {
 public:
@@ -92,9 +85,6 @@ public:
     /// Lets this process read what others have handed over.
     virtual void reopenOthers() {}
 
-    /// From now on does so with what is read; to be called while nothing is read for another purpose.
-    virtual void handleCopies(Copies /*copies*/) {}
-
     /// Flushes the data of `parts` to the device, so that a power cut does not lose them. A file of one part ignores
     /// this.
     virtual void sync(std::span<const std::uint32_t> /*parts*/) {}
@@ -106,12 +96,6 @@ public:
     std::uint64_t end() const { return end_; }
 
 protected:
-    /// Fills `out` from a copy; false if there is none.
-    virtual bool loadCopy(std::uint64_t /*offset*/, std::span<std::byte> /*out*/) const { return false; }
-
-    /// Keeps a copy of what was read, if it is to be kept.
-    virtual void keepCopy(std::uint64_t /*offset*/, std::span<const std::byte> /*bytes*/) const {}
-
     /// Reads from a file of this machine. Throws DamageError if the file is too short.
     static void loadFrom(const File& file, std::uint64_t offset, std::span<std::byte> out);
 

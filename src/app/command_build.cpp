@@ -36,7 +36,6 @@ struct BuildCommand {
     std::string output;
     std::string memory = "2G";
     std::string temporary;
-    std::string local;
     std::string scratchRate = "0";
     std::string simplifier = "quadric";
     std::string error = "measured";
@@ -83,7 +82,6 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.level.error = *valueOf(levels::kErrorKinds, command.error);
     options.chunkTriangles = static_cast<std::uint32_t>(*parseCount(command.chunkTriangles));
     options.temporaryFolder = command.temporary;
-    options.localFolder = command.local;
     options.scratchBytesPerSecond = parseBytes(command.scratchRate)->count;
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
@@ -188,11 +186,6 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
         ->capture_default_str();
     CLI::Option* folder =
         command->add_option("--tmp", options->temporary, "Folder for temporary files (default: beside the output)")
-            ->check(CLI::ExistingDirectory);
-    if (buildBy)
-        command
-            ->add_option(
-                "--local-tmp", options->local, "Folder of each host for copies of what it reads of --tmp again")
             ->check(CLI::ExistingDirectory);
     CLI::Option* resume =
         command->add_flag("--resume", options->isResumed, "Go on with what a killed build of the same model left");

@@ -16,6 +16,7 @@ struct Removed {
 };
 
 constexpr std::array kRemoved = {
+    Removed{"--local-tmp", "", "all temporary files of a build are in --tmp"},
     Removed{"--warp", "fitted", "use --warp log, which keeps its promise for the whole frustum"},
 };
 

@@ -3,7 +3,7 @@ import json
 import struct
 import unittest
 
-from job import DATA, SLOW, JobTest, read_of_chunks, run
+from job import DATA, SLOW, JobTest, run
 
 SMALL = ("--chunk-triangles", "4k")
 
@@ -74,21 +74,6 @@ class Build(JobTest):
             self.assertTrue(0 <= phase["idle_share"] <= 1, phase)
             self.assertIn(phase["slowest_rank"], (0, 1, 2))
         self.assertGreater(told["source_triangles"] * 2, sum(rank["bytes_sent"] for rank in told["ranks"]))
-
-    def test_copies_on_each_host_spare_the_shared_folder_what_is_read_again(self):
-        mesh = self.made("plant", "60k")
-        local = self.place / "local.ply"  # a folder that is not counted among what is left
-        local.mkdir()
-        expected = self.hash_alone(mesh, *SMALL)
-        for processes in (1, 3) if SLOW else (2,):
-            without = self.report(processes, mesh, *SMALL, "--threads", "1")
-            told = self.report(processes, mesh, *SMALL, "--threads", "1", "--local-tmp", local)
-            self.assertEqual(told["content_hash"], expected)
-            self.assertEqual(list(local.iterdir()), [])
-            read, most = (sum(rank["scratch_bytes_read"] for rank in report["ranks"]) for report in (told, without))
-            self.assertLess(read, 0.85 * most)  # what sorts the source is read as before
-            written, as_much = (sum(rank["scratch_bytes_written"] for rank in report["ranks"]) for report in (told, without))
-            self.assertEqual(written, as_much)
 
 
 if __name__ == "__main__":

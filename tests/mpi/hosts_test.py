@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from job import GNOMON_MPI, SETTINGS, JobTest, Told, alone, read_of_chunks
+from job import GNOMON_MPI, SETTINGS, JobTest, Told
 
 SMALL = ("--chunk-triangles", "4k", "--threads", "1")
 NOT_PERMITTED = 77  # as two_hosts has it
@@ -54,18 +54,14 @@ class TwoHosts(JobTest):
     def test_build_the_bytes_of_one(self):
         mesh, model = self.made("plant", "60k"), self.place / "m.gnm"
         expected = self.hash_alone(mesh, *SMALL)
-        read = []
-        for local in ((), ("--local-tmp", self.place / "local")):  # each host's own
-            told = self.across(GNOMON_MPI, "build", mesh, "-o", model, *SMALL, "--json", *local)
-            self.assertEqual((told.returncode, told.stderr), (0, ""))
-            report = json.loads(told.stdout)
-            self.assertEqual(report["content_hash"], expected)
-            self.assertEqual([rank["host"] for rank in report["ranks"]], ["node-a", "node-b"])
-            for rank in report["ranks"]:
-                self.assertGreater(rank["tasks"], 0)
-            read.append(read_of_chunks(report))
-            self.assertEqual(self.left(), ["local", "m.gnm", "remote_shell"])
-        self.assertLess(read[1], 0.75 * read[0])
+        told = self.across(GNOMON_MPI, "build", mesh, "-o", model, *SMALL, "--json")
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        report = json.loads(told.stdout)
+        self.assertEqual(report["content_hash"], expected)
+        self.assertEqual([rank["host"] for rank in report["ranks"]], ["node-a", "node-b"])
+        for rank in report["ranks"]:
+            self.assertGreater(rank["tasks"], 0)
+        self.assertEqual(self.left(), ["local", "m.gnm", "remote_shell"])
 
 
 if __name__ == "__main__":

@@ -103,11 +103,6 @@ def ranks_of(job, processes):
     raise AssertionError("the ranks do not start")
 
 
-def read_of_chunks(report):
-    """The bytes that a build has read of chunks: for each other, and to build them."""
-    return sum(phase["bytes_read"] for phase in report["phases"] if phase["name"] in ("borders", "round 0"))
-
-
 class JobTest(unittest.TestCase):
     """In a folder of its own, `place`."""
 

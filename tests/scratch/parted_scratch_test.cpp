@@ -182,21 +182,5 @@ TEST_F(Parted, BlocksInEachOthersPlaceAreDamage) {
         }
 }
 
-TEST_F(Parted, ReadsTheOriginalInThePlaceOfADamagedCopy) {
-    const std::string folder = stem + "copies";
-    std::filesystem::create_directories(folder);
-    PartedScratch writer(stem, 0, space);
-    PartedScratch reader(stem, 1, space, folder);
-    reader.handleCopies(Copies::Keep);
-    const Block first = writer.append(bytesOf(1, 1000));
-    EXPECT_EQ(reader.read({&first, 1}), bytesOf(1, 1000)); // this keeps a copy
-    File(partPath(stem, 0), File::Mode::Update).writeAt(0, bytesOf(2, 1000));
-    EXPECT_EQ(reader.read({&first, 1}), bytesOf(1, 1000)) << "from the copy";
-    const std::vector<std::byte> other = bytesOf(2, 1000);
-    const Block second{first.offset, 1000, hierarchy::checksum64(other)};
-    EXPECT_EQ(reader.read({&second, 1}), other) << "from the file";
-    std::filesystem::remove_all(folder);
-}
-
 } // namespace
 } // namespace gnomon::scratch

@@ -26,6 +26,9 @@ TEST(RemovedWords, NameTheirReplacement) {
     EXPECT_EQ(objection([] { parseAxis(named("warp"), "--warp", "log,fitted"); }), kFitted);
     EXPECT_EQ(objection([] { settingsOf({{"warp", "fitted"}}, true); }), kFitted);
     EXPECT_EQ(objection([] { named("warp").parse("log"); }), "");
+    const std::string localTmp = "--local-tmp is removed: all temporary files of a build are in --tmp";
+    EXPECT_EQ(objection([] { refuseRemovedOption("--local-tmp"); }), localTmp);
+    EXPECT_EQ(objection([] { refuseRemovedOption("--local-tmp=/scratch"); }), localTmp);
     EXPECT_EQ(objection([] { refuseRemovedOption("--warp=fitted"); }), "") << "the option is still there";
     EXPECT_NE(objection([] { named("shadows").parse("fitted"); }).find("found 'fitted'"), std::string::npos);
 }

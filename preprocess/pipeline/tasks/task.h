@@ -25,11 +25,6 @@ enum class TaskKind : std::uint8_t {
     WritePages,      // that lie next to each other in the model, to their place there
 };
 
-/// Whether tasks of that kind read what one of the same number has read before, if it was of a chunk, too.
-constexpr bool readsAgain(TaskKind kind) {
-    return kind == TaskKind::AnswerVertices || kind == TaskKind::AnswerNormals || kind == TaskKind::BuildNode;
-}
-
 /// Tasks that do not wait for each other.
 struct TaskPhase {
     TaskKind kind = TaskKind::BuildNode;

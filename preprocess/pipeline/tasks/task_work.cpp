@@ -67,12 +67,6 @@ Mail posted(const StreamBytes& messages, scratch::ScratchFile& scratch) {
     return mail;
 }
 
-/// A chunk's streams are read to answer others, once or twice, and then to build its node.
-scratch::Copies copiesFor(TaskKind kind) {
-    if (!readsAgain(kind)) return scratch::Copies::Drop;
-    return kind == TaskKind::BuildNode ? scratch::Copies::Use : scratch::Copies::Keep;
-}
-
 std::uint64_t inputBytes(const NodeInput& input) {
     std::uint64_t sum = 0;
     const auto add = [&](const Blocks& blocks) {
@@ -107,7 +101,6 @@ void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& sc
 std::vector<std::byte> TaskWork::perform(TaskKind kind, std::span<const std::byte> input) const {
     ByteReader in(input);
     scratch_.reopenOthers();
-    scratch_.handleCopies(copiesFor(kind));
     std::vector<std::byte> result = resultOf(kind, in);
     scratch_.handOver();
     return result;

@@ -25,8 +25,8 @@ tests::ShadowTriple rayTriple(std::uint64_t index) {
 }
 
 /// A renderer under a memory, and its executor.
-struct Stage {
-    explicit Stage(Bytes memory) : renderer(plant(), *executor, {.memory = memory, .onDamaged = {}}) {}
+struct TreeStage {
+    explicit TreeStage(Bytes memory) : renderer(plant(), *executor, {.memory = memory, .onDamaged = {}}) {}
 
     Frame draw(std::uint64_t index) {
         const tests::ShadowTriple triple = rayTriple(index);
@@ -48,7 +48,7 @@ Bytes allPages() {
 TEST(RayTrees, StayWithinTheMemory) {
     const Bytes tables = tableBytes(plant());
     const Bytes memory{tables.count + allPages().count / 4};
-    Stage stage(memory);
+    TreeStage stage(memory);
     std::uint64_t most = 0;
     bool isBinding = false;
     for (std::uint64_t i = 0; i < 12; ++i) {
@@ -68,13 +68,13 @@ TEST(RayTrees, StayWithinTheMemory) {
 
 TEST(RayTrees, OfFramesBeforeLeaveNoMark) {
     const Bytes memory{tableBytes(plant()).count + allPages().count / 4};
-    Stage stage(memory);
+    TreeStage stage(memory);
     bool isBinding = false;
     for (std::uint64_t i = 0; i < 6; ++i) {
         SCOPED_TRACE(i);
         stage.renderer.forget();
         const Frame frame = stage.draw(i);
-        Stage fresh(memory);
+        TreeStage fresh(memory);
         fresh.draw(i);
         EXPECT_TRUE(stage.executor->picture().pixels == fresh.executor->picture().pixels);
         isBinding = isBinding || frame.residency.isBudgetBinding;
@@ -83,7 +83,7 @@ TEST(RayTrees, OfFramesBeforeLeaveNoMark) {
 }
 
 TEST(RayTrees, GoWhereFramesHaveNoRays) {
-    Stage stage(gibibytes(1));
+    TreeStage stage(gibibytes(1));
     stage.draw(0);
     EXPECT_GT(stage.renderer.residency().rayTreeBytes().count, 0U);
     tests::ShadowTriple triple = rayTriple(0);
@@ -96,7 +96,7 @@ TEST(RayTrees, MustFitBesideTheCoarsestLevel) {
     std::uint64_t roots = 0;
     for (const hierarchy::PageInfo& page : plant().pages())
         if (std::isinf(page.maxError)) roots += streaming::decodedBytes(page).count;
-    Stage stage({tableBytes(plant()).count + 2 * roots + 1});
+    TreeStage stage({tableBytes(plant()).count + 2 * roots + 1});
     EXPECT_THROW(stage.draw(0), Error);
 }
 

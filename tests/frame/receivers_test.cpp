@@ -49,13 +49,13 @@ bool areSame(const executor::Raster<executor::SurfaceSample>& a, const executor:
 }
 
 /// Triangles that the maps of a triple drew, under each culling.
-struct Drawn {
+struct DrawnTriangles {
     std::int64_t off = 0;
     std::int64_t on = 0;
     std::int64_t receivers = 0;
 };
 
-Drawn expectSamePictures(Camera& camera, const tests::ShadowTriple& triple, executor::Overlay overlay) {
+DrawnTriangles expectSamePictures(Camera& camera, const tests::ShadowTriple& triple, executor::Overlay overlay) {
     const auto shoot = [&](CasterCulling culling, const FrameOptions& options) {
         return camera.shoot(triple.view, triple.quality, culling, options);
     };
@@ -79,9 +79,9 @@ Drawn expectSamePictures(Camera& camera, const tests::ShadowTriple& triple, exec
 }
 
 /// The pictures of `count` triples of a made model; what their maps drew together.
-Drawn expectSamePictures(const tests::BuiltFile& model, std::uint64_t count, int side) {
+DrawnTriangles expectSamePictures(const tests::BuiltFile& model, std::uint64_t count, int side) {
     Camera camera(model.file());
-    Drawn all;
+    DrawnTriangles all;
     for (std::uint64_t index = 0; index < count; ++index) {
         tests::ShadowTriple triple = tests::shadowTriple(model.file().summary().bounds, index, side, 1200);
         if (index % 3 == 2) {
@@ -91,7 +91,7 @@ Drawn expectSamePictures(const tests::BuiltFile& model, std::uint64_t count, int
         SCOPED_TRACE(std::to_string(index) + ": " + tests::describe(triple));
         constexpr std::array kKinds = {
             executor::Overlay::None, executor::Overlay::Partitions, executor::Overlay::Texels, executor::Overlay::Lod};
-        const Drawn drawn = expectSamePictures(camera, triple, kKinds[index % kKinds.size()]);
+        const DrawnTriangles drawn = expectSamePictures(camera, triple, kKinds[index % kKinds.size()]);
         EXPECT_LE(drawn.receivers, drawn.on);
         all.off += drawn.off;
         all.on += drawn.on;
@@ -102,7 +102,7 @@ Drawn expectSamePictures(const tests::BuiltFile& model, std::uint64_t count, int
 
 TEST(Receivers, PicturesOfAPlantAreThoseOfAllCasters) {
     const tests::BuiltFile plant("plant", 20'000);
-    const Drawn drawn = expectSamePictures(plant, 20, 72);
+    const DrawnTriangles drawn = expectSamePictures(plant, 20, 72);
     EXPECT_LT(drawn.on, drawn.off);
     EXPECT_LT(drawn.receivers * 10, drawn.on * 9) << "hardly anything was culled";
 }

@@ -13,10 +13,10 @@ namespace gnomon::verify {
 struct VerifyOptions {
     std::string model;
     std::vector<std::string> source; // paths; empty: no comparison with the source
-    std::string sourceRoot;          // as --source-root of a build
     std::uint64_t cuts = 100;
     std::uint64_t seed = 1;
     Bytes memory = gibibytes(2); // max resident size of the process
+    std::string sourceRoot{};    // as --source-root of a build
 };
 
 /// Runs all checks: checksums, structure, nesting, monotone_error, cracks and, with a source, error_bound. Checks that

@@ -23,7 +23,7 @@ NodeRecord nodeWith(std::uint64_t seed, std::uint32_t round, std::uint32_t first
     }
     node.rootTriangles = 100 * seed;
     node.stuckTriangles = 1000 * seed;
-    node.dropped = {seed, 2 * seed, 3 * seed};
+    node.dropped = {seed, 2 * seed, 3 * seed, 4 * seed};
     node.bounds = {glm::dvec3(-static_cast<double>(seed)), glm::dvec3(1)};
     node.hasNormals = seed == 2;
     return node;
@@ -37,7 +37,7 @@ TEST(Assemble, AddsUpWhatTheNodesHave) {
     binned.triangles = 777;
     binned.vertices = 555;
     binned.notAPolygon = 4;
-    binned.dropped = {10, 20, 30};
+    binned.dropped = {10, 20, 30, 40};
     binned.strayed.triangles = 5;
     binned.mainPart = {{-0.5, -3, -3}, {2, 2, 2}};
     log.add(binned);
@@ -46,7 +46,7 @@ TEST(Assemble, AddsUpWhatTheNodesHave) {
     second.node = 1;
     log.add(second);
     log.add(nodeWith(3, 1, 2, 1));
-    EXPECT_EQ(droppedTriangles(log), (std::array<std::uint64_t, 3>{13, 26, 39})) << "of the first round";
+    EXPECT_EQ(droppedTriangles(log), (DroppedCounts{13, 26, 39, 52})) << "of the first round";
     const Totals totals = totalsOf(log, {{"simplifier", "own"}});
     const hierarchy::ModelSummary& summary = totals.summary;
     EXPECT_EQ(totals.pages, 2 * 1 + 2 * 2 + 3U);
@@ -60,7 +60,12 @@ TEST(Assemble, AddsUpWhatTheNodesHave) {
     EXPECT_EQ(summary.bounds.min, glm::dvec3(-3));
     EXPECT_EQ(summary.bounds.max, glm::dvec3(1));
     const std::map<std::string, std::uint64_t> dropped{
-        {"degenerate", 13}, {"doubled", 26}, {"collapsed_by_grid", 39}, {"beyond_grid", 5}, {"not_a_polygon", 4}};
+        {"degenerate", 13},
+        {"doubled", 26},
+        {"collapsed_by_grid", 39},
+        {"covered", 52},
+        {"beyond_grid", 5},
+        {"not_a_polygon", 4}};
     EXPECT_EQ(summary.dropped, dropped);
     EXPECT_EQ(summary.options.at("simplifier"), "own");
     EXPECT_EQ(mainPartOf(summary).min, glm::dvec3(-0.5, -3, -3));

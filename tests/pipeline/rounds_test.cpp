@@ -64,7 +64,7 @@ BinnedRecord someBinned() {
     record.notAPolygon = 7;
     record.chunkCount = 99;
     record.largestChunk = {5, 6};
-    record.dropped = {17, 18, 19};
+    record.dropped = {17, 18, 19, 20};
     record.directory = {std::byte{1}, std::byte{2}};
     record.furthest = {1, 0x7FFFFFFF, 3};
     record.mainPart = {{-1, -2, -3}, {4, 5, 6}};
@@ -103,7 +103,7 @@ NodeRecord someNode(std::uint32_t round, std::uint32_t firstLevel, std::uint32_t
     node.clusters = {23, 24, std::uint64_t{25} << 56U};
     node.rootTriangles = 13;
     node.stuckTriangles = 14;
-    node.dropped = {15, 16, 17};
+    node.dropped = {15, 16, 17, 18};
     node.bounds = {{-1, -2, -3}, {1, 2, 3}};
     node.hasNormals = true;
     return node;
@@ -149,7 +149,7 @@ TEST(CheckpointLog, EveryRecordComesBackFromItsBytes) {
     EXPECT_EQ(page.offset, 77U);
     EXPECT_EQ(page.children, (std::vector<std::uint32_t>{3, 5}));
     EXPECT_EQ(page.bounds.radius, 4);
-    EXPECT_EQ(log.nodes(0)[0].dropped, (std::array<std::uint64_t, 3>{15, 16, 17}));
+    EXPECT_EQ(log.nodes(0)[0].dropped, (DroppedCounts{15, 16, 17, 18}));
 }
 
 TEST(CheckpointLog, CountsThePagesBeforeEachNode) {

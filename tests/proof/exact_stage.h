@@ -55,7 +55,7 @@ public:
         return renderer_.prepare(view, quality, frame::Waiting::UntilComplete, nullptr);
     }
 
-    Shot draw(const frame::PreparedFrame& frame, const frame::FrameOptions& options = {}) {
+    Shot draw(frame::PreparedFrame frame, const frame::FrameOptions& options = {}) {
         Shot shot;
         shot.exact = renderer_.draw(frame, options).exact;
         shot.picture = executor_->picture();

@@ -64,7 +64,6 @@ void catchSignals() {
         if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue; // nohup, or a shell that wants EPIPE
         ::sigaction(signal, &action, nullptr);
     }
-    ::sigprocmask(SIG_UNBLOCK, &action.sa_mask, nullptr);
 }
 
 void endCleanlyOnSignals() {

@@ -6,8 +6,7 @@ namespace gnomon::app {
 constexpr const char* kInterrupted = "interrupted; nothing was left half-written";
 
 /// From now on such a signal removes every temporary file, says kInterrupted and ends the process with exit code 1. HUP
-/// and PIPE stay ignored where they are. Signals that early_signals.cpp has held back come now. The function can run
-/// before any library has initialised itself.
+/// and PIPE stay ignored where they are. The function can run before any library has initialised itself.
 void catchSignals();
 
 /// Does that. From now on std::terminate for want of memory or threads ends the process likewise.

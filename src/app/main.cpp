@@ -6,10 +6,10 @@
 #include "app/main_stack.h"
 #include "app/program.h"
 
-#ifdef GNOMON_HOLDS_SIGNALS_BACK
+#ifdef GNOMON_CATCHES_EARLY_SIGNALS
 namespace {
 
-// The dynamic linker calls this before the libraries initialise themselves. The signals of early_signals.cpp come now.
+// The dynamic linker calls this when it has loaded the libraries, before they initialise themselves.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a function is no data
 __attribute__((section(".preinit_array"), used)) void (*const catchSignalsEarly)() = gnomon::app::catchSignals;
 

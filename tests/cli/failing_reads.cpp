@@ -9,7 +9,6 @@
 #include <string>
 
 #include <dlfcn.h>
-#include <link.h>
 #include <unistd.h>
 
 namespace {
@@ -67,21 +66,6 @@ extern "C" int remove(const char* path) noexcept {
 }
 
 // NOLINTEND(readability-identifier-naming, readability-inconsistent-declaration-parameter-name)
-
-// NOLINTBEGIN(readability-identifier-naming)
-
-/// As an auditing library (rtld-audit(7)) it is told of each library that the dynamic linker loads.
-extern "C" unsigned la_version(unsigned version) {
-    return version;
-}
-
-extern "C" unsigned la_objopen(link_map* map, Lmid_t /*space*/, std::uintptr_t* /*cookie*/) {
-    const long signal = numberFrom("RAISE_LOADING");
-    if (signal > 0 && std::strstr(map->l_name, "libcurl") != nullptr) ::kill(::getpid(), static_cast<int>(signal));
-    return 0;
-}
-
-// NOLINTEND(readability-identifier-naming)
 
 /// Runs while libraries initialise themselves, before `main`.
 __attribute__((constructor)) static void raiseEarly() {

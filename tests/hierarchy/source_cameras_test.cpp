@@ -64,7 +64,7 @@ TEST(SourceCameras, ComeBackToTheLastBit) {
 TEST(SourceCameras, AreNoneWhereNoneWereStored) {
     const ModelFile model = ModelWithCameras("").open();
     EXPECT_TRUE(camerasOf(model).empty());
-    EXPECT_EQ(modelText(model).find("cameras"), std::string::npos);
+    EXPECT_EQ(modelText(model).find("\ncameras "), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(modelJson(model))["cameras"], 0);
 }
 
@@ -75,7 +75,6 @@ TEST(SourceCameras, DamagedTextIsRefused) {
          {std::string("\n"),
           good + "\n\n",
           good + " 1\n",
-          good + " \n",
           good + "x\n",
           good.substr(0, good.size() - 2),
           good + "\nfisheye" + good.substr(11),

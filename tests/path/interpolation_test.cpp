@@ -39,10 +39,20 @@ std::vector<double> numbersOf(const Camera& c) {
     return {c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.up.x, c.up.y, c.up.z, c.fovYRadians};
 }
 
-/// The slope at keyframe `at` between its neighbours; one-sided at the ends of the path.
-double slope(const std::vector<Keyframe>& keys, std::size_t at, std::size_t number) {
+/// The slope at keyframe `at` between its neighbours: one-sided at the ends of the path, across the seam of a loop. The
+/// first keyframe of a loop stands for its last one, too.
+double slope(const CameraPath& path, std::size_t at, std::size_t number) {
+    const std::vector<Keyframe>& keys = path.keyframes;
+    const std::size_t last = keys.size() - 1;
+    if (path.loop && last > 1 && (at == 0 || at == last)) {
+        const double rise = numbersOf(keys[1].camera)[number] - numbersOf(keys[0].camera)[number] +
+                            numbersOf(keys[last].camera)[number] - numbersOf(keys[last - 1].camera)[number];
+        const double seam = numbersOf(keys[0].camera)[number] - numbersOf(keys[last].camera)[number];
+        return (rise + (at == 0 ? seam : -seam)) /
+               (keys[1].time - keys[0].time + keys[last].time - keys[last - 1].time);
+    }
     const std::size_t before = at > 0 ? at - 1 : at;
-    const std::size_t after = std::min(at + 1, keys.size() - 1);
+    const std::size_t after = std::min(at + 1, last);
     const double rise = numbersOf(keys[after].camera)[number] - numbersOf(keys[before].camera)[number];
     return rise / (keys[after].time - keys[before].time);
 }
@@ -82,7 +92,7 @@ std::vector<double> twin(const CameraPath& path, double time) {
         const double to = numbersOf(keys[at + 1].camera)[i];
         result[i] = from + (to - from) * u;
         if (path.interpolation == Interpolation::Linear) continue;
-        result[i] = cubic(from, slope(keys, at, i) * span, to, slope(keys, at + 1, i) * span, u);
+        result[i] = cubic(from, slope(path, at, i) * span, to, slope(path, at + 1, i) * span, u);
     }
     const double a = keys[at].camera.fovYRadians;
     const double b = keys[at + 1].camera.fovYRadians;
@@ -162,8 +172,9 @@ TEST(RandomPath, HasItsFramesEvenlyWithBothEndsAmongThem) {
         const CameraPath path = anyTimes(random);
         const int frames = 2 + static_cast<int>(random.below(50));
         EXPECT_DOUBLE_EQ(frameTime(path, 0, frames), path.keyframes.front().time);
-        EXPECT_DOUBLE_EQ(frameTime(path, frames - 1, frames), path.keyframes.front().time + path.duration());
-        const double step = path.duration() / (frames - 1);
+        const double step = path.duration() / (path.loop ? frames : frames - 1);
+        const double end = path.keyframes.front().time + path.duration() - (path.loop ? step : 0);
+        EXPECT_NEAR(frameTime(path, frames - 1, frames), end, 1e-9) << "the end of a loop is its start";
         for (int frame = 1; frame < frames; ++frame)
             EXPECT_NEAR(frameTime(path, frame, frames) - frameTime(path, frame - 1, frames), step, 1e-9);
         EXPECT_EQ(frameTime(path, 0, 1), path.keyframes.front().time) << "a lone frame is the first";

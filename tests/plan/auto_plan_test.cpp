@@ -131,7 +131,7 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
         const MadeScene scene(seed % 20);
         const View view = madeView(seed);
         const SceneFacts facts = scene.facts(view);
-        const auto [plan, memory] = planFrame(view, autoQuality(seed), facts, {}, {seed % 3 != 0});
+        const auto [plan, memory] = planFrame(view, autoQuality(seed), facts, {}, {.unevenRows = seed % 3 != 0});
         if (plan.passes.empty()) continue;
         const Tally best = bestOfAll(contextOf(plan, facts));
         ASSERT_TRUE(memory.scheme);

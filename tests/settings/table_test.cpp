@@ -125,7 +125,7 @@ TEST(Step, StaysWithinWhatIsOffered) {
 
 TEST(Step, WordsAndSwitchesGoRound) {
     EXPECT_EQ(stepped("warp", 1), "log");
-    EXPECT_EQ(stepped("warp", 3), "none");
+    EXPECT_EQ(stepped("warp", 2), "none");
     EXPECT_EQ(stepped("warp", -1), "minimax");
     EXPECT_EQ(stepped("warp", static_cast<int>(shadow::kWarpRules.size())), "auto");
     EXPECT_EQ(stepped("face-partitions", 2), "auto");

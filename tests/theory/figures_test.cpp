@@ -122,7 +122,7 @@ TEST(SlowTheoryFigures, OwnOnesHoldTheTheorysNumbers) {
 
 TEST(TheoryTable, HasEverySchemeForEveryK) {
     const std::vector<SchemeRow> table = schemeTable({1, 1000, 0.3490658503988659, 1}, {0, 1, 0});
-    EXPECT_EQ(table.size(), 112U);
+    EXPECT_EQ(table.size(), 96U);
     for (const SchemeRow& row : table) {
         EXPECT_TRUE(std::isfinite(row.storageFactor) && row.storageFactor > 0);
         EXPECT_GE(row.maps, static_cast<std::size_t>(row.slices));

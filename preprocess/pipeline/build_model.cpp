@@ -387,7 +387,7 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
         report = run(options);
     } catch (const scratch::DamageError& damage) {
         if (!options.isResumed) throw;
-        if (team != nullptr) throw Error(std::string(damage.what()) + "; build again without --resume");
+        if (team != nullptr) throw Error(std::string(damage.what()) + "; start the build anew");
         if (options.onDamage) options.onDamage(damage.what());
         BuildOptions anew = options;
         anew.isResumed = false;

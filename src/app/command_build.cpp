@@ -1,6 +1,5 @@
 #include "app/commands.h"
 #include "app/console.h"
-#include "app/option_errors.h"
 #include "core/error.h"
 #include "core/printable.h"
 #include "core/units.h"
@@ -54,9 +53,8 @@ std::optional<BuildReport> built(
     const CommonOptions& common,
     const BuildBy& buildBy) {
     const auto progress = makeProgress(common);
-    return withOptionErrors([&]() -> std::optional<BuildReport> {
-        return buildBy ? buildBy(source, options, *progress) : buildModel(source, options, *progress);
-    });
+    if (!buildBy) return buildModel(source, options, *progress);
+    return buildBy(source, options, *progress);
 }
 
 /// Asks for `up`; where it is auto, for what the inputs say of themselves, if anything.
@@ -99,9 +97,8 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.unit = *hierarchy::unitNamed(command.unit);
     takeUp(up, command.inputs, options);
     const auto textures = command.textures == "bake" ? read::Textures::Bake : read::Textures::Off;
-    const auto source = withOptionErrors([&] {
-        return read::openMeshSources(command.inputs, options.memory, command.fields, textures, command.sourceRoot);
-    });
+    const auto source =
+        read::openMeshSources(command.inputs, options.memory, command.fields, textures, command.sourceRoot);
     std::vector<std::string> read = command.inputs;
     read.insert(read.end(), source->summary().filesBesides.begin(), source->summary().filesBesides.end());
     options.inputKey = pipeline::fingerprintOf(read) + (command.textures == "bake" ? "" : ", textures off");

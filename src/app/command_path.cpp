@@ -1,5 +1,4 @@
 #include "app/commands.h"
-#include "app/option_errors.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -21,10 +20,9 @@ namespace {
 path::CameraPath sourcePath(const std::string& file, const std::string& sourceRoot) {
     const std::string suffix = read::loweredSuffix(file);
     const std::vector<Camera> cameras =
-        suffix == ".gltf" || suffix == ".glb" ? withOptionErrors([&] {
-            return read::openMeshSources({file}, gibibytes(2), {}, read::Textures::Off, sourceRoot)->summary().cameras;
-        })
-                                              : hierarchy::camerasOf(hierarchy::ModelFile(file));
+        suffix == ".gltf" || suffix == ".glb"
+            ? read::openMeshSources({file}, gibibytes(2), {}, read::Textures::Off, sourceRoot)->summary().cameras
+            : hierarchy::camerasOf(hierarchy::ModelFile(file));
     if (cameras.empty())
         throw Error(file, "no camera of its source can be used", "a glTF with a camera in its scene", "none");
     return path::pathThrough(cameras);

@@ -2,7 +2,6 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
-#include "app/option_errors.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
 #include "core/printable.h"
@@ -95,8 +94,7 @@ void addVerifyCommand(CLI::App& program) {
         const auto progress = makeProgress(options->common);
         const ThreadLimit limit(options->common);
         options->verify.memory = *parseBytes(options->memory);
-        const verify::Verification verification =
-            withOptionErrors([&] { return verify::verifyModel(options->verify, *progress); });
+        const verify::Verification verification = verify::verifyModel(options->verify, *progress);
         print(verification, options->json);
         for (const verify::Check& c : verification.checks)
             if (c.failed > 0)

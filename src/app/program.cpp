@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/interruption.h"
+#include "app/option_errors.h"
 #include "core/error.h"
 #include "core/printable.h"
 #include "core/process/floating_point.h"
@@ -70,6 +71,9 @@ int exitCodeOf(const std::function<void()>& work) {
         return 2;
     } catch (const Interrupted&) {
         printMessage(kInterrupted);
+        return 1;
+    } catch (const LimitError& error) {
+        printMessage(inOptions(error).what());
         return 1;
     } catch (const Error& error) {
         const std::string options = settings::optionsOf(error.what());

@@ -1,6 +1,6 @@
 #include "core/heap.h"
 
-#include "core/error.h"
+#include "core/limit_error.h"
 
 #include <cstdint>
 #include <fstream>
@@ -35,11 +35,12 @@ Bytes residentSize() {
 void requireRoom(Bytes more, Bytes memory, const std::string& where, const std::string& what) {
     const std::uint64_t needed = residentSize().count + more.count;
     if (needed <= memory.count) return;
-    throw Error(
-        where,
-        "too little memory for " + what,
-        "--memory " + std::to_string((needed >> 20U) + 1) + "M or more",
-        readableBytes(memory));
+    throw LimitError(
+        Limit::Memory,
+        {where,
+         "too little memory for " + what,
+         std::to_string((needed >> 20U) + 1) + "M or more",
+         readableBytes(memory)});
 }
 
 } // namespace gnomon

@@ -20,8 +20,8 @@ bool isAddressSpaceLeft(Bytes size);
 /// What this process has in memory, as the kernel counts it.
 Bytes residentSize();
 
-/// Throws Error unless `more` fits into `memory` beside what this process has: "WHERE: too little memory for WHAT:
-/// expected --memory NM or more, found ...".
+/// Throws LimitError unless `more` fits into `memory` beside what this process has. The error says how much memory
+/// `what` needs.
 void requireRoom(Bytes more, Bytes memory, const std::string& where, const std::string& what);
 
 } // namespace gnomon

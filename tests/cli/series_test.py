@@ -80,7 +80,7 @@ class Series(ProgramTest):
             stream = subprocess.run([GNOMON, *map(str, drawn), *away, "-o", "-"], capture_output=True, timeout=60)
             self.assertEqual(stream.returncode, 0, stream.stderr)
             video = self.place / f"color{number}.mp4"
-            line = re.search(r"\| (ffmpeg -i - .*) turn.mp4", (DATA.parent / "docs/looks.md").read_text())[1]
+            line = re.search(r"\| (ffmpeg -i - .*) turn.mp4", (DATA.parent / "docs/guide.md").read_text())[1]
             made = subprocess.run([*shlex.split(line), "-v", "error", "-y", video], input=stream.stdout, timeout=60)
             self.assertEqual(made.returncode, 0)
             back = ("ffmpeg", "-v", "error", "-i", video, "-f", "rawvideo", "-pix_fmt", "rgb24", "-")

@@ -45,11 +45,8 @@ double slope(const CameraPath& path, std::size_t at, std::size_t number) {
     const std::vector<Keyframe>& keys = path.keyframes;
     const std::size_t last = keys.size() - 1;
     if (path.loop && last > 1 && (at == 0 || at == last)) {
-        const double rise = numbersOf(keys[1].camera)[number] - numbersOf(keys[0].camera)[number] +
-                            numbersOf(keys[last].camera)[number] - numbersOf(keys[last - 1].camera)[number];
-        const double seam = numbersOf(keys[0].camera)[number] - numbersOf(keys[last].camera)[number];
-        return (rise + (at == 0 ? seam : -seam)) /
-               (keys[1].time - keys[0].time + keys[last].time - keys[last - 1].time);
+        const double rise = numbersOf(keys[1].camera)[number] - numbersOf(keys[last - 1].camera)[number];
+        return rise / (keys[1].time - keys[0].time + keys[last].time - keys[last - 1].time);
     }
     const std::size_t before = at > 0 ? at - 1 : at;
     const std::size_t after = std::min(at + 1, last);

@@ -10,7 +10,7 @@ import struct
 import subprocess
 import unittest
 
-from program import DATA, GNOMON, ProgramTest
+from program import DATA, GNOMON, ProgramTest, measured
 
 MODELS = pathlib.Path(os.environ.get("GNOMON_MODELS") or pathlib.Path(__file__).resolve().parents[3] / "shared/models")
 FAULTS = MODELS.parent / "faults"
@@ -37,11 +37,8 @@ def rows_of(model):
 class Hostile(ProgramTest):
     def measured(self, *words):
         """Exit code, stderr and peak memory of a run."""
-        with open(self.place / "err", "wb") as err:
-            running = subprocess.Popen([GNOMON, *map(str, words)], stdout=subprocess.DEVNULL, stderr=err)
-            _, status, usage = os.wait4(running.pid, 0)
-            running.returncode = os.waitstatus_to_exitcode(status)
-        return running.returncode, (self.place / "err").read_text(), usage.ru_maxrss * 1024
+        done = measured(GNOMON, *words)
+        return done.code, done.err, done.peak
 
     def expect_refused(self, *words):
         code, said, peak = self.measured(*words)

@@ -2,17 +2,15 @@
 `export` and `verify`."""
 import array
 import json
-import os
 import pathlib
 import random
 import re
 import shutil
 import struct
-import subprocess
 import tempfile
 import unittest
 
-from program import DATA, GNOMON, run
+from program import DATA, GNOMON, measured, run
 
 # Sanitizers keep what is freed, and shadow all that is used.
 IS_SANITIZED = any(name in pathlib.Path(GNOMON).read_bytes() for name in (b"__asan_init", b"__tsan_init"))
@@ -102,15 +100,6 @@ class MemoryTest(unittest.TestCase):
         for name in ("sundial.ply", "colonnade.obj"):
             self.expect_kept(DATA / "models" / name, most_times=1.25)
 
-    def peak(self, *words):
-        """Exit code, stderr and MiB of peak resident size."""
-        with open(self.place / "err", "w+") as err:
-            running = subprocess.Popen([GNOMON, *map(str, words)], stdout=subprocess.DEVNULL, stderr=err)
-            _, status, usage = os.wait4(running.pid, 0)
-            running.returncode = os.waitstatus_to_exitcode(status)
-            err.seek(0)
-            return running.returncode, err.read(), usage.ru_maxrss / 1024
-
     def test_exports_and_checks_stay_below_their_limit_or_name_one(self):
         mesh, model, out = self.place / "plant.ply", self.place / "plant.gnm", self.place / "out"
         run("make", "plant", "--triangles", "300k", "-o", mesh)
@@ -126,13 +115,14 @@ class MemoryTest(unittest.TestCase):
             for limit in limits:
                 shutil.rmtree(out, ignore_errors=True)
                 out.mkdir()
-                code, said, peak = self.peak(*words, "--memory", limit)
-                if code == 0:
-                    self.assertLessEqual(peak, int(limit[:-1]), words)
+                done = measured(GNOMON, *words, "--memory", limit)
+                said = done.err
+                if done.code == 0:
+                    self.assertLessEqual(done.mebibytes, int(limit[:-1]), words)
                     continue
                 least = re.search(r"too little memory for .*: expected --memory (\d+)M or more", said)
                 self.assertTrue(least, said)
-                self.assertEqual((code, said.count("\n")), (1, 1), said)
+                self.assertEqual((done.code, said.count("\n")), (1, 1), said)
                 self.assertEqual(list(out.iterdir()), [])
                 if limit == "1M":
                     limits.append(f"{least[1]}M")

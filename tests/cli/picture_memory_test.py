@@ -1,10 +1,8 @@
 """The peak resident size of pictures stays under --memory: they are drawn in bands, to the same bytes."""
-import os
 import pathlib
-import subprocess
 import unittest
 
-from program import GNOMON, ProgramTest
+from program import GNOMON, ProgramTest, measured
 
 # Sanitizers keep what is freed, and shadow all that is used.
 IS_SANITIZED = any(name in pathlib.Path(GNOMON).read_bytes() for name in (b"__asan_init", b"__tsan_init"))
@@ -14,13 +12,9 @@ IS_SANITIZED = any(name in pathlib.Path(GNOMON).read_bytes() for name in (b"__as
 class PictureMemory(ProgramTest):
     def peak(self, *words):
         """Of a run that succeeds, in bytes."""
-        process = subprocess.Popen([GNOMON, "render", self.sundial, *map(str, words)], stderr=subprocess.PIPE)
-        said = process.stderr.read().decode()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        process.stderr.close()
-        self.assertEqual((process.returncode, said), (0, ""))
-        return usage.ru_maxrss << 10
+        drawn = measured(GNOMON, "render", self.sundial, *words)
+        self.assertEqual((drawn.code, drawn.err), (0, ""))
+        return drawn.peak
 
     def test_a_large_picture_stays_under_the_cap(self):
         narrow, wide = self.place / "narrow.png", self.place / "wide.png"

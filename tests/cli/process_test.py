@@ -173,7 +173,7 @@ class Process(ProgramTest):
             self.assertEqual((process.returncode, told), (1, "gnomon: interrupted; nothing was left half-written\n"))
         picture, folder = self.place / "never.png", self.place / "maps"
         self.interrupted([signal.SIGTERM], picture, "render", self.sundial, "-o", picture, "--size", "4096x4096",
-                         "--shadow-depth", folder, "--oracle", ready="maps")  # fmt: skip
+                         "--memory", "4G", "--shadow-depth", folder, "--oracle", ready="maps")  # fmt: skip
         self.assertFalse(folder.exists())
 
     @unittest.skipIf(IS_SANITIZED, "a sanitizer's library has to come first")

@@ -188,7 +188,7 @@ class Refusals(ProgramTest):
             ("frames", "frames", "3"),
             ("light", "light", "0,1,0"),
             ("near_and_far", "near", "1"),
-            ("memory_cap", "memory", "64M"),
+            ("memory_cap", "memory", "128M"),
             ("gpu_memory_cap", "gpu_memory", "64M"),
             ("threads", "threads", "2"),
             ("max_triangles", "max_triangles", "1000"),

@@ -6,11 +6,10 @@ import json
 import os
 import pathlib
 import struct
-import subprocess
 import unittest
 import zlib
 
-from program import GNOMON, ProgramTest, run
+from program import GNOMON, ProgramTest, measured, run
 
 MODELS = pathlib.Path(os.environ.get("GNOMON_MODELS") or pathlib.Path(__file__).resolve().parents[3] / "shared/models")
 FAULTS = pathlib.Path(os.environ.get("GNOMON_FAULTS") or MODELS.parent / "faults") / "turn3"
@@ -61,14 +60,8 @@ def pixels_of(path):
 class ReplayTest(ProgramTest):
     def measured(self, *words, env=None):
         """Exit code, stdout, stderr, seconds of processor time and MiB of peak resident size."""
-        with open(self.place / "out", "w+b") as out, open(self.place / "err", "w+b") as err:
-            running = subprocess.Popen([*map(str, words)], stdout=out, stderr=err, env=env)
-            _, status, usage = os.wait4(running.pid, 0)
-            running.returncode = os.waitstatus_to_exitcode(status)
-            out.seek(0)
-            err.seek(0)
-            texts = [file.read().decode(errors="backslashreplace") for file in (out, err)]
-        return running.returncode, *texts, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+        done = measured(*words, env=env)
+        return done.code, done.out, done.err, done.seconds, done.mebibytes
 
     def built(self, source, *options):
         """The model of a source, its report and what was said."""

@@ -12,12 +12,17 @@ import unittest
 from program import GNOMON
 from replay import FAULTS, IS_SANITIZED, ReplayTest
 
-FAULT_LIBRARY = os.environ.get("FAULT_LIBRARY")
 DAMAGES = 200
 
 
 @unittest.skipIf(IS_SANITIZED, "sanitizers need time and memory of their own")
 class SlowReplay(ReplayTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.faults = cls.place / "faults.so"  # ends the process at a call of the system that the environment names
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", cls.faults, FAULTS / "fi.c", "-ldl"], check=True)
+
     def test_large_pictures_fit_or_say_what_they_need(self):
         for size, samples in (("16384x16384", 1), ("7680x4320", 16)):
             code, _, err, _, peak = self.measured(
@@ -36,14 +41,14 @@ class SlowReplay(ReplayTest):
         self.assertLess(seconds, 20, err)
 
     def test_a_sparse_log_takes_no_time(self):
-        script = ["bash", FAULTS / "sun_log.sh", GNOMON, FAULT_LIBRARY]
+        script = ["bash", FAULTS / "sun_log.sh", GNOMON, self.faults]
         code, _, err, seconds, _ = self.measured(*script, env=dict(os.environ, SIZE="1G"))
         self.assertEqual(code, 0, err)
         self.assertLess(seconds, 4)
 
     def killed(self, command, state, calls):
         """Runs `command` until it is killed at its call number `calls`, and gives what is left to `state`."""
-        environment = dict(os.environ, LD_PRELOAD=FAULT_LIBRARY, FI_CALL="pwrite|pread|fallocate|unlink|rename",
+        environment = dict(os.environ, LD_PRELOAD=str(self.faults), FI_CALL="pwrite|pread|fallocate|unlink|rename",
                            FI_ACT="KILL", FI_N=str(calls))  # fmt: skip
         self.measured(*command, env=environment)
         self.assertTrue((self.place / "o.gnm.building").is_dir(), f"nothing was left after {calls} calls")
@@ -75,7 +80,6 @@ class SlowReplay(ReplayTest):
             file.write_bytes(data)
         return f"{kind} of {length} bytes at {at} of {file.name}"
 
-    @unittest.skipUnless(FAULT_LIBRARY, "the library that kills is not built")
     def test_a_power_cut_changes_no_model(self):
         mesh, model, state = self.place / "in.ply", self.place / "o.gnm", self.place / "state"
         self.expect(0, "", "make", "plant", "--triangles", "30000", "--seed", "78", "-o", mesh)

@@ -6,7 +6,8 @@ namespace gnomon::pipeline {
 
 namespace {
 
-constexpr Bytes kProcess = mebibytes(19);       // 17 as it starts, the rest is what threads and small tables take
+constexpr Bytes kProcess = mebibytes(19);       // while it sorts the source
+constexpr Bytes kBuilding = mebibytes(3);       // code and small tables that only the building of nodes touches
 constexpr std::uint64_t kMostSampled = 540'000; // triangles
 constexpr std::uint64_t kSampleBytesPerTriangle = 96;
 constexpr std::uint64_t kSampleBytesPerVertex = 24;
@@ -111,7 +112,7 @@ Bytes MemoryNeeds::sorting() const {
 }
 
 Bytes MemoryNeeds::building(const chunk::PartSize& largest) const {
-    return {base().count + node(largest, threads).count};
+    return {base().count + kBuilding.count + node(largest, threads).count};
 }
 
 Bytes MemoryNeeds::most() const {

@@ -90,7 +90,8 @@ TEST(CountedMemory, IsBetweenWhatSortingAndAnyChunksNeedAndGrowsWithTheChunks) {
         last = counted;
         const MemoryNeeds whole{sheet.summary(), chunkTriangles, false};
         const chunk::PartSize all{sheet.summary().likelyTriangles, sheet.summary().vertexCount};
-        EXPECT_LE(counted.count, std::max(needs.sorting().count, whole.base().count + 2 * MemoryNeeds::node(all).count))
+        EXPECT_LE(
+            counted.count, std::max(needs.sorting().count, whole.building(all).count + MemoryNeeds::node(all).count))
             << "no chunk is larger than the source";
     }
 }

@@ -89,7 +89,7 @@ class SlowReplay(ReplayTest):
         seeded, anew = random.Random(3), 0
         for i in range(DAMAGES):
             if i % 25 == 0:
-                self.killed(command, state, seeded.randrange(100, 1800))
+                self.killed(command, state, seeded.randrange(100, 1400))
             shutil.copytree(state, self.place / "o.gnm.building")
             model.unlink(missing_ok=True)
             done = self.damage(self.place / "o.gnm.building", seeded)

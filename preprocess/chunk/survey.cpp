@@ -92,11 +92,13 @@ void requireReach(const std::string& path, const Box& box) {
     throw Error(path, "a coordinate is too large", "at most 1e100", found.data());
 }
 
-Box boundsOf(read::MeshSource& source, const VertexTable<std::uint8_t>& valence, Progress& progress) {
+/// Returns the box of the vertices that triangles use, and counts the bad normals of all vertices.
+Box boundsOf(read::MeshSource& source, SourceSurvey& survey, Progress& progress) {
     progress.stage("measure", "vertices", source.summary().vertexCount);
     Box box;
     source.readVertices([&](const read::VertexBlock& block) {
-        addUsed(source, block, valence, box);
+        addUsed(source, block, survey.valence, box);
+        survey.badNormals += block.badNormals;
         progress.advance(block.positions.size());
     });
     requireReach(source.summary().path, box);
@@ -256,7 +258,7 @@ SourceSurvey surveySource(read::MeshSource& source, Progress& progress, Strays s
     survey.vertices = summary.vertexCount;
     EdgeSample sample;
     countTriangles(source, survey, sample, progress);
-    const Box box = boundsOf(source, survey.valence, progress);
+    const Box box = boundsOf(source, survey, progress);
     setGrid(survey, summary.path, box, sample, VertexLookup(source, sample.vertices()), strays);
     survey.fields = measuredFields(source, survey.valence, progress);
     return survey;

@@ -23,6 +23,7 @@ struct SourceSurvey {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
+    std::uint64_t badNormals = 0;      // normals that are not finite, if the source's summary does not count them
     bool hasPolygons = false;          // faces of more than three corners
     VertexTable<std::uint8_t> valence; // corners at each vertex, at most 255
     std::vector<hierarchy::Field> fields;

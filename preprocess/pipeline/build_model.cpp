@@ -349,6 +349,7 @@ private:
         report_.summary = summary;
         report_.strays = log().binned()->strayed.corners;
         report_.medianEdge = log().binned()->medianEdge;
+        report_.badNormals = log().binned()->badNormals;
         bytesWritten_ -= report_.fileBytes;
         endPhase("write", writer.bytesRead());
     }

@@ -44,6 +44,7 @@ struct BuildReport {
     std::vector<ProcessReport> processes; // where they are many
     Box strays;                           // of corners beyond the grid's range
     double medianEdge = 0;                // of the source
+    std::uint64_t badNormals = 0;         // of the source, if its summary does not count them
 };
 
 /// Builds `options.output` from `source`, out of core: whatever the source's size, memory stays below `memory`. The

@@ -128,6 +128,7 @@ void binnedFields(Fields& fields, Record& record) {
     fields.field(record.triangles);
     fields.field(record.vertices);
     fields.field(record.notAPolygon);
+    fields.field(record.badNormals);
     fields.field(record.chunkCount);
     fields.field(record.largestChunk.triangles);
     fields.field(record.largestChunk.vertices);

@@ -16,7 +16,7 @@
 namespace gnomon::pipeline {
 
 /// Counts up when the records change: a build can go on only with those of its own kind.
-constexpr int kCheckpointVersion = 11;
+constexpr int kCheckpointVersion = 12;
 
 /// Triangles of the source that are left out: degenerate, doubled, collapsed by the grid, and those that earlier ones
 /// cover in the same plane, wholly or in part.
@@ -37,6 +37,7 @@ struct BinnedRecord {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
+    std::uint64_t badNormals = 0; // that the source's summary does not count
     std::uint32_t chunkCount = 0;
     chunk::PartSize largestChunk;
     DroppedCounts dropped{};          // before the chunks

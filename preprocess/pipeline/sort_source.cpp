@@ -86,6 +86,7 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
     record.triangles = survey->triangles;
     record.vertices = survey->vertices;
     record.notAPolygon = survey->notAPolygon;
+    record.badNormals = survey->badNormals;
     record.chunkCount = tree.chunkCount();
     const Bytes room = roomBeside(means.options, serialNeeds(means).binning());
     bins.emplace(

@@ -2,6 +2,8 @@
 
 #include "core/check.h"
 
+#include <utility>
+
 namespace gnomon::read {
 
 VertexBuffer::VertexBuffer(const VertexSink& sink, const Attributes& attributes, std::uint64_t first)
@@ -32,6 +34,7 @@ void VertexBuffer::flush() {
     if (!normals_.empty()) block.normals = std::span(normals_).first(size_);
     if (!colors_.empty()) block.colors = std::span(colors_).first(size_);
     block.fields = std::span(fields_).first(fieldCount_ * size_);
+    block.badNormals = std::exchange(badNormals_, 0);
     first_ += size_;
     size_ = 0;
     sink_(block);

@@ -53,6 +53,9 @@ public:
         if (size_ == kBlockRows) flush();
     }
 
+    /// Counts normals of the appended rows that are not finite.
+    void countBadNormals(std::uint64_t count) { badNormals_ += count; }
+
     /// Hands on what is left.
     void flush();
 
@@ -64,6 +67,7 @@ private:
     std::vector<double> fields_;
     std::size_t fieldCount_;
     std::uint64_t first_;
+    std::uint64_t badNormals_ = 0;
     std::size_t size_ = 0;
 };
 

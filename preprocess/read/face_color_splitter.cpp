@@ -34,6 +34,7 @@ void FaceColorSplitter::addVertices(const VertexBlock& block) {
     mesh_.positions.insert(mesh_.positions.end(), block.positions.begin(), block.positions.end());
     mesh_.normals.insert(mesh_.normals.end(), block.normals.begin(), block.normals.end());
     mesh_.fields.insert(mesh_.fields.end(), block.fields.begin(), block.fields.end());
+    if (block.badNormals > 0) mesh_.attributesDropped[kBadNormals] += block.badNormals;
     requireRoom();
 }
 

@@ -18,6 +18,9 @@
 
 namespace gnomon::read {
 
+/// The name under which all readers count normals that are not finite.
+constexpr const char* kBadNormals = "normals that are not finite";
+
 /// What is known before the body is read. Counts are the header's: checked against the file's size, so they may size
 /// an estimate, but still unproved until a pass has ended.
 struct MeshSummary {
@@ -47,6 +50,7 @@ struct VertexBlock {
     std::span<const glm::vec3> normals;    ///< as stored, zero where not finite; empty if the input has none
     std::span<const std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if the input has none
     std::span<const double> fields;        ///< as many as the summary has a vertex, vertex by vertex, as stored
+    std::uint64_t badNormals = 0;          ///< normals that are not finite, if the summary does not count them
 };
 
 /// The vertex indices of one triangle, each below the summary's vertexCount.

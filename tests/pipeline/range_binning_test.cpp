@@ -87,6 +87,7 @@ protected:
         EXPECT_EQ(a.record.furthest, b.record.furthest);
         EXPECT_EQ(a.record.triangles, b.record.triangles);
         EXPECT_EQ(a.record.notAPolygon, b.record.notAPolygon);
+        EXPECT_EQ(a.record.badNormals, b.record.badNormals);
         EXPECT_EQ(a.record.chunkCount, b.record.chunkCount);
         EXPECT_EQ(a.record.largestChunk.triangles, b.record.largestChunk.triangles);
         EXPECT_EQ(a.record.largestChunk.vertices, b.record.largestChunk.vertices);
@@ -172,6 +173,29 @@ TEST_F(RangeBinningTest, ComesToTheStreamsOfWholePassesOfPolygonsAndText) {
     }
 }
 
+TEST_F(RangeBinningTest, CountsBadNormalsOnceWhateverTheThreads) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex 150000\nproperty float x\nproperty float y\n"
+                       "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                       "element face 149998\nproperty list uchar int vertex_indices\nend_header\n";
+    for (int v = 0; v < 150'000; ++v)
+        text += std::to_string(v / 2) + (v % 2 == 0 ? " 0 0 " : " 1 0 ") + (v % 7 == 3 ? "nan" : "0") + " 0 1\n";
+    for (int t = 0; t + 2 < 150'000; ++t)
+        text +=
+            "3 " + std::to_string(t) + " " + std::to_string(t + 1 + t % 2) + " " + std::to_string(t + 2 - t % 2) + "\n";
+    const std::string path = folder.file("normals.ply");
+    read::writeScratch(path, text);
+    options.chunkTriangles = 20'000;
+    const auto source = read::openMeshSources({path}, mebibytes(64));
+    WithoutRanges plain(*source);
+    const Sorted whole = sorted(plain, gibibytes(2), 1);
+    EXPECT_EQ(whole.record.badNormals, 21'429U);
+    for (const std::size_t threads : {1U, 4U}) {
+        const auto again = read::openMeshSources({path}, mebibytes(64));
+        expectSame(whole, sorted(*again, gibibytes(2), threads));
+        EXPECT_GT(tableBytes, 0U) << "ranges were read";
+    }
+}
+
 // What is said of it is what a whole pass says.
 TEST_F(RangeBinningTest, GoesOverTheWholeWhereTextHasADefect) {
     read::PlyLayout layout;
@@ -239,9 +263,11 @@ TEST(RangeBytes, ComeBackAndAreRefusedWhereTheyEndEarly) {
     measure.box.add(glm::dvec3(1, 2, 3));
     measure.fields = {{-1, 2}};
     measure.valence = blocks;
+    measure.badNormals = 300;
     const VertexMeasure measured = decodedMeasure(encoded(measure));
     EXPECT_EQ(measured.box.max, glm::dvec3(1, 2, 3));
     EXPECT_EQ(measured.fields, measure.fields);
+    EXPECT_EQ(measured.badNormals, 300U);
     ASSERT_EQ(measured.valence.size(), 2U);
     EXPECT_EQ(measured.valence[1].offset, blocks[1].offset);
     BinnedRange binned;

@@ -69,6 +69,7 @@ BinnedRecord someBinned() {
     record.furthest = {1, 0x7FFFFFFF, 3};
     record.mainPart = {{-1, -2, -3}, {4, 5, 6}};
     record.medianEdge = 0.3;
+    record.badNormals = 21;
     record.strayed = {8, {{1, 2, 3}, {7, 8, 9}}};
     return record;
 }
@@ -138,6 +139,7 @@ TEST(CheckpointLog, EveryRecordComesBackFromItsBytes) {
     EXPECT_EQ(log.binned()->directory, someBinned().directory);
     EXPECT_EQ(log.binned()->mainPart.max, glm::dvec3(4, 5, 6));
     EXPECT_EQ(log.binned()->medianEdge, 0.3);
+    EXPECT_EQ(log.binned()->badNormals, 21U);
     EXPECT_EQ(log.binned()->strayed.triangles, 8U);
     EXPECT_EQ(log.binned()->strayed.corners.min, glm::dvec3(1, 2, 3));
     ASSERT_TRUE(log.bordered());

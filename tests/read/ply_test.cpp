@@ -385,5 +385,42 @@ TEST(ReadPly, MutatedFilesGiveAMeshOrAnError) {
     EXPECT_LT(refused, 2900U);
 }
 
+TEST(ReadPly, NormalsThatAreNotFiniteAreCountedWhereTheyAreRead) {
+    const std::string path = scratchPly("normals");
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    const std::vector<std::array<float, 6>> rows = {
+        {0, 0, 0, none, 0, 1}, {1, 0, 0, 0, 0, 1}, {0, 1, 0, 0, inf, 0}, {1, 1, 0, 0, 0, 0}};
+    for (const bool isAscii : {true, false})
+        for (const bool hasFaceColors : {true, false}) {
+            const std::string color =
+                hasFaceColors ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "";
+            std::string text =
+                std::string("ply\nformat ") + (isAscii ? "ascii" : "binary_little_endian") + " 1.0\nelement vertex 4\n";
+            for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+                text += std::string("property float ") + name + "\n";
+            text += "element face 1\nproperty list uchar uchar vertex_indices\n" + color + "end_header\n";
+            for (const auto& row : rows) {
+                for (const float value : row)
+                    text +=
+                        isAscii ? std::to_string(value) + " " : std::string(reinterpret_cast<const char*>(&value), 4);
+                if (isAscii) text += "\n";
+            }
+            text += isAscii ? std::string("3 0 1 2 9 9 9").substr(0, hasFaceColors ? 13 : 7) + "\n"
+                            : std::string("\3\0\1\2\11\11\11", hasFaceColors ? 7 : 4);
+            writeScratch(path, text);
+            const auto source = openPlyWithFaceColors(path, mebibytes(64));
+            const auto& dropped = source->summary().attributesDropped;
+            std::uint64_t bad = dropped.contains(kBadNormals) ? dropped.at(kBadNormals) : 0;
+            source->readVertices([&](const VertexBlock& block) {
+                bad += block.badNormals;
+                EXPECT_EQ(block.normals[0], glm::vec3(0));
+                EXPECT_EQ(block.normals[1], glm::vec3(0, 0, 1));
+            });
+            EXPECT_EQ(bad, 2U);
+        }
+    std::filesystem::remove(path);
+}
+
 } // namespace
 } // namespace gnomon::read

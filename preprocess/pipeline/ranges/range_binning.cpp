@@ -112,7 +112,7 @@ bool RangeBinning::countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sa
 Box RangeBinning::measure(
     const std::vector<Mail>& pages,
     const std::vector<std::uint64_t>& sampled,
-    std::vector<hierarchy::Field>& fields,
+    chunk::SourceSurvey& survey,
     std::vector<glm::dvec3>& positions) {
     means_.progress.stage("measure", "vertices", means_.source.summary().vertexCount);
     std::vector<Blocks> asked;
@@ -134,9 +134,11 @@ Box RangeBinning::measure(
     positions.reserve(sampled.size());
     for (VertexMeasure& measure : measures) {
         box.add(measure.box);
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            fields[i].least = std::min(fields[i].least, measure.fields.at(i)[0]);
-            fields[i].greatest = std::max(fields[i].greatest, measure.fields.at(i)[1]);
+        survey.badNormals += measure.badNormals;
+        for (std::size_t i = 0; i < survey.fields.size(); ++i) {
+            hierarchy::Field& field = survey.fields[i];
+            field.least = std::min(field.least, measure.fields.at(i)[0]);
+            field.greatest = std::max(field.greatest, measure.fields.at(i)[1]);
         }
         append(positions, means_.scratch.read(measure.positions));
         release(measure.positions);
@@ -164,7 +166,7 @@ std::optional<chunk::SourceSurvey> RangeBinning::survey() {
     sampled.erase(std::unique(sampled.begin(), sampled.end()), sampled.end());
     std::vector<glm::dvec3> positions;
     if (isRegular) {
-        const Box box = measure(pages, sampled, survey.fields, positions);
+        const Box box = measure(pages, sampled, survey, positions);
         const chunk::VertexLookup lookup(std::move(sampled), std::move(positions));
         chunk::setGrid(survey, source.path, box, sample, lookup, means_.strays);
         chunk::endRanges(source.path, survey.fields);

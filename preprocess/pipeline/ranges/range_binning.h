@@ -54,7 +54,7 @@ private:
     Box measure(
         const std::vector<Mail>& pages,
         const std::vector<std::uint64_t>& sampled,
-        std::vector<hierarchy::Field>& fields,
+        chunk::SourceSurvey& survey,
         std::vector<glm::dvec3>& positions);
 
     Blocks posted(std::span<const std::byte> bytes);

@@ -167,6 +167,7 @@ std::vector<std::byte> encoded(const VertexMeasure& measure) {
         out.put(least);
         out.put(greatest);
     }
+    out.putVarint(measure.badNormals);
     putBlocks(out, measure.valence);
     putBlocks(out, measure.positions);
     return out.take();
@@ -181,6 +182,7 @@ VertexMeasure decodedMeasure(std::span<const std::byte> bytes) {
         least = in.take<double>();
         greatest = in.take<double>();
     }
+    measure.badNormals = in.takeVarint();
     measure.valence = takeBlocks(in);
     measure.positions = takeBlocks(in);
     in.expectEnd();

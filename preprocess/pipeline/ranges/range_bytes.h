@@ -42,8 +42,9 @@ struct MeasureInput {
 struct VertexMeasure {
     Box box; // of those that triangles use
     std::vector<std::array<double, 2>> fields;
-    Blocks valence;   // a byte for each vertex of the range
-    Blocks positions; // that were asked for
+    std::uint64_t badNormals = 0; // of all vertices of the range
+    Blocks valence;               // a byte for each vertex of the range
+    Blocks positions;             // that were asked for
 };
 
 /// What is known of a source once it is measured.

@@ -148,6 +148,7 @@ VertexMeasure RangeWork::measureVertices(const MeasureInput& input) const {
     source_.readVertexRange(range.begin, range.end, [&](const read::VertexBlock& block) {
         chunk::addUsed(source_, block, corners, measure.box);
         chunk::addUsed(source_, block, corners, fields);
+        measure.badNormals += block.badNormals;
         const std::uint64_t end = block.firstVertex + block.positions.size();
         while (positions.size() < sampled.size() && sampled[positions.size()] < end)
             positions.push_back(block.positions[sampled[positions.size()] - block.firstVertex]);

@@ -1,6 +1,7 @@
 #include "preprocess/read/ply/ply_fast.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gnomon::read {
 
@@ -79,13 +80,18 @@ void decodePositions(const RawRows& rows, const Columns& columns, std::span<glm:
         });
 }
 
-void decodeNormals(const RawRows& rows, const Columns& columns, std::span<glm::vec3> normals) {
+/// Returns the number of normals that are not finite, which become zero.
+std::uint64_t decodeNormals(const RawRows& rows, const Columns& columns, std::span<glm::vec3> normals) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         decode(rows, columns[kNormal + axis], [&](std::size_t i, auto value) {
             normals[i][static_cast<int>(axis)] = static_cast<float>(value);
         });
-    for (glm::vec3& normal : normals)
-        normal = finiteOrZero(normal);
+    std::uint64_t bad = 0;
+    for (glm::vec3& normal : normals) {
+        const glm::vec3 stored = std::exchange(normal, finiteOrZero(normal));
+        bad += normal != stored ? 1 : 0;
+    }
+    return bad;
 }
 
 void decodeColors(
@@ -200,7 +206,7 @@ void readVertexColumns(BinaryValues& values, const PlyElement& element, const Ve
         const RawRows rows{stream.data(), stride, static_cast<std::size_t>(count), values.isSwapped()};
         const VertexBuffer::Rows place = out.append(rows.count);
         decodePositions(rows, columns, place.positions);
-        if (layout.hasNormals) decodeNormals(rows, columns, place.normals);
+        if (layout.hasNormals) out.countBadNormals(decodeNormals(rows, columns, place.normals));
         if (layout.hasColors) decodeColors(rows, columns, layout.full, place.colors);
         decodeFields(rows, element, layout, place.fields);
         stream.consume(rows.count * stride);

@@ -249,8 +249,11 @@ void readVertexRows(Values& values, const PlyElement& element, const VertexLayou
         row.read(values);
         const VertexBuffer::Rows place = out.append(1);
         place.positions[0] = {row[0], row[1], row[2]};
-        if (!place.normals.empty())
-            place.normals[0] = finiteOrZero(glm::vec3(row[kNormal], row[kNormal + 1], row[kNormal + 2]));
+        if (!place.normals.empty()) {
+            const glm::vec3 normal(row[kNormal], row[kNormal + 1], row[kNormal + 2]);
+            place.normals[0] = finiteOrZero(normal);
+            if (place.normals[0] != normal) out.countBadNormals(1);
+        }
         if (!place.colors.empty()) {
             place.colors[0] = 0;
             for (std::uint32_t c = 0; c < 4; ++c)

@@ -63,7 +63,7 @@ public:
             firstFaces_);
         file_.requireUnchanged();
         MemoryMesh mesh = splitter.take();
-        mesh.attributesDropped = summary_.attributesDropped;
+        mesh.attributesDropped.merge(std::map(summary_.attributesDropped));
         mesh.attributesDropped.erase(kFaceColors);
         mesh.remarks = summary_.remarks;
         addRemark(mesh.remarks, rule.remark);

@@ -29,6 +29,21 @@ inline std::string lowered(std::string_view text) {
     return result;
 }
 
+/// Returns whether a report can name `text`: it is short and has only ASCII letters, digits, '_', '-' and blanks.
+inline bool isPlainName(std::string_view text) {
+    constexpr std::size_t kLongest = 16;
+    return text.size() <= kLongest && std::all_of(text.begin(), text.end(), [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+                      c == '-' || c == ' ';
+           });
+}
+
+/// `text` without the quotes around it, if it has both.
+inline std::string_view unquoted(std::string_view text) {
+    const bool hasQuotes = text.size() > 2 && text.front() == '"' && text.back() == '"';
+    return hasQuotes ? text.substr(1, text.size() - 2) : text;
+}
+
 /// The last suffix of the file name in `path`, with its dot, in lower case; empty if it has none.
 inline std::string loweredSuffix(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");

@@ -202,6 +202,11 @@ TEST_F(Stl, ErrorsNameThePlace) {
     EXPECT_EQ(errorOf("solid x\nendsolid\n"), ": empty: it has no vertices and no faces");
     EXPECT_EQ(errorOf(std::string("s\0o\0l\0i\0d\0 \0x\0", 14)), ": the text is in UTF-16; convert to UTF-8");
     EXPECT_NE(errorOf("solid x " + std::string(100'000, 'n')), "no error");
+    const std::string isLong = ": a word of more than 1000 characters: expected a number or a keyword, found ";
+    EXPECT_NE(
+        errorOf("solid x\nouter loop\nvertex 0 " + std::string(1001, '1') + " 0\n").find(":3" + isLong),
+        std::string::npos);
+    EXPECT_NE(errorOf("solid x\n" + std::string(2000, 'n')).find(":2" + isLong), std::string::npos);
 }
 
 TEST_F(Stl, MutatedFilesGiveAMeshOrAnError) {

@@ -54,6 +54,7 @@ private:
             const std::string_view next = text_.wordOnAnyLine();
             return isKeyword(next, "loop") ? std::string_view() : next;
         }
+        text_.requireShort(word);
         constexpr std::array<std::string_view, 3> kOthers = {"facet", "endloop", "endfacet"};
         if (std::none_of(kOthers.begin(), kOthers.end(), [&](auto keyword) { return isKeyword(word, keyword); }))
             throw Error(text_.where(), "not a word of an STL file: " + quotedForMessage(word));

@@ -105,7 +105,8 @@ std::string_view TextStream::wordOfAnyLine() {
         }
         const EndsWord& endsWord = rules_.hasComments ? kEndsWordOrBeginsComment : kEndsWord;
         const char* const begin = at_;
-        const char* const limit = begin + std::min<std::size_t>(static_cast<std::size_t>(end_ - begin), kLongestWord);
+        const char* const limit =
+            begin + std::min<std::size_t>(static_cast<std::size_t>(end_ - begin), kLongestWord + 1);
         while (at_ != limit && (!endsWord[static_cast<unsigned char>(*at_)] || (*at_ == '#' && at_[-1] == '.')))
             ++at_;
         std::string_view found(begin, static_cast<std::size_t>(at_ - begin));
@@ -197,8 +198,14 @@ std::string_view TextStream::wordOnAnyLine() {
     }
 }
 
+void TextStream::requireShort(std::string_view word) const {
+    if (word.size() > kLongestWord)
+        throw Error(where(), "a word of more than 1000 characters", "a number or a keyword", quotedForMessage(word));
+}
+
 double TextStream::numberOf(std::string_view word) const {
-    const std::optional<double> value = word.size() < kLongestWord ? numberIn(word) : std::nullopt;
+    requireShort(word);
+    const std::optional<double> value = numberIn(word);
     if (!value) throw Error(where(), "not a number", "a number", quotedForMessage(word));
     if (isHugeNumber(word, *value))
         throw Error(

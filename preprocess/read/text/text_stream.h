@@ -51,6 +51,9 @@ public:
     /// Returns the next word of this or a later line, empty at the end of the file.
     std::string_view wordOnAnyLine();
 
+    /// Throws Error for a word of more than kLongestWord characters, which is neither a number nor a keyword.
+    void requireShort(std::string_view word) const;
+
     /// Returns the number that `word` is, finite or not. Throws Error for a word that is no number, and for a number
     /// that is too large for a double.
     double numberOf(std::string_view word) const;

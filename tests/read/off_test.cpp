@@ -121,8 +121,47 @@ TEST_F(Off, HasColorsOfFacesWhereVerticesHaveNone) {
     using Colors = std::vector<std::uint32_t>;
     EXPECT_EQ(colorsOf("3 0 1 2 255 0 0\n3 0 2 3 0 255 0\n"), (Colors{0xFF0000FF, 0xFF00FF00}));
     EXPECT_EQ(colorsOf("3 0 1 2 255 0 0 128\n3 0 2 3\n"), (Colors{0x800000FF, 0xFFFFFFFF}));
-    EXPECT_EQ(colorsOf("3 0 1 2 255 0 0\n3 0 2 3 0.5 0 0 1\n"), (Colors{0xFF0000FF, 0xFF000080}));
+    EXPECT_EQ(colorsOf("3 0 1 2 255 0 0\n3 0 2 3 0.5 0 0 1\n"), (Colors{0xFF0000FF, 0xFF000001})) << "one rule";
+    EXPECT_EQ(colorsOf("3 0 1 2 1 0 0\n3 0 2 3 0 0.5 0\n"), (Colors{0xFF0000FF, 0xFF008000}));
+    EXPECT_EQ(colorsOf("3 0 1 2 1 0 0\n3 0 2 3 0 1 1\n"), (Colors{0xFF0000FF, 0xFFFFFF00}));
     EXPECT_EQ(colorsOf("3 0 1 2 1.0 0.0 0.0\n3 0 2 3 0.0 1.0 0.0\n"), (Colors{0xFF0000FF, 0xFF00FF00}));
+}
+
+TEST_F(Off, OneRuleHoldsForAllColours) {
+    struct Row {
+        const char* keyword;
+        std::array<const char*, 3> colors;
+        std::vector<std::uint32_t> expected;
+        const char* remark; // empty for none
+        std::uint64_t alpha;
+    };
+
+    const std::vector<std::uint32_t> rgb{0xFF0000FF, 0xFF00FF00, 0xFFFF0000};
+    const char* const ofOne = ": colours of vertices range from 0 to 1, because none exceeds 1";
+    const std::vector<Row> rows = {
+        {"COFF", {"1 0 0 1", "0 0.5 0 1", "0 0 1 1"}, {0xFF0000FF, 0xFF008000, 0xFFFF0000}, ofOne, 0},
+        {"COFF", {"1 0 0 1", "0 1 0 1", "0 0 1 1"}, rgb, ofOne, 0},
+        {"OFF", {"1 0 0", "0 1 0", "0 0 1"}, rgb, ofOne, 0},
+        {"COFF", {"1 0 0 0.5", "0 1 0 1", "0 0 1 0"}, {0x800000FF, 0xFF00FF00, 0x00FF0000}, ofOne, 2},
+        {"COFF", {"255 0 0 128", "0 255 0 255", "0 0 1 255"}, {0x800000FF, 0xFF00FF00, 0xFF010000}, "", 1},
+        {"COFF", {"255 0 0 1", "0 255 0 1", "0 0 255 1"}, rgb, "", 0},
+        {"OFF",
+         {"254.6 0 0", "0 1 0", "0 0 0"},
+         {0xFF0000FF, 0xFF000100, 0xFF000000},
+         ": colours of vertices, which are real numbers, range from 0 to 255, because one exceeds 1",
+         0}};
+    for (const Row& row : rows) {
+        const auto source = opened(
+            std::string(row.keyword) + "\n3 1 0\n0 0 0 " + row.colors[0] + "\n1 0 0 " + row.colors[1] + "\n0 1 0 " +
+            row.colors[2] + "\n3 0 1 2\n");
+        EXPECT_EQ(collect(*source).colors, row.expected) << row.colors[0];
+        const std::vector<std::string>& remarks = source->summary().remarks;
+        EXPECT_EQ(remarks.empty() ? "" : remarks[0], *row.remark == 0 ? "" : path + row.remark);
+        const auto& dropped = source->summary().attributesDropped;
+        EXPECT_EQ(dropped.contains("alpha") ? dropped.at("alpha") : 0, row.alpha) << row.colors[0];
+    }
+    const auto source = opened("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0 128\n3 2 1 0 0 0 0 255\n");
+    EXPECT_EQ(source->summary().attributesDropped, (std::map<std::string, std::uint64_t>{{"alpha", 1}}));
 }
 
 TEST_F(Off, NamesEachKindThatIsNotKept) {
@@ -175,6 +214,14 @@ TEST_F(Off, ErrorsNameTheLine) {
     EXPECT_NE(
         errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n4000000000 0 1 2\n").find("too large a face"), std::string::npos);
     EXPECT_NE(errorOf("COFF\n1 1 0\n0 0 0 1 1\n3 0 0 0\n").find("a colour of three or four"), std::string::npos);
+    const std::string longNumber = "1." + std::string(1000, '3');
+    const std::string isLong = ": a word of more than 1000 characters: expected a number or a keyword, found \"1.333";
+    EXPECT_NE(
+        errorOf("OFF\n3 1 0\n0 0 0\n" + longNumber + " 0 0\n1 1 0\n3 0 1 2\n").find(":4" + isLong), std::string::npos);
+    EXPECT_NE(
+        errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 " + longNumber + "\n").find(":6" + isLong), std::string::npos);
+    EXPECT_NE(errorOf("OFF\n" + longNumber + " 1 0\n").find(":2" + isLong), std::string::npos);
+    EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1." + std::string(998, '3') + " 0 0\n1 1 0\n3 0 1 2\n"), "no error");
     EXPECT_EQ(errorOf("\xFF\xFEO"), ": the text is in UTF-16; convert to UTF-8");
 }
 
@@ -200,9 +247,17 @@ TEST_F(Off, MayBeBinary) {
         for (const bool countsChannels : {false, true}) {
             const auto source = opened(binaryOff(isBigEndian, countsChannels));
             const CollectedMesh mesh = collect(*source);
-            EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-            EXPECT_EQ(mesh.triangles, (std::vector<TriangleCorners>{{0, 1, 2}, {2, 1, 0}}));
-            EXPECT_EQ(source->summary().attributesDropped.contains("face colours"), countsChannels);
+            const std::array<glm::dvec3, 3> places{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+            ASSERT_EQ(mesh.triangles.size(), 2U);
+            for (std::size_t i = 0; i < 3; ++i) {
+                EXPECT_EQ(mesh.positions[mesh.triangles[0][i]], places[i]);
+                EXPECT_EQ(mesh.positions[mesh.triangles[1][i]], places[2 - i]);
+                if (!countsChannels) continue;
+                EXPECT_EQ(mesh.colors[mesh.triangles[0][i]], 0xFF0000FF);
+                EXPECT_EQ(mesh.colors[mesh.triangles[1][i]], 0xFFFFFFFF);
+            }
+            EXPECT_EQ(mesh.colors.empty(), !countsChannels);
+            EXPECT_TRUE(source->summary().attributesDropped.empty());
         }
     EXPECT_NE(errorOf(binaryOff(true, true) + "x"), "no error");
     EXPECT_NE(errorOf(binaryOff(true, true).substr(0, 60)).find(": byte "), std::string::npos);

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "preprocess/read/block_buffers.h"
 #include "preprocess/read/byte_stream.h"
-#include "preprocess/read/color_range.h"
+#include "preprocess/read/off/off_colors.h"
 
 #include <array>
 #include <bit>
@@ -28,7 +28,7 @@ public:
     OffBytes(const InputFile& file, const OffHeader& header, const Layout& layout)
         : stream_(file, header.bodyOffset), header_(header), layout_(layout) {}
 
-    MemoryMesh read() {
+    MemoryMesh read(Bytes memoryLimit) {
         const std::uint64_t vertices = number();
         const std::uint64_t faces = number();
         number(); // of edges
@@ -37,13 +37,13 @@ public:
         requireRoom(vertices, sizeof(float) * floats);
         mesh_.positions.reserve(vertices);
         for (std::uint64_t i = 0; i < vertices; ++i)
-            readVertex();
+            readVertex(i);
         requireRoom(faces, sizeof(std::uint32_t));
         for (std::uint64_t i = 0; i < faces; ++i)
-            readFace();
+            readFace(i);
         if (stream_.remaining() > 0) throw Error(where(), "data after the last face: the counts are too small");
         if (header_.hasTexture && vertices > 0) mesh_.attributesDropped["texture coordinates"] = vertices;
-        return std::move(mesh_);
+        return withOffColors(std::move(mesh_), colors_, header_.hasColors, stream_.path(), memoryLimit);
     }
 
 private:
@@ -78,16 +78,16 @@ private:
                 std::to_string(stream_.remaining()) + " bytes");
     }
 
-    void readVertex() {
+    void readVertex(std::uint64_t vertex) {
         mesh_.positions.emplace_back(vector());
         if (header_.hasNormals) {
             const glm::vec3 normal = vector();
             mesh_.normals.push_back(finiteOrZero(normal));
-            if (mesh_.normals.back() != normal) ++mesh_.attributesDropped["normals that are not finite"];
+            if (mesh_.normals.back() != normal) ++mesh_.attributesDropped[kBadNormals];
         }
         if (header_.hasColors) {
-            const glm::vec3 color = vector();
-            mesh_.colors.push_back(packedChannels({color, real()}, 1));
+            const glm::dvec3 color(vector());
+            colors_.vertices.add(vertex, std::array{color.r, color.g, color.b, double{real()}});
         }
         if (header_.hasTexture) {
             real();
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    void readFace() {
+    void readFace(std::uint64_t face) {
         const std::uint32_t size = number();
         requireRoom(size, sizeof(std::uint32_t));
         if (size > kMostPolygonCorners)
@@ -118,25 +118,36 @@ private:
         }
         mesh_.faceSizes.push_back(size);
         if (!layout_.countsChannels) return;
-        const std::uint32_t channels = number();
-        if (channels > 0) ++mesh_.attributesDropped["face colours"];
-        requireRoom(channels, sizeof(float));
-        stream_.skip(channels * sizeof(float));
+        readFaceColor(face);
+    }
+
+    void readFaceColor(std::uint64_t face) {
+        const std::uint32_t count = number();
+        requireRoom(count, sizeof(float));
+        std::array<double, 4> channels{};
+        if (count != 3 && count != 4) {
+            if (count > 0) ++mesh_.attributesDropped["other values of faces"];
+            return stream_.skip(count * sizeof(float));
+        }
+        for (std::uint32_t i = 0; i < count; ++i)
+            channels[i] = real();
+        colors_.faces.add(face, std::span(channels).first(count));
     }
 
     ByteStream stream_;
     const OffHeader& header_;
     Layout layout_;
     MemoryMesh mesh_;
+    OffRowColors colors_;
 };
 
 } // namespace
 
-MemoryMesh readOffBinary(const InputFile& file, const OffHeader& header) {
+MemoryMesh readOffBinary(const InputFile& file, const OffHeader& header, Bytes memoryLimit) {
     std::optional<Error> first;
     for (const Layout& layout : kLayouts) {
         try {
-            return OffBytes(file, header, layout).read();
+            return OffBytes(file, header, layout).read(memoryLimit);
         } catch (const Error& error) {
             if (!first) first = error;
         }

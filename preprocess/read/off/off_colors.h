@@ -1,49 +1,65 @@
-// Colours of an OFF, whose range is known when all of them are.
+// Colours of an OFF: their range is known when all of them are read.
 #pragma once
+
+#include "core/units.h"
+#include "preprocess/read/memory_source.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace gnomon::read {
 
-/// Collects the colours of vertices or faces, some of which may have none.
+/// Collects the colours of vertices or faces, some of which may have none. One rule holds for all of them: channels
+/// range to 1 if no channel exceeds 1, else to 255. The same rule holds for the alphas by themselves.
 class OffColors {
 public:
-    /// The colour of row `row`, which is `values` long (3 or 4 channels); `isReal` if one is written as a real number.
-    void add(std::uint64_t row, std::span<const double> values, bool isReal);
+    /// Adds the colour of row `row`: three channels, or four. Rows come in ascending order.
+    void add(std::uint64_t row, std::span<const double> channels);
 
-    /// Rows with a colour.
-    std::uint64_t count() const { return count_; }
+    /// The number of rows with a colour.
+    std::uint64_t count() const { return colors_.size(); }
 
-    /// Whether they can be colours: none is below 0.
-    bool areColors() const { return count_ > 0 && !isBelowZero_; }
+    /// Returns whether they can be colours: none is below 0.
+    bool areColors() const { return !colors_.empty() && !isBelowZero_; }
 
-    /// Whether channels of real numbers range to 255.
-    bool areRealsBytes() const;
+    /// The number of rows whose alpha is not opaque.
+    std::uint64_t clearCount() const;
 
-    /// Returns RGBA8 for each of `rows` rows, white where a row has none.
-    std::vector<std::uint32_t> take(std::uint64_t rows);
+    /// Returns RGBA8 for each of `rows` rows, white if a row has no colour.
+    std::vector<std::uint32_t> packed(std::uint64_t rows) const;
+
+    /// Returns the range in words; an empty text for the usual integers, which range to 255.
+    std::string remark(const std::string& ofWhat) const;
 
 private:
-    struct RealColor {
+    struct Color {
         std::uint64_t row;
         glm::vec4 channels; ///< the alpha is below 0 if there is none
     };
 
-    std::vector<std::uint32_t> packed_;
-    std::vector<RealColor> reals_;
-    std::uint64_t count_ = 0;
-    double maxReal_ = 0;
+    std::uint32_t packed(const Color& color) const;
+
+    std::vector<Color> colors_;
+    double max_ = 0; ///< of red, green and blue
+    double maxAlpha_ = 0;
     bool isBelowZero_ = false;
+    bool areIntegers_ = true;
 };
 
-/// Returns whether a number is written with a point or an exponent.
-inline bool isWrittenAsReal(std::string_view word) {
-    return word.find_first_of(".eE") != std::string_view::npos;
-}
+/// The colours of the rows of an OFF.
+struct OffRowColors {
+    OffColors vertices;
+    OffColors faces;
+};
+
+/// Returns `mesh` with its colours: those of vertices, else those of faces. `isAnnounced` says that the keyword
+/// announces colours of vertices. Counts the data that is not kept. Throws Error, which names `path`, if that takes
+/// more than `memoryLimit`.
+MemoryMesh withOffColors(
+    MemoryMesh mesh, const OffRowColors& colors, bool isAnnounced, const std::string& path, Bytes memoryLimit);
 
 } // namespace gnomon::read

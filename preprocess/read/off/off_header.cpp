@@ -61,6 +61,7 @@ private:
 
     std::uint64_t count(const std::string& word) const {
         const auto value = integerIn<std::uint64_t>(word);
+        if (!value) text_.requireShort(word);
         if (!value)
             throw Error(
                 text_.where(), "bad counts", "the numbers of vertices, faces and edges", quotedForMessage(word));

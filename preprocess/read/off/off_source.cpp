@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "preprocess/read/block_buffers.h"
-#include "preprocess/read/face_color_splitter.h"
 #include "preprocess/read/off/off_binary.h"
 #include "preprocess/read/off/off_colors.h"
 #include "preprocess/read/off/off_header.h"
@@ -53,7 +52,9 @@ public:
             readFace(face);
         if (!text_.wordOnAnyLine().empty())
             throw Error(text_.where(), "data after the last face: the counts are too small");
-        return finished(memoryLimit);
+        if (header_.hasTexture && header_.vertices > 0)
+            mesh_.attributesDropped["texture coordinates"] = header_.vertices;
+        return withOffColors(std::move(mesh_), colors_, header_.hasColors, file_.path(), memoryLimit);
     }
 
 private:
@@ -62,7 +63,6 @@ private:
     /// The numbers of one vertex.
     struct VertexRow {
         std::array<double, kMostValues> values{};
-        std::array<bool, kMostValues> areReal{};
         std::size_t count = 0; ///< may be more than are looked at
     };
 
@@ -71,10 +71,7 @@ private:
         VertexRow row;
         std::string_view word = firstWord(header_.vertices - vertex, header_.faces);
         while (!word.empty()) {
-            if (row.count < kMostValues) {
-                row.areReal[row.count] = isWrittenAsReal(word);
-                row.values[row.count] = text_.numberOf(word);
-            }
+            if (row.count < kMostValues) row.values[row.count] = text_.numberOf(word);
             ++row.count;
             const bool areLines = attempt_.vertices == Rows::Lines;
             if (!areLines && row.count == most) break;
@@ -101,23 +98,20 @@ private:
         if (header_.hasColors && count != 0 && !isColor)
             throw Error(
                 text_.where(), "bad vertex", "a colour of three or four channels", std::to_string(count) + " values");
-        const auto areReal = std::span(row.areReal).subspan(first, count);
         if (isColor)
-            vertexColors_.add(
-                vertex,
-                std::span(row.values).subspan(first, count),
-                std::find(areReal.begin(), areReal.end(), true) != areReal.end());
+            colors_.vertices.add(vertex, std::span(row.values).subspan(first, count));
         else if (count > 0)
-            ++mesh_.attributesDropped[kOtherOfVertices];
+            ++mesh_.attributesDropped["other values of vertices"];
     }
 
     void addNormal(const glm::dvec3& normal) {
         mesh_.normals.push_back(finiteOrZero(glm::vec3(normal)));
-        if (mesh_.normals.back() != glm::vec3(normal)) ++mesh_.attributesDropped["normals that are not finite"];
+        if (mesh_.normals.back() != glm::vec3(normal)) ++mesh_.attributesDropped[kBadNormals];
     }
 
     void readFace(std::uint64_t face) {
         const std::string_view first = firstWord(0, header_.faces - face);
+        text_.requireShort(first);
         const auto size = integerIn<std::uint64_t>(first);
         const bool areLines = attempt_.faces == Rows::Lines;
         if (!size || (!areLines && *size < 3))
@@ -144,6 +138,7 @@ private:
 
     std::uint64_t checkedCorner(std::string_view word) const {
         const auto index = integerIn<std::int64_t>(word);
+        if (!index) text_.requireShort(word);
         if (!index) throw Error(text_.where(), "bad face", "an index", quotedForMessage(word));
         const auto vertex = static_cast<std::uint64_t>(*index);
         if (vertex >= header_.vertices)
@@ -164,13 +159,10 @@ private:
     void readFaceColor(std::uint64_t face) {
         std::array<double, 4> values{};
         std::size_t count = 0;
-        bool isReal = false;
-        for (std::string_view word = text_.word(); !word.empty(); word = text_.word(), ++count) {
-            isReal = isReal || isWrittenAsReal(word);
+        for (std::string_view word = text_.word(); !word.empty(); word = text_.word(), ++count)
             if (count < values.size()) values[count] = text_.numberOf(word);
-        }
         if (count == 3 || count == 4)
-            faceColors_.add(face, std::span(values).first(count), isReal);
+            colors_.faces.add(face, std::span(values).first(count));
         else if (count == 1)
             ++mesh_.attributesDropped["face colours by their numbers in a table"];
         else if (count > 0)
@@ -192,38 +184,14 @@ private:
         return word;
     }
 
-    MemoryMesh finished(Bytes memoryLimit) {
-        if (vertexColors_.areRealsBytes() || faceColors_.areRealsBytes())
-            mesh_.remarks.push_back(
-                file_.path() + ": colours of real numbers range from 0 to 255, because one exceeds 1");
-        const auto drop = [&](const OffColors& colors, const char* name) {
-            if (colors.count() > 0) mesh_.attributesDropped[name] += colors.count();
-        };
-        const bool areVerticesColored = vertexColors_.areColors() || (header_.hasColors && vertexColors_.count() > 0);
-        if (areVerticesColored)
-            mesh_.colors = vertexColors_.take(header_.vertices);
-        else
-            drop(vertexColors_, kOtherOfVertices);
-        if (header_.hasTexture && header_.vertices > 0)
-            mesh_.attributesDropped["texture coordinates"] = header_.vertices;
-        if (!areVerticesColored && faceColors_.areColors()) {
-            const std::vector<std::uint32_t> colors = faceColors_.take(header_.faces);
-            return withFaceColors(std::move(mesh_), colors, file_.path(), memoryLimit);
-        }
-        drop(faceColors_, "face colours");
-        return std::move(mesh_);
-    }
-
     static constexpr std::size_t kMostBadLines = 1000;
-    static constexpr const char* kOtherOfVertices = "other values of vertices";
 
     const InputFile& file_;
     const OffHeader& header_;
     Attempt attempt_;
     TextStream text_;
     MemoryMesh mesh_;
-    OffColors vertexColors_;
-    OffColors faceColors_;
+    OffRowColors colors_;
     std::map<std::uint64_t, std::uint64_t> badLines_; ///< lines of vertices that are not finite
 };
 
@@ -245,7 +213,8 @@ std::unique_ptr<MeshSource> readOff(const std::string& path, Bytes memoryLimit) 
     const InputFile file(path);
     requireRoomForWhole(path, file.size(), memoryLimit);
     const OffHeader header = readOffHeader(file);
-    MemoryMesh mesh = header.isBinary ? readOffBinary(file, header) : readOffText(file, header, memoryLimit);
+    MemoryMesh mesh =
+        header.isBinary ? readOffBinary(file, header, memoryLimit) : readOffText(file, header, memoryLimit);
     file.requireUnchanged();
     return memorySource(path, file.size(), std::move(mesh));
 }

@@ -14,10 +14,6 @@ bool isBelow(const std::filesystem::path& path, const std::filesystem::path& fol
     return !rest.empty() && *rest.begin() != "..";
 }
 
-std::filesystem::path absoluteOf(const std::filesystem::path& path) {
-    return std::filesystem::absolute(path).lexically_normal();
-}
-
 } // namespace
 
 SourceRoot::SourceRoot(const std::string& input, const std::string& root)
@@ -41,7 +37,6 @@ std::string SourceRoot::pathOf(const std::string& name, const std::string& place
 }
 
 bool SourceRoot::contains(const std::filesystem::path& path) const {
-    if (isBelow(absoluteOf(path), absoluteOf(root_ / ""))) return true;
     std::error_code ignored;
     const std::filesystem::path real = std::filesystem::weakly_canonical(path, ignored);
     if (ignored) return false;

@@ -14,10 +14,10 @@ public:
 
     /// Returns the path of the file `name`, which is absolute or relative to the folder of the input. The path has no
     /// ".." in it. Throws LimitError at `place` if the path is outside the root, and Error for a name with a zero byte.
-    /// Follows symbolic links inside the root, because its owner made them.
+    /// Symbolic links count as the files that they lead to, because an unpacked archive may bring links.
     std::string pathOf(const std::string& name, const std::string& place) const;
 
-    /// Returns whether `path` is inside the root, as written or after the links in both paths are resolved.
+    /// Returns whether `path` is inside the root after the links in both paths are resolved.
     bool contains(const std::filesystem::path& path) const;
 
 private:

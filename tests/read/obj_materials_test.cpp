@@ -284,5 +284,56 @@ TEST(ObjFiles, RealOnesHaveTheCountsAndColoursOfTheirReadme) {
     EXPECT_EQ(collect(*openMeshSources({files + "cube_with_vertexcolors.obj"}, mebibytes(64))).triangles.size(), 12U);
 }
 
+TEST_F(ObjWithMaterials, LinesOfALibraryMayBeContinued) {
+    const std::string obj = "mtllib a.mtl\n" + kSquare + "usemtl red\nf 1 2 3\nusemtl green\nf 1 3 4\n";
+    const std::set<std::uint32_t> both = {kRed, kGreen};
+    for (const char* const end : {"\n", "\r\n", "\r"}) {
+        std::string library;
+        for (const char* const line :
+             {"newmtl \\", "red", "Kd 1 \\ ", " 0 \\", "0", "# \\", "newmtl green", "Kd 0 1 0", "Ks 1 1 1 \\"})
+            library += std::string(line) + end;
+        writeScratch(folder + "/a.mtl", library);
+        const CollectedMesh mesh = meshOf(obj);
+        EXPECT_EQ(std::set(mesh.colors.begin(), mesh.colors.end()), both);
+    }
+    writeScratch(folder + "/a.mtl", "newmtl red\n\nKd 1 \\\n x 0\n");
+    writeScratch(path, obj);
+    const std::string message = errorAbout(folder, [&] { openMeshSources({path}, mebibytes(64)); });
+    EXPECT_TRUE(message.starts_with("/a.mtl:3: bad colour of a material")) << message;
+}
+
+TEST_F(ObjWithMaterials, LibrariesMayBeInQuotes) {
+    std::filesystem::create_directories(folder + "/sub dir");
+    for (const char* const name : {"a.mtl", "my lib.mtl", "sub dir/b.mtl"})
+        writeScratch(folder + "/" + name, "newmtl red\nKd 1 0 0\n");
+    const auto isRed = [&](const std::string& names) {
+        const CollectedMesh mesh = meshOf("mtllib " + names + "\n" + kSquare + "usemtl red\nf 1 2 3\n");
+        return !mesh.colors.empty() && mesh.colors[0] == kRed;
+    };
+    for (const char* const names :
+         {"\"a.mtl\"",
+          "\"my lib.mtl\"",
+          "\"gone.mtl\" \"a.mtl\"",
+          "\"A.mtl\"",
+          "\"sub dir\\b.mtl\"",
+          "\"C:\\old place\\a.mtl\""})
+        EXPECT_TRUE(isRed(names)) << names;
+    std::filesystem::remove(folder + "/a.mtl");
+    EXPECT_FALSE(isRed("\"a.mtl\""));
+    writeScratch(folder + "/\"a.mtl\"", "newmtl red\nKd 1 0 0\n");
+    EXPECT_TRUE(isRed("\"a.mtl\"")) << "a name with quotes";
+}
+
+TEST_F(ObjWithMaterials, ALinkOutOfTheFolderIsRefused) {
+    std::filesystem::create_directories(folder + "/inner");
+    writeScratch(folder + "/a.mtl", "newmtl red\nKd 1 0 0\n");
+    std::filesystem::create_symlink("../a.mtl", folder + "/inner/a.mtl");
+    const std::string inner = folder + "/inner/a.obj";
+    writeScratch(inner, "mtllib a.mtl\n" + kSquare + "usemtl red\nf 1 2 3\n");
+    const std::string message = errorAbout(inner, [&] { openMeshSources({inner}, mebibytes(64)); });
+    EXPECT_TRUE(message.starts_with(":1: refers to a file outside the folder of the source")) << message;
+    EXPECT_EQ(openMeshSources({inner}, mebibytes(64), {}, Textures::Bake, folder)->summary().filesBesides.size(), 1U);
+}
+
 } // namespace
 } // namespace gnomon::read

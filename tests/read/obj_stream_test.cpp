@@ -457,13 +457,43 @@ TEST_F(StreamedObj, NamesEachKindThatIsNotKept) {
         {"names of groups", 1},
         {"names of objects", 1},
         {"normals that are not finite", 1},
-        {"other lines", 1},
+        {"lines of the unknown keyword call", 1},
         {"points", 1},
         {"smoothing groups", 1},
         {"texture coordinates", 2},
         {"textures", 1},
         {"weights of vertices", 1}};
     EXPECT_EQ(openObj(path, kObjRoom)->summary().attributesDropped, expected);
+}
+
+TEST_F(StreamedObj, ReadsTheOldKeywordOfFacesAndNamesUnknownKeywords) {
+    writeScratch(path, kCorners + "fo 1 2 3\nfo 1//1 2 3\nvn 0 0 1\nf 3 2 1\n");
+    EXPECT_EQ(collect(*openObj(path, kObjRoom)).triangles.size(), 3U);
+    writeScratch(path, "V 0 0 0\n" + kCorners + "F 1 2 3\nF 1 2 3\nb\x01 1\n");
+    EXPECT_EQ(
+        errorAbout(path, [&] { openObj(path, kObjRoom); }),
+        ": no faces: expected lines of the keyword f, found lines of unknown keywords: F V");
+    writeScratch(path, kCorners + "F 1 2 3\nF 1 2 3\nb\x01 1\nf 1 2 3\n");
+    EXPECT_EQ(
+        openObj(path, kObjRoom)->summary().attributesDropped,
+        (std::map<std::string, std::uint64_t>{{"lines of the unknown keyword F", 2}, {"other lines", 1}}));
+    std::string many = kCorners + "f 1 2 3\n";
+    for (int i = 0; i < 1000; ++i)
+        many += "k" + std::to_string(i) + "\n";
+    writeScratch(path, many);
+    EXPECT_EQ(openObj(path, kObjRoom)->summary().attributesDropped.at("other lines"), 936U);
+}
+
+TEST_F(StreamedObj, SaysThatAWordIsTooLong) {
+    const std::string digits(1000, '3');
+    for (const std::string& line : {"v 1." + digits + " 0 0\n", "f 1 2 3" + digits + "\n"})
+        for (const char* const end : {"", "\\\n\n"}) { // of a line that is in the window as it is, and of another
+            writeScratch(path, kCorners + line + end + "f 1 2 3\n");
+            const std::string message = errorAbout(path, [&] { openObj(path, kObjRoom); });
+            EXPECT_NE(message.find(": a word of more than 1000 characters"), std::string::npos) << message;
+        }
+    writeScratch(path, kCorners + "v 1." + digits.substr(2) + " 0 0\nf 1 2 4\n");
+    EXPECT_EQ(collect(*openObj(path, kObjRoom)).positions.size(), 6U);
 }
 
 TEST_F(StreamedObj, IsRefusedWhereWhatIsHeldIsTooMuch) {

@@ -24,6 +24,12 @@ bool isFile(const std::filesystem::path& path) {
     return std::filesystem::is_regular_file(path, missing);
 }
 
+/// Returns whether `word` can be the last one of the name of a library.
+bool endsName(std::string_view word) {
+    if (word.ends_with('"')) word.remove_suffix(1);
+    return loweredSuffix(word) == ".mtl";
+}
+
 std::string baseOf(std::string_view name) {
     return std::string(name.substr(name.find_last_of("/\\") + 1));
 }
@@ -58,10 +64,10 @@ LibraryFinder::Found LibraryFinder::filesOf(std::string_view names, const std::s
         if (words[first].starts_with('#')) break; // a comment
         // A path of another machine may contain blanks too: it is over where a word has the suffix.
         count = 1;
-        while (count < longest && first + count < words.size() && loweredSuffix(words[first + count - 1]) != ".mtl")
+        while (count < longest && first + count < words.size() && !endsName(words[first + count - 1]))
             ++count;
-        if (loweredSuffix(words[first + count - 1]) != ".mtl") count = 1;
-        file = baseFileOf(joinOf(words, first, count), where);
+        if (!endsName(words[first + count - 1])) count = 1;
+        file = baseFileOf(std::string(unquoted(joinOf(words, first, count))), where);
         first += count;
         if (file.empty())
             ++found.missing;
@@ -77,12 +83,15 @@ std::string LibraryFinder::fileOf(const std::string& name, const std::string& wh
     if (known != files_.end()) return known->second;
     if (searches_ == kMostSearches) return {};
     ++searches_;
-    std::string file = searchedFileOf(name, where);
-    if (file.empty() && name.find('\\') != std::string::npos) {
-        std::string slashed = name;
-        std::replace(slashed.begin(), slashed.end(), '\\', '/');
-        file = searchedFileOf(slashed, where);
+    std::vector<std::string> spellings = {name};
+    if (const std::string_view inner = unquoted(name); inner != name) spellings.emplace_back(inner);
+    if (name.find('\\') != std::string::npos) {
+        spellings.push_back(spellings.back());
+        std::replace(spellings.back().begin(), spellings.back().end(), '\\', '/');
     }
+    std::string file;
+    for (const std::string& spelling : spellings)
+        if (file.empty()) file = searchedFileOf(spelling, where);
     return files_[name] = file;
 }
 

@@ -12,8 +12,8 @@
 
 namespace gnomon::read {
 
-/// Finds material libraries as people name them: with blanks, with backslashes, with letters of the wrong case, and by
-/// paths of the machine that wrote the OBJ. The work has a bound, whatever the number of names.
+/// Finds material libraries as people name them: with blanks, in quotes, with backslashes, with letters of the wrong
+/// case, and by paths of the machine that wrote the OBJ. The work has a bound, whatever the number of names.
 class LibraryFinder {
 public:
     /// Of the OBJ `path`. `sourceRoot` is the folder that libraries may come from (see SourceRoot).

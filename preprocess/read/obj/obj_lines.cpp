@@ -20,7 +20,7 @@ constexpr TextStream::Rules kObjRules{.hasComments = true, .isContinuable = true
 std::optional<ObjKind> kindOf(std::string_view keyword) {
     if (keyword == "v") return ObjKind::Vertex;
     if (keyword == "vn") return ObjKind::Normal;
-    if (keyword == "f") return ObjKind::Face;
+    if (keyword == "f" || keyword == "fo") return ObjKind::Face; // fo: of version 2.11 of the format
     if (keyword == "vc") return ObjKind::Color;
     return std::nullopt;
 }
@@ -159,6 +159,7 @@ void ObjLines::takeFace(ObjLine& line) {
     corners_.clear();
     for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
         const std::optional<ObjIndices> indices = cornerIn(word);
+        if (!indices) text_.requireShort(word);
         if (!indices)
             throw Error(where(), "bad corner of a face", "V, V/T, V//N or V/T/N with V not 0", quotedForMessage(word));
         if (corners_.size() == kMostPolygonCorners)
@@ -192,7 +193,21 @@ void ObjLines::surveyOther(std::string_view keyword) {
         const std::string_view group = text_.word();
         if (group.empty() || group == "off" || group == "0") return;
     }
-    ++survey_->attributesDropped[known != kOtherLines.end() ? known->second : "other lines"];
+    if (known != kOtherLines.end())
+        ++survey_->attributesDropped[known->second];
+    else
+        countUnknown(keyword);
+}
+
+/// Counts a line of a keyword that no OBJ has, such as F.
+void ObjLines::countUnknown(std::string_view keyword) {
+    constexpr std::size_t kMaxNames = 64;
+    const std::string name(keyword);
+    std::map<std::string, std::uint64_t>& names = survey_->unknownKeywords;
+    if (names.contains(name) || (isPlainName(name) && names.size() < kMaxNames))
+        ++names[name];
+    else
+        ++survey_->attributesDropped["other lines"];
 }
 
 void ObjLines::note(ObjKind kind) {

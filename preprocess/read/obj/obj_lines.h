@@ -59,6 +59,7 @@ struct ObjStretch {
 struct ObjSurvey {
     std::vector<ObjStretch> stretches;                      ///< of about a MiB each
     std::map<std::string, std::uint64_t> attributesDropped; ///< what is neither read nor a material
+    std::map<std::string, std::uint64_t> unknownKeywords;   ///< and their lines
 };
 
 /// A pass over an OBJ. Throws Error with path and line at the first line that is not one.
@@ -89,6 +90,7 @@ private:
     void takeFace(ObjLine& line);
     void takeMaterial();
     void surveyOther(std::string_view keyword);
+    void countUnknown(std::string_view keyword);
     void countVector(ObjKind kind);
     void note(ObjKind kind);
 

@@ -60,16 +60,22 @@ void ObjMaterials::readLibrary(const std::string& file) {
     std::uint64_t number = 0;
     const bool isOldMac = text.find('\n') == std::string::npos;
     for (std::size_t begin = markBytesOf(opened); begin < text.size();) {
-        const std::size_t end = std::min(text.find(isOldMac ? '\r' : '\n', begin), text.size());
-        const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
-        begin = end + 1;
-        ++number;
+        const std::uint64_t first = number + 1;
+        std::string line;
+        for (bool isContinued = true; isContinued && begin < text.size(); ++number) {
+            const std::size_t end = std::min(text.find(isOldMac ? '\r' : '\n', begin), text.size());
+            const std::string_view part = trimmed(std::string_view(text).substr(begin, end - begin));
+            line += part;
+            begin = end + 1;
+            isContinued = part.ends_with('\\') && part.find('#') == std::string_view::npos; // as in an OBJ
+            if (isContinued) line.back() = ' ';
+        }
         const std::vector<std::string_view> words = wordsOf(line);
         if (words.empty() || words[0].starts_with('#')) continue;
         if (lowered(words[0]) == "newmtl")
-            material = &declared(std::string(trimmed(line.substr(words[0].size()))));
+            material = &declared(std::string(trimmed(std::string_view(line).substr(words[0].size()))));
         else if (material != nullptr)
-            readStatement(*material, words, atLine(file, number));
+            readStatement(*material, words, atLine(file, first));
     }
 }
 
@@ -97,12 +103,8 @@ void ObjMaterials::readStatement(
 
 /// Notes that `material` has a statement that is not kept.
 void ObjMaterials::leaveOut(Material& material, const std::string& statement) {
-    const bool isPlain = statement.size() <= 16 && std::all_of(statement.begin(), statement.end(), [](char c) {
-                             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                                    c == '_' || c == '-' || c == ' ';
-                         });
     const std::string name = lowered(statement) == "map_kd" ? "textures"
-                             : isPlain                      ? "material " + statement
+                             : isPlainName(statement)       ? "material " + statement
                                                             : leftOutNames_.front();
     auto found = std::find(leftOutNames_.begin(), leftOutNames_.end(), name);
     if (found == leftOutNames_.end())

@@ -42,7 +42,7 @@ public:
         summary_.fileBytes = file_.size();
         survey();
         if (counts_.vertexEnd > counts_.vertices) findBadFace();
-        requireFaces(summary_);
+        requireObjFaces();
         findVertices();
         summary_.vertexCount = vertices_ ? vertices_->count() : counts_.vertices;
         summary_.hasNormals = vertices_ && vertices_->hasNormals();
@@ -117,7 +117,9 @@ private:
         summary_.likelyTriangles = counts_.triangles;
         summary_.attributesDropped = std::move(survey_.attributesDropped);
         summary_.attributesDropped.merge(materials_.leftOut());
-        if (badNormals > 0) summary_.attributesDropped["normals that are not finite"] = badNormals;
+        for (const auto& [keyword, lines] : survey_.unknownKeywords)
+            summary_.attributesDropped["lines of the unknown keyword " + keyword] = lines;
+        if (badNormals > 0) summary_.attributesDropped[kBadNormals] = badNormals;
         if (materials_.hasColors() && !counts_.hasFaceColors)
             summary_.attributesDropped["colours of materials, beside those of vertices"] = counts_.faces;
         summary_.filesBesides = materials_.files();
@@ -125,6 +127,17 @@ private:
         if (fullOfReals(counts_.maxChannel) != 1)
             summary_.remarks.push_back(
                 file_.path() + ": colours of vertices range from 0 to 255, because one exceeds 1");
+    }
+
+    /// Throws Error if there are no faces. The Error names unknown keywords, which may be misspelt.
+    void requireObjFaces() const {
+        if (summary_.faceCount > 0 || survey_.unknownKeywords.empty()) return requireFaces(summary_);
+        constexpr std::size_t kMaxListed = 8;
+        std::string list;
+        std::size_t listed = 0;
+        for (const auto& [keyword, lines] : survey_.unknownKeywords)
+            if (listed++ < kMaxListed) list += " " + keyword;
+        throw Error(file_.path(), "no faces", "lines of the keyword f", "lines of unknown keywords:" + list);
     }
 
     void surveyVertex(const ObjLine& line) {

@@ -294,6 +294,17 @@ TEST_F(GltfDocument, AllDataThatNoModelUsesIsNamedAndCounted) {
     EXPECT_EQ(summaryOf(maker, Textures::Off).attributesDropped, expected);
 }
 
+TEST_F(GltfDocument, AlphasOfVerticesAreCountedUnlessOpaque) {
+    GltfMaker maker;
+    maker.attributes()["POSITION"] = maker.addVectors(kOneTriangle);
+    maker.attributes()["COLOR_0"] = maker.addVectors({1, 0, 0, 0.5, 1, 0, 0, 1, 1, 0, 0, 0}, 4);
+    EXPECT_EQ(summaryOf(maker).attributesDropped, (NamedCounts{{"alpha", 2}}));
+    maker.attributes()["COLOR_0"] =
+        maker.add(std::vector<std::uint8_t>{9, 0, 0, 255, 9, 0, 0, 254, 9, 0, 0, 255}, "VEC4", 5121, 4);
+    maker.document["accessors"].back()["normalized"] = true;
+    EXPECT_EQ(summaryOf(maker).attributesDropped, (NamedCounts{{"alpha", 1}}));
+}
+
 TEST_F(GltfDocument, AFileWithoutUnusedDataNamesNone) {
     GltfMaker maker;
     maker.attributes()["POSITION"] = maker.addVectors(kOneTriangle);

@@ -93,6 +93,14 @@ TEST_F(GltfContainer, FilesOutsideOfTheSourceRootAreRefused) {
     EXPECT_NE(messageOf("a%00b", "").find("%00"), std::string::npos);
     std::filesystem::create_symlink(folder, folder + "/link");
     EXPECT_EQ(messageOf("../b.bin", folder + "/link"), "no error") << "another name of the same folder";
+    std::filesystem::create_symlink("../b.bin", folder + "/deep/b.bin");
+    std::filesystem::create_symlink("..", folder + "/deep/up");
+    std::filesystem::create_symlink("er", folder + "/deep/inside");
+    std::filesystem::copy_file(folder + "/b.bin", folder + "/deep/er/b.bin");
+    for (const char* const uri : {"b.bin", "up/b.bin", "inside/../../b.bin"})
+        EXPECT_TRUE(messageOf(uri, "").starts_with(refused)) << messageOf(uri, "");
+    EXPECT_EQ(messageOf("b.bin", folder), "no error");
+    EXPECT_EQ(messageOf("inside/b.bin", ""), "no error") << "a link to a place inside";
 }
 
 TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
@@ -133,7 +141,17 @@ TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     holds(errorAbout(missing, [&] { openMeshSources({plain}, mebibytes(64)); }), "No such file");
     holds(messageOf("[]"), "not glTF");
     holds(messageOf("{"), "not glTF");
-    EXPECT_NE(messageOf(R"({"asset":{"version":"1.0"}})"), "no error");
+    for (const char* const version : {"1.0", "3.0", "20.0", "", "two"})
+        holds(
+            messageOf(R"({"asset":{"version":")" + std::string(version) + R"("}})"),
+            "not glTF 2.0: expected \"2.0\" as the version of the asset, found \"");
+    holds(messageOf(R"({"asset":{}})"), "not glTF 2.0: expected \"2.0\" as the version");
+    holds(messageOf("{}"), "not glTF 2.0: expected \"2.0\" as the version");
+    holds(
+        messageOf(R"({"asset":{"version":"2.1","minVersion":"2.1"}})"),
+        ": needs a newer version of glTF: expected a minVersion of at most 2.0, found \"2.1\"");
+    holds(messageOf(R"({"asset":{"version":"2.1","minVersion":"2.0"}})"), "no triangles");
+    holds(messageOf(R"({"asset":{"version":"2.9"}})"), "no triangles");
     holds(messageOf(R"({"asset":{"version":"2.0"}})"), "no triangles");
     holds(messageOf(R"({"asset":{"version":"2.0"},"buffers":3})"), "expected \"buffers\" as an array");
 }

@@ -444,7 +444,7 @@ TEST_F(GltfParts, RotationsOfAnyLengthAndTypeTurnWithoutScaling) {
         }
         for (double& part : unit)
             part /= length;
-        const double scale = std::pow(10, random.uniform(-20, 20));
+        const double scale = std::pow(10, round < 50 ? random.uniform(-20, 20) : random.uniform(-307, 307));
         GltfMaker maker;
         maker.attributes()["POSITION"] = maker.addVectors({0, 0, 0, 1, 0, 0, 0, 1, 0});
         json& node = maker.document["nodes"][0];
@@ -467,6 +467,21 @@ TEST_F(GltfParts, RotationsOfAnyLengthAndTypeTurnWithoutScaling) {
             expectTurned(toWorld, matrixOf(unit), isByte ? 0.03 : 1e-4);
             EXPECT_NEAR(glm::determinant(glm::dmat3(toWorld)), 1, 1e-12) << "it neither scales nor shears";
         }
+    }
+}
+
+TEST_F(GltfParts, ScalesOfAnySizeTurnNormalsAndMirrorFaces) {
+    GltfMaker maker;
+    maker.attributes()["POSITION"] = maker.addVectors({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    maker.attributes()["NORMAL"] = maker.addVectors({0, 0, 1, 0, 0, 1, 0, 0, 1});
+    for (const double size : {1e-200, 1.0, 1e90, 1e200}) {
+        maker.document["nodes"][0]["scale"] = {size, size, -size};
+        writeScratch(path, maker.container());
+        const auto source = openMeshSources({path}, mebibytes(64));
+        source->readVertices([](const VertexBlock& block) { EXPECT_EQ(block.normals[0], glm::vec3(0, 0, -1)); });
+        source->readTriangles([](const TriangleBlock& block) {
+            EXPECT_EQ(block.triangles[0], (TriangleCorners{0, 2, 1}));
+        });
     }
 }
 

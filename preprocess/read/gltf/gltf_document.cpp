@@ -173,6 +173,17 @@ std::string textOf(const json& object, const char* key) {
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+void requireVersion(const json& document, const std::string& path) {
+    const json asset = document.value("asset", json());
+    const std::string version = textOf(asset, "version");
+    if (version != "2" && !version.starts_with("2."))
+        throw Error(path, "not glTF 2.0", "\"2.0\" as the version of the asset", quotedForMessage(version));
+    const std::string minVersion = textOf(asset, "minVersion");
+    const bool isRead = minVersion.empty() || minVersion == "2" || minVersion == "2.0" || minVersion.starts_with("1.");
+    if (!isRead)
+        throw Error(path, "needs a newer version of glTF", "a minVersion of at most 2.0", quotedForMessage(minVersion));
+}
+
 void requireExtensions(const json& document, const std::string& path, bool readsTextures) {
     for (const json& name : arrayOf(document, "extensionsRequired", path)) {
         const std::string text = name.is_string() ? name.get<std::string>() : "a name that is none";

@@ -16,6 +16,10 @@ nlohmann::json arrayOf(const nlohmann::json& object, const char* key, const std:
 /// Returns the text `key` of `object`; an empty text if there is none.
 std::string textOf(const nlohmann::json& object, const char* key);
 
+/// Throws Error, which names the file `path`, unless the document's version is 2.x and its minVersion is at most 2.0.
+/// glTF 2.0, section 3.2.
+void requireVersion(const nlohmann::json& document, const std::string& path);
+
 /// Throws Error if the document requires an extension that is not read. A required format of textures is such an
 /// extension only if `readsTextures`. Also throws Error for geometry that only Draco's extension holds.
 void requireExtensions(const nlohmann::json& document, const std::string& path, bool readsTextures);

@@ -150,6 +150,7 @@ void GltfFile::parse(const std::string& text, bool readsTextures) {
     room_.take(static_cast<std::uint64_t>(std::count_if(text.begin(), text.end(), endsValue)), kBytesPerJsonValue);
     Json document = Json::parse(text, nullptr, false);
     if (!document.is_object()) throw Error(path(), "not glTF", "an object of JSON", "something else");
+    requireVersion(document, path());
     requireExtensions(document, path(), readsTextures);
     leaveOut(document);
     readBuffers(document);

@@ -19,10 +19,18 @@ namespace {
 
 /// The matrix of a quaternion x, y, z, w of any length above 0; the identity for one of length 0.
 glm::dmat4 turnedBy(const glm::dvec4& rotation) {
-    const double length = glm::length(rotation);
+    const glm::dvec4 sizes = glm::abs(rotation);
+    const glm::dvec4 scaled = rotation * scaleToOne(std::max({sizes.x, sizes.y, sizes.z, sizes.w}));
+    const double length = glm::length(scaled);
     if (length == 0) return glm::dmat4(1);
-    const glm::dvec4 unit = rotation / length;
+    const glm::dvec4 unit = scaled / length;
     return glm::mat4_cast(glm::dquat(unit.w, unit.x, unit.y, unit.z));
+}
+
+/// Returns the direction of `axis`, whatever its length; not finite for a length of 0.
+glm::dvec3 unitOf(const glm::dvec3& axis) {
+    const glm::dvec3 sizes = glm::abs(axis);
+    return glm::normalize(axis * scaleToOne(std::max({sizes.x, sizes.y, sizes.z})));
 }
 
 /// Moved, turned and scaled, scaled first.
@@ -83,9 +91,9 @@ double memberNumber(const nlohmann::json& object, const char* key) {
 /// axes have no direction.
 std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4& toWorld) {
     Camera camera;
-    const glm::dvec3 ahead = -glm::dvec3(toWorld[2]);
+    const glm::dvec3 ahead = unitOf(-glm::dvec3(toWorld[2]));
     camera.eye = glm::dvec3(toWorld[3]);
-    camera.up = glm::normalize(glm::dvec3(toWorld[1]));
+    camera.up = unitOf(glm::dvec3(toWorld[1]));
     double distance = 1;
     const std::string type = textOf(described, "type");
     if (type == "perspective" && described.contains(type)) {
@@ -97,8 +105,8 @@ std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4
     } else {
         return std::nullopt;
     }
-    camera.target = camera.eye + distance * glm::normalize(ahead);
-    const double turned = glm::length(glm::cross(glm::normalize(ahead), camera.up)); // not finite if any axis is not
+    camera.target = camera.eye + distance * ahead;
+    const double turned = glm::length(glm::cross(ahead, camera.up)); // not finite if any axis is not
     const bool hasView =
         distance > 0 && turned > 1e-9 && std::isfinite(glm::length(camera.target)) && camera.target != camera.eye;
     const bool hasAngle = camera.fovYRadians > 0 && camera.fovYRadians < kPi;

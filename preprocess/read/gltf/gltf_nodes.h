@@ -6,7 +6,10 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +21,13 @@ struct PlacedMesh {
     int mesh = 0;
     glm::dmat4 toWorld{1};
 };
+
+/// Returns the power of two that brings `largest` to 1 or more, but below 2; 1 for 0 and for values that are not
+/// finite. Squares of numbers that are scaled so are neither infinite nor 0, and the scaling is exact.
+inline double scaleToOne(double largest) {
+    if (!(largest > 0 && largest <= std::numeric_limits<double>::max())) return 1;
+    return std::scalbn(1.0, std::min(-std::ilogb(largest), std::numeric_limits<double>::max_exponent - 1));
+}
 
 struct GltfScene {
     /// Node by node, each before its children, instances of EXT_mesh_gpu_instancing one after the other.

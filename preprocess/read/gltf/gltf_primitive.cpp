@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "preprocess/read/gltf/gltf_accessor.h"
+#include "preprocess/read/mesh_source.h"
 
 #include <cmath>
 #include <numeric>
@@ -95,8 +96,7 @@ std::optional<GltfPrimitive> GltfPrimitives::read(const tinygltf::Primitive& fro
 
 void GltfPrimitives::countBadNormals(const std::vector<float>& normals) {
     for (std::size_t i = 0; i < normals.size(); i += 3)
-        if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2]))
-            ++leftOut_["normals that are not finite"];
+        if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2])) ++leftOut_[kBadNormals];
 }
 
 /// The texture of `color`, if it is there and may be looked up.
@@ -138,6 +138,7 @@ std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimi
     file_.room().take(vertices, sizeof(primitive.colors[0]));
     primitive.colors.resize(vertices);
     std::vector<glm::dvec2> places(coordinates.size() / 2);
+    std::uint64_t clear = color.isClear ? vertices : 0;
     for (std::size_t i = 0; i < vertices; ++i) {
         glm::dvec4 value = color.factor;
         if (!tints.empty()) value *= glm::dvec4(tints[4 * i], tints[4 * i + 1], tints[4 * i + 2], tints[4 * i + 3]);
@@ -145,10 +146,13 @@ std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimi
             places[i] = color.toImage * glm::dvec3(coordinates[2 * i], coordinates[2 * i + 1], 1);
             value *= texture->at(places[i]);
         }
-        if (!color.isClear) value.a = 1;
+        if (!color.isClear) {
+            clear += tints.empty() || tints[4 * i + 3] >= 1 ? 0 : 1;
+            value.a = 1;
+        }
         primitive.colors[i] = packedColor(value);
     }
-    if (color.isClear) leftOut_["alpha"] += vertices;
+    if (clear > 0) leftOut_["alpha"] += clear;
     file_.room().give((tints.size() + coordinates.size()) * sizeof(float));
     if (texture != nullptr) countTexels(primitive, places, *texture);
     return attribute;

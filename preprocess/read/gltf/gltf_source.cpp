@@ -7,6 +7,7 @@
 #include "preprocess/read/gltf/gltf_primitive.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gnomon::read {
 
@@ -19,13 +20,23 @@ struct PlacedPrimitive {
     std::uint32_t primitive = 0;
     glm::dmat4 toWorld{1};
 
-    bool isMirrored() const { return glm::determinant(glm::dmat3(toWorld)) < 0; }
+    bool isMirrored() const { return glm::determinant(scaled()) < 0; }
 
     /// Of normals: the inverse transposed, of any length, with no division that could fail.
     glm::dmat3 ofNormals() const {
-        const glm::dmat3 m(toWorld);
+        const glm::dmat3 m = scaled();
         const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
         return isMirrored() ? -cofactors : cofactors;
+    }
+
+private:
+    /// Turns and scales as toWorld does, with a largest entry near 1.
+    glm::dmat3 scaled() const {
+        const glm::dmat3 m(toWorld);
+        double largest = 0;
+        for (int i = 0; i < 9; ++i)
+            largest = std::max(largest, std::abs(m[i / 3][i % 3]));
+        return m * scaleToOne(largest);
     }
 };
 

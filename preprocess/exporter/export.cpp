@@ -320,8 +320,7 @@ ExportedCut exportCut(
     Progress& progress,
     ExportFormat format) {
     const ModelFile file(model);
-    const bool hasFaceNormals = format == ExportFormat::Glb && file.summary().hasNormals;
-    UniformCut cut = cutOf(file, limit, hasFaceNormals ? sizeof(glm::dvec3) : 0, progress);
+    UniformCut cut = cutOf(file, limit, file.summary().hasNormals ? sizeof(glm::dvec3) : 0, progress);
     weld(cut.mesh);
     if (format == ExportFormat::Glb)
         writeGlb(cut.mesh, file.summary(), output, progress);

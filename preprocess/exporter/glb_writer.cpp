@@ -3,10 +3,10 @@
 #include "core/box.h"
 #include "core/error.h"
 #include "core/units.h"
-#include "hierarchy/octahedral.h"
 #include "hierarchy/upright_frame.h"
 #include "preprocess/exporter/field_value.h"
 #include "preprocess/exporter/run_writer.h"
+#include "preprocess/exporter/vertex_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,12 +70,11 @@ struct MemoryWriter {
 class GlbWriter {
 public:
     GlbWriter(const CutMesh& mesh, const ModelSummary& summary, const std::optional<GlbTile>& tile)
-        : mesh_(mesh), summary_(summary), tile_(tile.value_or(GlbTile())) {
+        : mesh_(mesh), summary_(summary), tile_(tile.value_or(GlbTile())), normals_(mesh, summary) {
         Box bounds;
         for (const Vertex& vertex : mesh.vertices)
             bounds.add(summary.grid.world(vertex.position));
         if (tile || !fitsFloats(mesh, summary.grid)) origin_ = (bounds.min + bounds.max) / 2.0;
-        if (summary.hasNormals) sums_ = faceNormals();
     }
 
     void write(const std::string& path) {
@@ -102,28 +101,6 @@ public:
 
 private:
     glm::vec3 local(const Vertex& vertex) const { return {summary_.grid.world(vertex.position) - origin_}; }
-
-    /// For each vertex the sum of the normals of the faces around it, by area; empty if all vertices have normals.
-    std::vector<glm::dvec3> faceNormals() const {
-        const auto isMissing = [](const Vertex& vertex) { return vertex.normal == kNoNormal; };
-        if (std::none_of(mesh_.vertices.begin(), mesh_.vertices.end(), isMissing)) return {};
-        std::vector<glm::dvec3> sums(mesh_.vertices.size(), glm::dvec3(0));
-        for (const auto& [a, b, c] : mesh_.triangles) {
-            const auto at = [&](std::uint32_t v) { return summary_.grid.world(mesh_.vertices[v].position); };
-            const glm::dvec3 normal = glm::cross(at(b) - at(a), at(c) - at(a));
-            for (const std::uint32_t corner : {a, b, c})
-                sums[corner] += normal;
-        }
-        return sums;
-    }
-
-    /// The normal of a vertex as a unit vector, which glTF requires: as stored, else of the faces around, else up.
-    glm::vec3 normalOf(std::size_t v) const {
-        const glm::dvec3 stored = unpackNormal(mesh_.vertices[v].normal);
-        const glm::dvec3 normal = stored != glm::dvec3(0) || sums_.empty() ? stored : sums_[v];
-        const double length = glm::length(normal);
-        return length > 0 ? glm::vec3(normal / length) : glm::vec3(summary_.up.direction);
-    }
 
     /// A view of `count` elements of `type`, and an accessor of it; its number.
     std::size_t add(const Content& content, std::uint64_t count, const char* type, int component) {
@@ -238,7 +215,7 @@ private:
             break;
         case Content::Normals:
             for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
-                putVector(normalOf(v));
+                putVector(normals_[v]);
             break;
         case Content::Colors:
             for (const Vertex& vertex : mesh_.vertices)
@@ -299,8 +276,8 @@ private:
     const CutMesh& mesh_;
     const ModelSummary& summary_;
     GlbTile tile_;
+    VertexNormals normals_;
     glm::dvec3 origin_{0};
-    std::vector<glm::dvec3> sums_;  // of the normals of faces around each vertex
     std::uint64_t bytes_ = 0;       // of the buffer
     std::vector<Content> contents_; // of views
     std::vector<unsigned char> packed_;

@@ -1,9 +1,9 @@
 #include "preprocess/exporter/ply_writer.h"
 
 #include "core/error.h"
-#include "hierarchy/octahedral.h"
 #include "preprocess/exporter/field_value.h"
 #include "preprocess/exporter/run_writer.h"
+#include "preprocess/exporter/vertex_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,20 +48,13 @@ std::string headerOf(
            "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-void putVertex(RunWriter& out, const Vertex& vertex, const ModelSummary& summary, bool asFloats) {
-    const glm::dvec3 p = summary.grid.world(vertex.position);
+void putPosition(RunWriter& out, const glm::dvec3& p, bool asFloats) {
     for (int axis = 0; axis < 3; ++axis) {
         if (asFloats)
             out.putValue(static_cast<float>(p[axis]));
         else
             out.putValue(p[axis]);
     }
-    if (summary.hasNormals) {
-        const glm::vec3 n(unpackNormal(vertex.normal));
-        for (int axis = 0; axis < 3; ++axis)
-            out.putValue(n[axis]);
-    }
-    if (summary.hasColors) out.putValue(vertex.color);
 }
 
 void putFields(RunWriter& out, std::uint32_t word, const ModelSummary& summary, const FieldLayout& layout) {
@@ -87,10 +80,15 @@ void writePly(
     AtomicFile output(path);
     RunWriter out(output.file());
     const bool asFloats = fitsFloats(mesh, summary.grid);
+    const VertexNormals normals(mesh, summary);
     progress.stage("write", "triangles", mesh.triangles.size());
     out.put(headerOf(mesh, summary, values, asFloats));
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        putVertex(out, mesh.vertices[v], summary, asFloats);
+        const Vertex& vertex = mesh.vertices[v];
+        putPosition(out, summary.grid.world(vertex.position), asFloats);
+        for (int axis = 0; axis < 3 && summary.hasNormals; ++axis)
+            out.putValue(normals[v][axis]);
+        if (summary.hasColors) out.putValue(vertex.color);
         putFields(out, mesh.fieldsOf(v), summary, mesh.fields.layout);
         for (const VertexValues& property : values)
             out.putValue(property.values[v]);

@@ -17,7 +17,8 @@ struct VertexValues {
 };
 
 /// Writes `mesh` of the model of `summary` as a binary PLY, in its source's axes. Positions are floats where all of
-/// them fit, else doubles; so are the values of a field. Throws Error, as for a name that its header cannot have.
+/// them fit, else doubles; so are the values of a field. Normals are unit vectors (see VertexNormals). Throws Error, as
+/// for a name that its header cannot have.
 void writePly(
     const CutMesh& mesh,
     const hierarchy::ModelSummary& summary,

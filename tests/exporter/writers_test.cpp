@@ -181,6 +181,15 @@ TEST_F(Writers, AVertexWithoutANormalHasThatOfItsFaces) {
     for (std::size_t v = 0; v < 4; ++v)
         for (std::size_t i = 0; i < 3; ++i)
             EXPECT_EQ(glb.at<float>(normals, 3 * v + i), expected[v][i]) << v;
+    writePly(mesh, summary, {}, path, progress);
+    const std::string ply = readTextFile(path);
+    const std::size_t body = ply.find("end_header\n") + 11;
+    for (std::size_t v = 0; v < 4; ++v) {
+        std::array<float, 6> row{};
+        std::memcpy(row.data(), ply.data() + body + v * sizeof row, sizeof row);
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(row[3 + i], expected[v][i]) << v;
+    }
 }
 
 TEST(FieldValue, GoesFromLeastToGreatest) {

@@ -1,5 +1,7 @@
 #include "preprocess/pipeline/report_json.h"
 
+#include "preprocess/pipeline/report_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace gnomon::pipeline {
@@ -41,7 +43,7 @@ nlohmann::ordered_json reportJson(
         {"source_triangles", report.summary.sourceTriangles},
         {"source_vertices", report.summary.sourceVertices},
         {"dropped", report.summary.dropped},
-        {"attributes_dropped", source.attributesDropped},
+        {"attributes_dropped", attributesDropped(report, source)},
         {"cameras", source.cameras.size()},
         {"texels_per_edge",
          source.texelsPerEdge ? nlohmann::ordered_json(*source.texelsPerEdge) : nlohmann::ordered_json()},

@@ -16,7 +16,17 @@ std::string pointText(const glm::dvec3& point) {
 
 } // namespace
 
-std::string reportText(const BuildReport& report, const read::MeshSummary& source, std::uint64_t peakResidentBytes) {
+std::map<std::string, std::uint64_t> attributesDropped(const BuildReport& report, const read::MeshSummary& source) {
+    std::map<std::string, std::uint64_t> counts = source.attributesDropped;
+    if (report.badNormals > 0) counts[read::kBadNormals] += report.badNormals;
+    return counts;
+}
+
+std::string reportText(
+    const BuildReport& report,
+    const read::MeshSummary& source,
+    std::uint64_t peakResidentBytes,
+    const std::string& howToTurn) {
     const hierarchy::ModelSummary& model = report.summary;
     const auto triangles = static_cast<double>(model.sourceTriangles);
     std::string text = readableCount(model.sourceTriangles) + " triangles in " + std::to_string(model.levels.size()) +
@@ -25,7 +35,7 @@ std::string reportText(const BuildReport& report, const read::MeshSummary& sourc
                        " bytes a triangle, coarsest " + std::to_string(model.coarsestTriangles) + "\n";
     for (const auto& [reason, count] : model.dropped)
         if (count > 0) text += "dropped: " + reason + " " + std::to_string(count) + "\n";
-    for (const auto& [name, count] : source.attributesDropped)
+    for (const auto& [name, count] : attributesDropped(report, source))
         text += "not kept: " + printable(name) + " (" + std::to_string(count) + ")\n";
     if (!source.cameras.empty())
         text += "cameras: " + std::to_string(source.cameras.size()) +
@@ -33,7 +43,9 @@ std::string reportText(const BuildReport& report, const read::MeshSummary& sourc
     if (source.texelsPerEdge)
         text += "textures: their colours at vertices, " + formatted("%.1f", *source.texelsPerEdge) +
                 " texels apart; what is between them is lost\n";
-    text += "up " + hierarchy::upText(model) + "\n";
+    text += "up " + hierarchy::upText(model);
+    const bool isTold = upConfidenceOf(model) == hierarchy::UpConfidence::Told;
+    text += (isTold ? "" : "; " + howToTurn) + "\n";
     const double rate = report.seconds > 0 ? triangles / report.seconds : 0;
     return text + formatted("%.2f", report.seconds) + " s, " + readableCount(static_cast<std::uint64_t>(rate)) +
            " triangles/s, peak " + readableBytes({peakResidentBytes}) + "\n";

@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/printable.h"
 #include "core/units.h"
-#include "hierarchy/model_text.h"
 #include "preprocess/pipeline/fingerprint.h"
 #include "preprocess/pipeline/report_json.h"
 #include "preprocess/pipeline/report_text.h"
@@ -47,14 +46,26 @@ struct BuildCommand {
     bool isJson = false;
 };
 
+constexpr const char* kHowToTurn = "--up x, y, z, -x, -y, -z or X,Y,Z turns the model";
+
+void printRemarks(const read::MeshSource& source) {
+    for (const std::string& remark : source.summary().remarks)
+        printMessage(remark);
+}
+
 std::optional<BuildReport> built(
     read::MeshSource& source,
     const pipeline::BuildOptions& options,
     const CommonOptions& common,
     const BuildBy& buildBy) {
-    const auto progress = makeProgress(common);
-    if (!buildBy) return buildModel(source, options, *progress);
-    return buildBy(source, options, *progress);
+    try {
+        const auto progress = makeProgress(common);
+        if (!buildBy) return buildModel(source, options, *progress);
+        return buildBy(source, options, *progress);
+    } catch (const Error&) {
+        printRemarks(source); // one of them may be the reason
+        throw;
+    }
 }
 
 /// Asks for `up`; where it is auto, for what the inputs say of themselves, if anything.
@@ -105,8 +116,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     const std::optional<BuildReport> done = built(*source, options, command.common, buildBy);
     if (!done) return;
     const BuildReport& report = *done;
-    for (const std::string& remark : source->summary().remarks)
-        printMessage(remark);
+    printRemarks(*source);
     const std::string strays = pipeline::warningOfStrays(report);
     for (const std::string& warning :
          {pipeline::warningOfCoarsest(report),
@@ -121,9 +131,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
         std::printf(
             "%s: %s",
             printable(command.output).c_str(),
-            pipeline::reportText(report, source->summary(), telemetry::peakResident().count).c_str());
-    if (!command.isJson && upConfidenceOf(report.summary) != hierarchy::UpConfidence::Told)
-        std::printf("up is a guess: --up x, y, z, -x, -y, -z or X,Y,Z turns the model\n");
+            pipeline::reportText(report, source->summary(), telemetry::peakResident().count, kHowToTurn).c_str());
     requirePrinted("the model " + command.output + " is complete");
 }
 

@@ -69,6 +69,36 @@ class Formats(ProgramTest):
         self.assertIn('there is no material library "C:?dir?PAINT.MTL"'.replace("?", "\\"), told)
         self.assertEqual(report["attributes_dropped"], {})
 
+    def test_the_warning_about_digits_precedes_an_error_that_they_cause(self):
+        header = ply("float", False).split(b"element")[0].decode() + "element vertex 3\n"
+        header += "".join(f"property float {axis}\n" for axis in "xyz")
+        header += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        rows = "500000.123456 4649776.654321 10\n500000.143456 4649776.654321 10\n500000.123456 4649776.674321 10\n"
+        (self.place / "tiny.ply").write_text(header + rows + "3 0 1 2\n")
+        told = run("build", self.place / "tiny.ply", "-o", self.place / "tiny.gnm")
+        self.assertEqual(told.returncode, 1)
+        self.assertRegex(told.stderr, "(?s)more digits than a float holds.*no triangles are left")
+
+    def test_normals_that_are_not_finite_are_named_for_every_format(self):
+        normals = ("0 0 1", "nan 0 0", "0 0 1")
+        places = ("0 0 0", "1 0 0", "0 1 0")
+        header = "ply\nformat ascii 1.0\nelement vertex 3\n"
+        header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz"))
+        header += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        rows = "".join(f"{place} {normal}\n" for place, normal in zip(places, normals)) + "3 0 1 2\n"
+        lines = "".join(f"v {place}\nvn {normal}\n" for place, normal in zip(places, normals)) + "f 1//1 2//2 3//3\n"
+        for name, content in (("n.ply", header + rows), ("n.off", "NOFF\n3 1 0\n" + rows), ("n.obj", lines)):
+            report, _ = self.build(name, content)
+            self.assertEqual(report["attributes_dropped"], {"normals that are not finite": 1}, name)
+
+    def test_one_line_says_which_axis_is_up_and_how_to_turn_the_model(self):
+        (self.place / "wall.ply").write_bytes(ply("double", True))
+        for words, is_named in (((), True), (("--up", "z"), False)):
+            built = self.expect(0, "", "build", self.place / "wall.ply", "-o", self.place / "wall.gnm", *words)
+            lines = [line for line in built.stdout.splitlines() if "up " in line]
+            self.assertEqual(len(lines), 1, lines)
+            self.assertEqual("--up x, y, z" in lines[0], is_named, lines)
+
     def test_files_outside_of_the_source_root_need_the_option(self):
         (self.place / "deep").mkdir()
         (self.place / "red.mtl").write_text("newmtl a\nKd 1 0 0\n")

@@ -1,5 +1,6 @@
 # gnomon_layer(<name> [LIGHT] SOURCES <file>... [NEEDS <target>...] [USES <target>...])
-# One static library per layer, from the folder that calls it. NEEDS are public, USES stay inside the layer.
+# Makes the static library of a layer, from the folder that calls it. Links the layers that its row in src/layers.txt
+# lists (`layer_needs`). NEEDS and USES name other libraries; USES are private.
 # LIGHT: nothing in the layer runs long; it is optimised less, which compiles faster.
 function(gnomon_layer name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "LIGHT" "" "SOURCES;NEEDS;USES")
@@ -7,7 +8,7 @@ function(gnomon_layer name)
     add_library(gnomon::${name} ALIAS gnomon_${name})
     gnomon_prepare_unity(gnomon_${name})
     target_include_directories(gnomon_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
-    target_link_libraries(gnomon_${name} PUBLIC ${arg_NEEDS} PRIVATE gnomon_options ${arg_USES})
+    target_link_libraries(gnomon_${name} PUBLIC ${layer_needs} ${arg_NEEDS} PRIVATE gnomon_options ${arg_USES})
     if(arg_LIGHT)
         gnomon_compile_light(gnomon_${name})
         gnomon_reuse_headers(gnomon_${name} gnomon_light_headers)

@@ -1,4 +1,5 @@
-"""Fails when a source file includes a layer, or a library, above its station (src/layers.txt), or lies outside the table.
+"""Fails if a source file includes a layer or a library that its row in src/layers.txt does not permit, if no file uses a
+permission, or if a folder has no row.
 
 usage: check_layers.py [ROOT]
 """
@@ -59,17 +60,22 @@ def breaches(root):
     for layer, (ours, theirs) in layers.items():
         if layer not in places:
             continue
+        used = {layer}
         for path in sorted(places[layer].rglob("*")):
             if path.suffix not in {".h", ".cpp", ".inc"}:
                 continue
             for bracket, header in INCLUDE.findall(path.read_text()):
                 if bracket == '"':
-                    fine = "/" in header and layer_of(header) in ours | {layer}
+                    target = layer_of(header)
+                    fine = "/" in header and target in ours | {layer}
                 else:
-                    head = header.split("/")[0]
-                    fine = is_standard(header) or head in SYSTEM or head in theirs
+                    target = header.split("/")[0]
+                    fine = is_standard(header) or target in SYSTEM or target in theirs
+                used.add(target)
                 if not fine:
                     yield f"{path.relative_to(root)}: {layer} may not include {header}"
+        for target in sorted((ours | theirs) - used):
+            yield f"src/layers.txt: {layer} may include {target}, but no file of {layer} includes it; remove the permission"
 
 
 def main():

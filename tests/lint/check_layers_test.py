@@ -10,13 +10,20 @@ shadow: core | glm
 preprocess/read: core | zstd.h
 preprocess/chunk: core preprocess/read
 """
+# Every permission of the table has an include.
+USED = {
+    "src/core/a.h": "#include <glm/vec3.hpp>\n",
+    "src/shadow/a.h": '#include "core/a.h"\n#include <glm/vec3.hpp>\n',
+    "preprocess/read/p.cpp": '#include "core/a.h"\n#include <zstd.h>\n',
+    "preprocess/chunk/p.cpp": '#include "core/a.h"\n#include "preprocess/read/c.h"\n',
+}
 
 
 class CheckLayers(unittest.TestCase):
     def breaches(self, files):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name, text in {"src/layers.txt": TABLE, "src/core/a.h": "", "preprocess/read/p.cpp": "", **files}.items():
+            for name, text in {"src/layers.txt": TABLE, **USED, **files}.items():
                 path = root / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text)
@@ -44,14 +51,26 @@ class CheckLayers(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(1, len(self.breaches({name: text})))
 
+    def test_each_unused_permission_is_found(self):
+        for name, text in {
+            "src/core/a.h": "",
+            "src/shadow/a.h": "#include <glm/vec3.hpp>\n",
+            "preprocess/read/p.cpp": '#include "core/a.h"\n',
+            "preprocess/chunk/p.cpp": '#include "core/a.h"\n',
+        }.items():
+            with self.subTest(name):
+                (found,) = self.breaches({name: text})
+                self.assertIn("remove the permission", found)
+
     def test_rows_name_only_rows_above_them(self):
-        for table in (
-            "core: shadow\nshadow: core\npreprocess/read:\n",  # a cycle
-            "core:\nshadow: preprocess/read\npreprocess/read: core\n",  # below itself
-            "core:\nshadow: cores\npreprocess/read: core\n",  # unknown
-        ):
-            with self.subTest(table):
-                self.assertEqual(1, len(self.breaches({"src/layers.txt": table})))
+        for table, named in {
+            "core: shadow | glm\nshadow: core | glm\npreprocess/read: core | zstd.h\npreprocess/chunk: core preprocess/read\n":
+                "core names shadow",  # a cycle
+            "core: | glm\nshadow: preprocess/read\npreprocess/read: core | zstd.h\n": "shadow names preprocess/read",
+            "core: | glm\nshadow: cores\n": "shadow names cores",  # unknown
+        }.items():
+            with self.subTest(named):
+                self.assertTrue(any(named in found for found in self.breaches({"src/layers.txt": table})))
 
 
 if __name__ == "__main__":

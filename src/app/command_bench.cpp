@@ -8,7 +8,7 @@
 #include "measure/bench_output.h"
 #include "measure/bench_text.h"
 #include "measure/report_runs.h"
-#include "measure/run_summary.h"
+#include "measure/summarize.h"
 #include "settings/codec.h"
 #include "settings/files/named_files.h"
 #include "settings/resolve.h"
@@ -128,7 +128,7 @@ public:
     void run() {
         const std::vector<measure::RunResult> results = walked();
         std::vector<report::RunSummary> summaries;
-        std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summary);
+        std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summarize);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         tellShortfall(results);
         csv_.write(measure::csvText(results)); // before what may be stopped: it has taken the longest
@@ -193,7 +193,7 @@ private:
         measure::WalkOptions walk = options_.walk;
         walk.oracle = proof::Oracle::None;
         const auto progress = staged("once more", measure::frameCount({runs_[run]}, walk));
-        return measure::summary(measure::walkAgain(walks(), run, *progress));
+        return measure::summarize(measure::walkAgain(walks(), run, *progress));
     }
 
     void writeImages() {

@@ -2,7 +2,7 @@
 
 #include "core/file.h"
 #include "core/formatted.h"
-#include "measure/run_summary.h"
+#include "measure/summarize.h"
 #include "report/accuracy_cost.h"
 #include "settings/table.h"
 #include "shadow/scheme.h"
@@ -58,7 +58,7 @@ std::string csvText(const std::vector<RunResult>& results) {
 std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results) {
     std::vector<telemetry::RunTimes> runs;
     for (const RunResult& result : results) {
-        const report::RunSummary facts = summary(result);
+        const report::RunSummary facts = summarize(result);
         telemetry::RunTimes times{result.run.name, {}, result.cpuMs, facts.pagesDamaged, facts.pagesMissing};
         for (const telemetry::FrameRow& row : result.rows)
             times.totalMs.push_back(row.totalMs.value_or(0));

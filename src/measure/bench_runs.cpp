@@ -124,7 +124,7 @@ int quickFrames(
     WalkOptions ends = options;
     ends.frames = 3; // first, middle and last
     Walk walk(session, path, ends, look);
-    const double work = std::max({walk.work(0), walk.work(1), walk.work(2)});
+    const double work = std::max({walk.drawnWork(0), walk.drawnWork(1), walk.drawnWork(2)});
     const double walks = static_cast<double>(runs.size()) * options.repetitions;
     return static_cast<int>(std::clamp(kQuickWork / (walks * work), 1.0, static_cast<double>(options.frames)));
 }

@@ -56,7 +56,7 @@ void Walk::prove(Progress& progress) {
     }
 }
 
-double Walk::work(int frame) {
+double Walk::drawnWork(int frame) {
     const telemetry::FrameRow row = draw(frame).row;
     session_.renderer().forget();
     const std::int64_t pixels = std::int64_t{view_.width} * view_.height;

@@ -58,8 +58,8 @@ public:
     /// the oracle.
     void prove(Progress& progress);
 
-    /// What drawing `frame` works through: triangles, and twice its pixels, each of which costs about two of them.
-    double work(int frame);
+    /// Draws `frame` and returns its work: its triangles plus two per pixel, since a pixel costs about two triangles.
+    double drawnWork(int frame);
 
     /// The middle frame, with its legend.
     executor::Picture picture(executor::Overlay overlay, Progress& progress);

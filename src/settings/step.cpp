@@ -19,12 +19,12 @@ T around(const std::vector<T>& all, const T& current, int steps) {
     return all[static_cast<std::size_t>(((at + steps) % count + count) % count)];
 }
 
-int within(const Offer& offer, int value) {
+int clamped(const Offer& offer, int value) {
     return std::clamp(value, static_cast<int>(offer.least), static_cast<int>(offer.most));
 }
 
 int stepped(const Offer& offer, int value, int steps) {
-    return offer.steps.empty() ? within(offer, value + steps) : around(offer.steps, value, steps);
+    return offer.steps.empty() ? clamped(offer, value + steps) : around(offer.steps, value, steps);
 }
 
 std::optional<int> stepped(const Setting& setting, std::optional<int> value, int steps) {
@@ -37,7 +37,7 @@ std::optional<int> stepped(const Setting& setting, std::optional<int> value, int
 std::array<int, 2> stepped(const Offer& offer, std::array<int, 2> size, int steps) {
     const auto [shorter, longer] = std::minmax_element(size.begin(), size.end());
     int& side = steps > 0 ? *shorter : *longer;
-    side = within(offer, steps > 0 ? side * 2 : side / 2);
+    side = clamped(offer, steps > 0 ? side * 2 : side / 2);
     return size;
 }
 

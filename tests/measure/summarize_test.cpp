@@ -1,7 +1,7 @@
 // A run's figures against figures counted out of its rows one by one; and what a bench writes down of them.
 #include "core/random.h"
 #include "measure/bench_output.h"
-#include "measure/run_summary.h"
+#include "measure/summarize.h"
 #include "settings/axes.h"
 #include "settings/table.h"
 
@@ -83,7 +83,7 @@ TEST(RandomSummary, HasMediansMeansAndWorstOfItsRows) {
     Random random(1);
     for (int trial = 0; trial < 300; ++trial) {
         const RunResult result = anyResult(random);
-        const report::RunSummary told = summary(result);
+        const report::RunSummary told = summarize(result);
         EXPECT_NEAR(told.p50Ms, middleOf(known(result, &FrameRow::totalMs)), 1e-9);
         EXPECT_LE(told.p50Ms, told.p95Ms);
         EXPECT_LE(told.p95Ms, told.p99Ms);
@@ -121,7 +121,7 @@ TEST(RandomSummary, KnowsTheErrorsThatSomeFrameWasMeasuredFor) {
         if (random.below(4) == 0)
             for (FrameRow& row : result.rows)
                 row.wrongShadowFraction.reset();
-        const report::RunSummary told = summary(result);
+        const report::RunSummary told = summarize(result);
         const auto expect = [&](ErrorKind kind, bool isKnown, double value) {
             ASSERT_EQ(told.errors.contains(kind), isKnown) << report::key(kind);
             if (isKnown) {
@@ -165,7 +165,7 @@ TEST(RandomSummary, HasTheNoiseOfItsRepetitionsAndTimesAlongThePath) {
         std::vector<double> medians;
         for (std::int64_t repetition = 0; repetition < repetitions; ++repetition)
             medians.push_back(middleTime(result, &FrameRow::repetition, repetition));
-        const report::RunSummary told = summary(result);
+        const report::RunSummary told = summarize(result);
         ASSERT_EQ(told.noise.has_value(), repetitions > 1);
         const auto [least, most] = std::minmax_element(medians.begin(), medians.end());
         if (told.noise) {
@@ -182,7 +182,7 @@ TEST(RandomSummary, NamesEverySweptSettingByItsColumn) {
     RunResult result;
     result.rows.resize(1);
     result.run.settings.quality.filter = 3;
-    const report::RunSummary told = summary(result);
+    const report::RunSummary told = summarize(result);
     std::size_t swept = 0;
     for (const settings::Setting& each : settings::table()) {
         if (!each.description().isSwept) continue;
@@ -263,7 +263,7 @@ TEST(BenchOutput, HasALineAndABenchmarkForEachRow) {
     const auto document = nlohmann::json::parse(text);
     ASSERT_EQ(document["benchmarks"].size(), results.size());
     for (std::size_t i = 0; i < results.size(); ++i) {
-        const report::RunSummary told = summary(results[i]);
+        const report::RunSummary told = summarize(results[i]);
         EXPECT_EQ(document["benchmarks"][i]["name"], told.name);
         EXPECT_EQ(document["benchmarks"][i]["iterations"], results[i].rows.size());
         EXPECT_NEAR(document["benchmarks"][i]["p50"].get<double>(), told.p50Ms, 1e-9);

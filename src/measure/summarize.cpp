@@ -1,4 +1,4 @@
-#include "measure/run_summary.h"
+#include "measure/summarize.h"
 
 #include "settings/table.h"
 #include "telemetry/benchmark_report.h"
@@ -73,7 +73,7 @@ std::optional<double> noise(const std::vector<telemetry::FrameRow>& rows) {
 
 } // namespace
 
-report::RunSummary summary(const RunResult& result) {
+report::RunSummary summarize(const RunResult& result) {
     using telemetry::FrameRow;
     const auto& rows = result.rows;
     report::RunSummary s;

@@ -25,9 +25,8 @@ struct ExplainOptions {
 
 void runExplain(const ExplainOptions& options) {
     settings::Settings settings = options.settings.settings();
-    plan::Quality quality = settings::qualityOf(settings);
+    const plan::Quality quality = settings::qualityOf(settings);
     const bool isSoftware = measure::decidesExactly(settings);
-    if (!quality.mapsBecause && !isSoftware) quality.mapsBecause = plan::ShadowReason::ExecutorHasMaps;
     settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
     measure::Session session(options.model, settings, printWarning);
     session.renderer().planFor(isSoftware ? plan::kSoftwareCapabilities : plan::kOpenGlCapabilities);

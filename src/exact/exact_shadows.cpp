@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 
 namespace gnomon::exact {
@@ -80,22 +79,6 @@ double mostTolerance(const SampleList& samples) {
 }
 
 } // namespace
-
-CastForecast forecastOf(const CastCounts& first, std::size_t dark, std::size_t samples) {
-    const double share = static_cast<double>(dark) / static_cast<double>(samples);
-    const auto left = [](double isDark) { return isDark < kWorthwhile ? 1 : 1 - isDark; };
-    // As if each eighth darkened the same share of what the others leave, but no more than the first one did of all.
-    const double half = std::min(1 - std::pow(1 - share, 4), 3 * share);
-    const double rounds = 1 + 3 * left(share) + 4 * left(half);
-    // By how many clusters there were to go by: 386 views were fitted to.
-    constexpr double kFewClusters = 20;
-    const auto clusters = static_cast<double>(first.clustersKept);
-    const double known = clusters / (clusters + kFewClusters);
-    return {
-        rounds * static_cast<double>(first.trianglesCast),
-        rounds * static_cast<double>(first.sampleTests),
-        std::max(known * known, share)};
-}
 
 std::size_t ExactShadows::countDark() const {
     return sumOver(grid_.size(), [&](std::size_t begin, std::size_t end) {
@@ -172,9 +155,7 @@ ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
         if (statistics.endedEarly) break;
         statistics.cast += castRound(context, question.casters.size() - question.holders, kRounds[round]);
         if (round + 1 == kRounds.size()) break;
-        const std::size_t dark = countDark();
-        if (round == 0) statistics.forecast = forecastOf(statistics.cast, dark, samples_.size());
-        removeDark(dark);
+        removeDark(countDark());
     }
     takeStatuses(statistics);
     return statistics;

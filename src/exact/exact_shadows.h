@@ -7,17 +7,6 @@
 
 namespace gnomon::exact {
 
-/// What all rounds of casters will take, as the first of them lets one expect.
-struct CastForecast {
-    double trianglesCast = 0;
-    double sampleTests = 0;
-    double weight = 0; // from 0, where next to nothing was cast yet, to 1, where all samples are dark already
-};
-
-/// The forecast of the first round, which took `first` of an eighth of the casters and left `dark` of `samples` dark.
-/// Later rounds take as much for each caster, but for the samples that leave before them.
-CastForecast forecastOf(const CastCounts& first, std::size_t dark, std::size_t samples);
-
 /// What a frame's decisions took and found.
 struct ExactStatistics {
     std::uint64_t samples = 0; // pixels that face the light
@@ -27,7 +16,6 @@ struct ExactStatistics {
     bool endedEarly = false;                // all samples were dark before the last round of casters
     std::uint64_t touching = 0; // samples whose verdict hangs on the tolerance, or on the rule for ties at an edge
     CastCounts cast;
-    CastForecast forecast; // before the second round
 };
 
 /// What is to be decided, besides the samples.

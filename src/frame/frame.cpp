@@ -2,17 +2,18 @@
 #include "culling/layers.h"
 #include "executor/light/light_sum.h"
 #include "executor/ray_shadows.h"
-#include "frame/exact_forecast.h"
 #include "frame/frame_cuts.h"
 #include "frame/frame_row.h"
 #include "frame/ground.h"
+#include "frame/light_plan.h"
 #include "frame/picture_memory.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
 #include "plan/caster_culling.h"
+#include "plan/distant_view.h"
 #include "plan/occlusion_choice.h"
+#include "plan/shadow_decision.h"
 
-#include <limits>
 #include <utility>
 
 // The frame, told in the words of the README:
@@ -53,7 +54,7 @@ Bytes Renderer::picturePart(const plan::View& view, const plan::Quality& quality
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const Stopwatch watch;
     plan::Quality meant = quality;
-    if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsAskedFor;
+    if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsRequested;
     if (!continuesMotion(view, meant)) motion_.isSunless.reset();
     residency_.reservePicture(picturePart(view, meant, options));
     Frame frame{prepare(view, meant, options.waiting, frameBefore(view, meant), options.margin()), options, {}};
@@ -88,13 +89,30 @@ void Renderer::planAnew(PreparedFrame& frame, const plan::View& view, const plan
     chooseOcclusion(frame);
 }
 
-PreparedFrame Renderer::prepareAs(
+PreparedFrame Renderer::prepare(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
     const std::shared_ptr<const plan::PlannedFrame>& before,
     double margin) {
     const hierarchy::ModelSummary& model = model_->summary();
+    ground_ = groundOf(view, quality.look, {model.bounds, model.grid, model_->pages()}, quality.sky.directions > 0);
+    const plan::View distant = plan::distantView(view, withGround(model.bounds, ground_.get()));
+    PreparedFrame frame =
+        prepareShadows(distant, plan::distantQuality(quality, view, distant), waiting, before, margin);
+    addTime(frame.planMs, [&] { planLightSampling(frame, residency_); });
+    return frame;
+}
+
+PreparedFrame Renderer::prepareShadows(
+    const plan::View& view,
+    const plan::Quality& asked,
+    Waiting waiting,
+    const std::shared_ptr<const plan::PlannedFrame>& before,
+    double margin) {
+    const hierarchy::ModelSummary& model = model_->summary();
+    plan::Quality quality = asked;
+    quality.shadows = plan::decideShadows(asked, capabilities()).mode;
     residency_.keepRayTrees(quality.shadows == plan::ShadowMode::Rays);
     double streamMs = 0; // all that waiting costs: the rounds but the last are made for it
     // A cap finds its error among all clusters that are there.
@@ -107,10 +125,6 @@ PreparedFrame Renderer::prepareAs(
         const std::optional<DepthSpan> range =
             plan::widestRange(view, quality, withGround(model.bounds, ground_.get()));
         frame.errorPixels = quality.errorPixels;
-        // Exact shadows are predicted by coarser clusters, which have to be there for it.
-        const bool isPredicted = quality.shadows == plan::ShadowMode::Exact;
-        frame.mostPassedPixels =
-            isPredicted ? predictedErrorPixels(view, quality.errorPixels) : std::numeric_limits<double>::infinity();
         double surveyedPixels = 0;
         do { // once, but for a cap that casters raise the error under: what is surveyed has to be what is drawn
             addTime(frame.selectMs, [&] { cutImage(frame, {view, margin}, quality, range, residency_, model.grid); });
@@ -122,7 +136,7 @@ PreparedFrame Renderer::prepareAs(
                     frame.facts.isTurnedFromLight = isTurnedFromLight(view, cutQuery(residency_, frame), frame.cut);
                 frame.ground = seenGround(ground_, view, model.grid.step(), frame.facts);
             });
-            addTime(frame.planMs, [&] { planAnew(frame, view, quality); });
+            addTime(frame.planMs, [&] { planAnew(frame, view, asked); });
             addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
         } while (frame.errorPixels > surveyedPixels);
         const double cutMs = round.elapsed().count;
@@ -157,7 +171,7 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     const bool hasSky = frame.plan.sky.directions > 0;
     ground_ = groundOf(
         hasSky ? frame.plan.view : view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()}, hasSky);
-    PreparedFrame turned = prepareAs(view, frame.plan.quality, Waiting::UntilComplete, nullptr, options.margin());
+    PreparedFrame turned = prepareShadows(view, frame.plan.quality, Waiting::UntilComplete, nullptr, options.margin());
     turned.isSunless = frame.isSunless;
     draw(turned, options);
     shortfall_.add(detailOf(turned));

@@ -72,7 +72,6 @@ selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& fr
     query.rule = frame.rule.get();
     query.errorPixels = frame.errorPixels;
     query.volumes = frame.volumes;
-    query.mostPassedPixels = frame.mostPassedPixels;
     return query;
 }
 

@@ -1,9 +1,6 @@
 #include "frame/frame_row.h"
 
 #include "core/angle.h"
-#include "frame/exact_forecast.h"
-
-#include <cmath>
 
 namespace gnomon::frame {
 
@@ -105,12 +102,6 @@ telemetry::FrameRow frameRow(
     }
     row.shadows = wordOf(plan::kShadowModes, quality.shadows);
     if (drawn.exact) setExact(*drawn.exact, row);
-    if (plan.predicted) row.predictedSampleTests = std::llround(plan.predicted->sampleTests);
-    if (plan.predicted && drawn.exact && drawn.exact->samples > 0) {
-        const plan::ExactWork refined = refinedWork(*plan.predicted, drawn.exact->forecast);
-        row.refinedCastTriangles = std::llround(refined.castTriangles);
-        row.refinedSampleTests = std::llround(refined.sampleTests);
-    }
     if (plan.passes.empty()) return row;
     row.storageFactor = plan.storageFactor;
     row.promisedAliasingX = plan.promised.x;

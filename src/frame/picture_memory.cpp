@@ -3,6 +3,7 @@
 #include "exact/exact_shadows.h"
 #include "executor/light/light_sum.h"
 #include "executor/picture.h"
+#include "plan/shadow_decision.h"
 
 #include <algorithm>
 
@@ -11,6 +12,11 @@ namespace gnomon::frame {
 namespace {
 
 constexpr std::uint64_t kFinished = sizeof(executor::Rgb) + sizeof(std::uint8_t); // a pixel, with its coverage
+
+/// Returns the kind of shadows that the software backend draws.
+plan::ShadowMode shadowsOf(const plan::Quality& quality) {
+    return plan::decideShadows(quality, plan::kSoftwareCapabilities).mode;
+}
 
 /// What a pixel of an image takes while it is drawn.
 std::uint64_t bytesPerPixel(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
@@ -21,7 +27,7 @@ std::uint64_t bytesPerPixel(const plan::View& view, const plan::Quality& quality
     if (options.isAccumulated)
         bytes += executor::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
     const bool hasSun = !plan::isWithoutSun(quality.look.shading);
-    const plan::ShadowMode shadows = quality.shadows;
+    const plan::ShadowMode shadows = shadowsOf(quality);
     if (hasSun && shadows != plan::ShadowMode::Off && shadows != plan::ShadowMode::Maps)
         bytes += exact::ExactShadows::kBytesPerSample + (view.pointLight ? kMapOfLamp : 0);
     else if (hasSun && shadows == plan::ShadowMode::Maps && !options.isAccumulated)
@@ -34,9 +40,9 @@ std::uint64_t fixedBytes(const plan::Quality& quality) {
     constexpr std::uint64_t kCells = mebibytes(8).count;
     const auto texels =
         static_cast<std::uint64_t>(quality.shadowTexelsWidth) * static_cast<std::uint64_t>(quality.shadowTexelsHeight);
-    const bool hasMaps = quality.shadows == plan::ShadowMode::Maps || quality.shadows == plan::ShadowMode::Auto;
-    const bool isExact = quality.shadows == plan::ShadowMode::Exact || quality.shadows == plan::ShadowMode::Auto;
-    return (hasMaps ? texels * sizeof(float) : 0) + (isExact ? kCells : 0);
+    const plan::ShadowMode shadows = shadowsOf(quality);
+    if (shadows == plan::ShadowMode::Maps) return texels * sizeof(float);
+    return shadows == plan::ShadowMode::Exact ? kCells : 0;
 }
 
 /// Whether the image can be drawn a few rows at a time: nothing asks for all of it at once.

@@ -22,10 +22,9 @@ struct PreparedFrame {
     executor::DrawSpace space;
     std::shared_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
     std::vector<ConvexVolume> volumes;
-    bool isSunless = false;      // the light reaches next to nothing that is seen, and --shading auto makes do without
-    double errorPixels = 1;      // the quality's, or more where a cap forces it
-    double mostPassedPixels = 0; // what of the view's pages needs not be there, as selection::CutQuery has it
-    selection::Cut cut; // lists: the image's, then one a shadow pass, or that of the casters that rays can meet
+    bool isSunless = false; // the light reaches next to nothing that is seen, and --shading auto makes do without
+    double errorPixels = 1; // the quality's, or more where a cap forces it
+    selection::Cut cut;     // lists: the image's, then one a shadow pass, or that of the casters that rays can meet
     streaming::DemandOutcome residency;
     double planMs = 0;
     double selectMs = 0;

@@ -16,8 +16,6 @@
 
 namespace gnomon::frame {
 
-class ExactEstimate;
-
 /// A frame that was drawn once.
 struct Frame : PreparedFrame {
     FrameOptions options;
@@ -67,9 +65,8 @@ public:
         heldMaps_.clear();
     }
 
-    /// Chooses the mode of the shadows where it is left open; then plans and cuts a view as the frame after `before`
-    /// (null: the first), and makes its pages resident; draws nothing, and the next frame does not know of it. The cut
-    /// reaches `margin` pixels beyond the image.
+    /// Plans and cuts a view as the frame after `before` (null: the first), and makes its pages resident. Draws
+    /// nothing, and the next frame does not know of it. The cut reaches `margin` pixels beyond the image.
     PreparedFrame prepare(
         const plan::View& view,
         const plan::Quality& quality,
@@ -111,24 +108,8 @@ public:
     executor::Executor& executor() const { return *executor_; }
 
 private:
-    /// `prepare`, but for what the plan says of penumbrae and sky.
+    /// Does the work of `prepare` for the ground that is set, without penumbrae and sky.
     PreparedFrame prepareShadows(
-        const plan::View& view,
-        const plan::Quality& quality,
-        Waiting waiting,
-        const std::shared_ptr<const plan::PlannedFrame>& before,
-        double margin);
-
-    /// The same for a view that a point light shines on.
-    PreparedFrame prepareForPoint(
-        const plan::View& view,
-        const plan::Quality& quality,
-        Waiting waiting,
-        const std::shared_ptr<const plan::PlannedFrame>& before,
-        double margin);
-
-    /// `prepare` with shadows whose mode is not left open.
-    PreparedFrame prepareAs(
         const plan::View& view,
         const plan::Quality& quality,
         Waiting waiting,
@@ -160,8 +141,7 @@ private:
     HeldMaps heldMaps_;
     telemetry::Shortfall shortfall_;
     std::vector<culling::DepthCandidate> depthScratch_;
-    std::shared_ptr<const Ground> ground_;    // of the view that is prepared
-    std::shared_ptr<ExactEstimate> estimate_; // its memory; made when first needed
+    std::shared_ptr<const Ground> ground_; // of the view that is prepared
     std::shared_ptr<executor::SectionMemory> sections_;
 };
 

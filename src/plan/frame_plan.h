@@ -10,7 +10,7 @@
 #include "plan/light_sampling.h"
 #include "plan/look.h"
 #include "plan/omission.h"
-#include "plan/shadow_choice.h"
+#include "plan/shadow_mode.h"
 #include "shadow/shadow_map.h"
 #include "shadow/warp/warp.h"
 
@@ -85,8 +85,8 @@ inline constexpr std::array kCasterCullings = {
 
 /// What the user asked for; the names are those of the command line.
 struct Quality {
-    ShadowMode shadows = ShadowMode::Maps;   // what a frame is planned with; who asks may leave it open
-    std::optional<ShadowReason> mapsBecause; // why Auto means maps, whatever the view; nothing: costs decide
+    ShadowMode shadows = ShadowMode::Maps;   // Auto: decideShadows returns the kind
+    std::optional<ShadowReason> mapsBecause; // the reason why Auto means maps; nothing: the backend decides
     shadow::Warp warp;
     std::optional<int> zPartitions = 4; // nothing: auto
     double splitLambda = 1;
@@ -153,10 +153,9 @@ struct ShadowPass {
 /// The plan of a frame.
 struct FramePlan {
     View view;
-    Quality quality;       // its shadows are those that are drawn, never Auto
+    Quality quality;       // its shadows are the drawn ones, never Auto
     Capabilities executor; // of the backend that the plan is for
-    ShadowReason shadowReason = ShadowReason::AskedFor;
-    std::optional<ExactWork> predicted; // of exact shadows, where that was asked
+    ShadowReason shadowReason = ShadowReason::Requested;
     CameraBasis basis;
     IntegerLight light;               // the view's
     glm::dvec3 towardsLight{0, 1, 0}; // the same: unit, camera space

@@ -16,14 +16,7 @@ inline constexpr int kFramesBeforeMapsGo = 96;
 /// promise that would be broken waits for nothing.
 inline constexpr int kFramesBeforeSchemeGoes = 96;
 
-/// How many frames in a row the other kind of shadows must dominate where `auto` chooses between exact ones and maps.
-inline constexpr int kFramesBeforeModeGoes = 24;
-
-/// What shadows of either kind would cost is looked at once in so many frames as long as the kind that is there is the
-/// better one; while the other dominates it, in each: looking takes casters and a small image.
-inline constexpr int kFramesBetweenCosts = 12;
-
-/// A scheme or a kind of shadows dominates another where it costs less than this share of it.
+/// A scheme dominates another scheme if it costs less than this share of the other scheme's cost.
 inline constexpr double kCheaper = 0.75;
 
 /// And, where none keeps what was asked, promises less than this share of what the other promises.

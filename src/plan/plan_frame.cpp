@@ -6,6 +6,7 @@
 #include "plan/cell_maps.h"
 #include "plan/depth_range.h"
 #include "plan/lamp/lamp_passes.h"
+#include "plan/shadow_decision.h"
 #include "plan/shadow_passes.h"
 #include "shadow/caster_volume.h"
 
@@ -80,7 +81,7 @@ ConvexVolume sweptView(const View& view, const DepthSpan& range) {
 
 std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds) {
     requireValid(view);
-    if (quality.shadows != ShadowMode::Maps && quality.shadows != ShadowMode::Auto) return std::nullopt;
+    if (quality.shadows != ShadowMode::Maps) return std::nullopt;
     const DepthRange range = depthRange(view, quality, {.bounds = bounds, .visible = {}, .light = {}}, {});
     if (range.isEmpty) return std::nullopt;
     return range.shown;
@@ -98,7 +99,10 @@ PlannedFrame planFrame(
     plan.view = view;
     plan.quality = quality;
     plan.executor = executor;
-    if (quality.shadows == ShadowMode::Auto) plan.quality.shadows = ShadowMode::Maps; // without costs to choose by
+    const ShadowDecision shadows = decideShadows(quality, executor);
+    plan.quality.shadows = shadows.mode;
+    plan.quality.mapsBecause.reset();
+    plan.shadowReason = shadows.reason;
     if (view.camera.isParallel()) unwarp(plan.quality);
     plan.basis = cameraBasis(view.camera);
     plan.light = view.light();
@@ -117,7 +121,7 @@ PlannedFrame planFrame(
         planLampPasses(plan, scene);
     else
         result.memory.scheme = planShadowPasses(plan, scene, memory.scheme);
-    if (quality.shadows == ShadowMode::Exact) {
+    if (shadows.mode == ShadowMode::Exact) {
         if (const auto reason = reasonForNoDecision(scene, range))
             plan.omitted.push_back({Effect::ExactShadows, *reason});
         else

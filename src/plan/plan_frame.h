@@ -11,6 +11,7 @@ namespace gnomon::plan {
 ConvexVolume sweptView(const View& view, const DepthSpan& range);
 
 /// The depths that the plan of `view` will lie within, before the hierarchy was asked; nothing if it draws no maps.
+/// `quality.shadows` is not Auto.
 std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds);
 
 /// A plan, and what the plan of the next frame is to be told.

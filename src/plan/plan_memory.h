@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/depth_span.h"
-#include "plan/shadow_choice.h"
 #include "shadow/quantized_near.h"
 #include "shadow/warp/orientation.h"
 
@@ -51,7 +50,6 @@ struct SchemeMemory {
 struct PlanMemory {
     std::optional<DepthMemory> depth;
     std::optional<SchemeMemory> scheme;
-    std::optional<ModeMemory> mode;
 };
 
 } // namespace gnomon::plan

@@ -54,7 +54,7 @@ inline bool isSameMotion(const AskedFrame& before, const AskedFrame& now) {
     quality.zPartitions = now.quality.zPartitions;
     quality.shadowTexelsWidth = now.quality.shadowTexelsWidth;
     quality.shadowTexelsHeight = now.quality.shadowTexelsHeight;
-    quality.shadows = now.quality.shadows;
+    quality.mapsBecause = now.quality.mapsBecause;
     return view == now.view && quality == now.quality;
 }
 

@@ -63,9 +63,8 @@ struct CutQuery {
     std::span<const ConvexVolume> volumes; // local space; fewer than bvh::kMaxVolumes; the first is the image's
     const hierarchy::BlockedGroups* blocked = nullptr; // groups that stay unrefined whatever the rule says, if any
     /// The page table, if the cut is drawn only once it wants nothing: then pages that it surely refines as a whole
-    /// need not be there (`isPassedThrough`), as long as none of their groups has more than `mostPassedPixels` in view.
+    /// need not be there (`isPassedThrough`).
     std::span<const hierarchy::PageInfo> passable = {};
-    double mostPassedPixels = std::numeric_limits<double>::infinity();
 };
 
 /// The result: one list per volume, and what it took. Along every chain of refinement that a volume reaches, exactly

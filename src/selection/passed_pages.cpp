@@ -10,7 +10,6 @@ namespace gnomon::selection {
 bool isPassedThrough(const CutQuery& query, std::uint32_t page) {
     const hierarchy::PageInfo& info = query.passable[page];
     if (std::isinf(info.maxError)) return false;
-    if (query.rule->viewPixels(info.bounds, info.maxError) > query.mostPassedPixels) return false;
     // What refines the page lies in the pages below it. Casters can only call for more.
     return !info.children.empty() && std::all_of(info.children.begin(), info.children.end(), [&](std::uint32_t child) {
         const hierarchy::PageInfo& finer = query.passable[child];

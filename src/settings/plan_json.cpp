@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -79,16 +78,6 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     return json;
 }
 
-/// What exact shadows are predicted to take; null where that was not asked.
-ordered_json predictedJson(const plan::FramePlan& plan) {
-    if (!plan.predicted) return nullptr;
-    const plan::ExactWork& work = *plan.predicted;
-    return {
-        {"shadow_samples", std::llround(work.samples)},
-        {"cast_triangles", std::llround(work.castTriangles)},
-        {"sample_tests", std::llround(work.sampleTests)}};
-}
-
 std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 std::string line(const char* format, ...) {
@@ -115,7 +104,6 @@ ordered_json planJson(const plan::FramePlan& plan) {
     json["scheme"] = plan::schemeName(plan);
     json["shadows"] = wordOf(plan::kShadowModes, plan.quality.shadows);
     json["shadows_because"] = reasonInWords(plan.shadowReason);
-    json["predicted"] = predictedJson(plan);
     json["light_directions"] = plan.penumbra.directions;
     json["penumbra_pixels"] = plan.penumbra.widestPixels;
     json["penumbra_tiles"] = plan.penumbra.tiles ? ordered_json(plan.penumbra.tiles->count()) : ordered_json(nullptr);

@@ -3,7 +3,6 @@
 #include "plan/hysteresis.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 namespace gnomon::settings {
@@ -175,35 +174,25 @@ std::string reasonInWords(const plan::Omission& omission) {
 std::string reasonInWords(plan::ShadowReason reason) {
     using plan::ShadowReason;
     switch (reason) {
-    case ShadowReason::AskedFor:
-        return "asked for";
-    case ShadowReason::MapsAskedFor:
-        return "an option, an overlay or a proof of maps is asked for";
+    case ShadowReason::Requested:
+        return "they are requested";
     case ShadowReason::NoSun:
         return "the shading has no sun";
-    case ShadowReason::ExecutorHasMaps:
-        return "only the software executor decides shadows exactly";
-    case ShadowReason::ExactCostsNoMore:
-        return "exact shadows are predicted to cost no more than maps";
-    case ShadowReason::MapsCostLess:
-        return "maps are predicted to cost less than exact shadows";
-    case ShadowReason::PointLight:
-        return "those of a lamp are exact, unless maps or rays are asked for";
-    case ShadowReason::Held:
-        return "held from the frame before: the other kind is not predicted to be cheaper by enough, for long enough";
+    case ShadowReason::MapsRequested:
+        return "an option, an overlay or a proof of shadow maps is requested";
+    case ShadowReason::FrameTime:
+        return "exact shadows take too long for the target frame time";
+    case ShadowReason::BackendHasMaps:
+        return "only the software backend draws exact shadows";
+    case ShadowReason::BackendIsExact:
+        return "the software backend draws exact shadows unless shadow maps are requested";
     }
     return "";
 }
 
 std::string shadowsInWords(const plan::FramePlan& plan) {
-    std::string text = "shadows " + std::string(wordOf(plan::kShadowModes, plan.quality.shadows)) + ": " +
-                       reasonInWords(plan.shadowReason) + "\n";
-    if (!plan.predicted) return text;
-    const auto count = [](double value) { return std::to_string(std::llround(value)); };
-    return text + "predicted of exact shadows, not counted: " + count(plan.predicted->samples) + " samples, " +
-           count(plan.predicted->castTriangles) + " triangles cast, " + count(plan.predicted->sampleTests) +
-           " sample tests; of four maps: " + count(plan.predicted->keptTriangles) + " triangles, " +
-           count(plan.predicted->mapFragments) + " fragments\n";
+    return "shadows " + std::string(wordOf(plan::kShadowModes, plan.quality.shadows)) + ": " +
+           reasonInWords(plan.shadowReason) + "\n";
 }
 
 std::string lightInWords(const plan::FramePlan& plan) {

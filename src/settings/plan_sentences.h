@@ -13,10 +13,10 @@ std::string effectInWords(const plan::Omission& omission);
 /// Why, as half a sentence: "switched off".
 std::string reasonInWords(const plan::Omission& omission);
 
-/// Why a frame's shadows are of their mode.
+/// Returns the reason for the kind of shadows of a frame, as half a sentence.
 std::string reasonInWords(plan::ShadowReason reason);
 
-/// Which shadows a plan has, why, and what exact ones are predicted to take where that was asked; whole lines.
+/// Returns the kind of shadows of a plan and the reason, as one line.
 std::string shadowsInWords(const plan::FramePlan& plan);
 
 /// From how many directions the light of the plan's pictures comes, a line each; empty where one will do.

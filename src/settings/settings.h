@@ -25,7 +25,7 @@ inline constexpr std::array kBackends = {
     Word<Backend>{Backend::Window, "window"},
 };
 
-/// The quality where nothing is asked for: the mode of its shadows is left open.
+/// The default quality. Its shadows are Auto.
 inline plan::Quality openQuality() {
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Auto;

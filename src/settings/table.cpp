@@ -214,9 +214,9 @@ Setting shadowsSetting() {
     return {
         {.name = "shadows",
          .form = {},
-         .help =
-             "None, shadow maps, exact ones (software executor), the ray-traced reference; auto: exact where that is "
-             "predicted to cost no more than maps",
+         .help = "None, shadow maps, exact ones (software backend), the ray-traced reference; auto: exact with the "
+                 "software "
+                 "backend, maps with OpenGL or beside an option of maps",
          .isSwept = true},
         oneOf(plan::kShadowModes),
         [](const Settings& settings) {

@@ -35,7 +35,7 @@ inline bool asksForMaps(const Setting& setting) {
 
 /// Says that shadows whose mode is left open are maps, for an option, an overlay or a proof of maps is asked for.
 inline void askForMaps(Settings& settings) {
-    settings.quality.mapsBecause = plan::ShadowReason::MapsAskedFor;
+    settings.quality.mapsBecause = plan::ShadowReason::MapsRequested;
 }
 
 /// Whether all settings that a bench sweeps have the same values in `a` and `b`.

@@ -141,7 +141,6 @@ constexpr std::array kColumns = {
     column<&R::sampleTests>("sample_tests"),
     column<&R::exactDecisions>("exact_decisions"),
     column<&R::touchingPixels>("touching_pixels"),
-    column<&R::predictedSampleTests>("predicted_sample_tests"),
     column<&R::occlusion>("occlusion"),
     column<&R::clustersHidden>("clusters_hidden"),
     column<&R::wrongPixelsAll>("wrong_pixels_all"),
@@ -150,8 +149,6 @@ constexpr std::array kColumns = {
     column<&R::sunAngle>("sun_angle"),
     column<&R::lightError>("light_error"),
     column<&R::trianglesSetUp>("triangles_set_up"),
-    column<&R::refinedCastTriangles>("refined_cast_triangles"),
-    column<&R::refinedSampleTests>("refined_sample_tests"),
 };
 
 } // namespace

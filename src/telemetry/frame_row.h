@@ -80,7 +80,6 @@ struct FrameRow {
     std::optional<std::int64_t> sampleTests;    // pairs of a caster's triangle and a sample in its cells
     std::optional<std::int64_t> exactDecisions; // of those whose verdict doubles left open
     std::optional<std::int64_t> touchingPixels; // whose verdict hangs on the tolerance, or on the rule for ties
-    std::optional<std::int64_t> predictedSampleTests;
     std::optional<std::string> occlusion;
     std::optional<std::int64_t> clustersHidden;
     std::optional<double> wrongPixelsAll; // share of all pixels lit or dark against the oracle's verdict
@@ -88,9 +87,7 @@ struct FrameRow {
     std::optional<std::int64_t> samplesPerPixel;
     std::optional<double> sunAngle;
     std::optional<double> lightError;
-    std::optional<std::int64_t> trianglesSetUp;       // given edge functions in an image without what is hidden
-    std::optional<std::int64_t> refinedCastTriangles; // of exact shadows, predicted anew with an eighth of them cast
-    std::optional<std::int64_t> refinedSampleTests;
+    std::optional<std::int64_t> trianglesSetUp; // given edge functions in an image without what is hidden
 };
 
 /// The value of a column; nothing if it was not measured.

@@ -20,8 +20,7 @@ constexpr int kFramesToTakeBack = 12;
 constexpr double kTrianglesPerPixel = 1; // what shading a pixel takes, in triangles that are drawn
 constexpr double kLeastShare = 0.005;    // of the frame: a step that saves less is none
 constexpr double kLearning = 0.3;
-constexpr double kOfExact = 0.5;    // of the time of exact shadows: what maps save
-constexpr double kLeastExactMs = 6; // more than maps take, before it is known
+constexpr double kMaxExactOverMaps = 16;
 
 double root(int steps, double perOctave) {
     return std::exp2(steps / perOctave);
@@ -38,7 +37,7 @@ ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& f
     ShadowErrors errors;
     errors.promised = largest(plan);
     if (withLess && plan.quality.shadows == plan::ShadowMode::Exact &&
-        plan.shadowReason != plan::ShadowReason::AskedFor && !plan.view.pointLight) {
+        plan.shadowReason != plan::ShadowReason::Requested && !plan.view.pointLight) {
         plan::Quality maps = plan.quality;
         maps.shadows = plan::ShadowMode::Maps;
         errors.asMaps = largest(plan::planFrame(plan.view, maps, facts, {}, plan.executor).plan);
@@ -128,9 +127,9 @@ DetailBudget::Change DetailBudget::giveUp(Lever lever, const FrameLoad& load, co
             load.shadowMs * load.errors.texelShare / 2};
     case Lever::Resolution:
         return {lever, pixel * (root(1, 4) - 1), pixelMs(load) * (1 - root(-1, 2))};
-    case Lever::Exactness: // maps take time too, and choosing by predictions took some
+    case Lever::Exactness:
         if (!load.errors.asMaps) return {lever};
-        return {lever, *load.errors.asMaps * pixel, kOfExact * load.shadowMs + load.planMs};
+        return {lever, *load.errors.asMaps * pixel, load.shadowMs * (1 - 1 / exactOverMaps_)};
     }
     return {};
 }
@@ -158,7 +157,7 @@ DetailBudget::Change DetailBudget::takeBack(Lever lever, const FrameLoad& load, 
         break;
     case Lever::Exactness:
         change.error = load.errors.promised.value_or(0);
-        change.milliseconds = 2 * load.shadowMs + kLeastExactMs;
+        change.milliseconds = load.shadowMs * (exactOverMaps_ - 1);
         break;
     }
     return change;
@@ -200,6 +199,12 @@ void DetailBudget::learn(const FrameLoad& load) {
     }
     trianglesBefore_ = load.triangles;
     detailBefore_ = step(Lever::Detail);
+    if (load.decidesPoints) {
+        exactMs_ = load.shadowMs;
+    } else if (exactMs_ > 0 && load.shadowMs > 0) {
+        exactOverMaps_ = std::clamp(exactMs_ / load.shadowMs, 1.0, kMaxExactOverMaps);
+        exactMs_ = 0;
+    }
 }
 
 /// Gives up step by step until what is left of `load` fits, by what the steps are predicted to save.
@@ -241,7 +246,7 @@ void DetailBudget::measure(const FrameLoad& load, double target, const Effort& w
     if (steady > kOver * target) {
         FrameLoad scaled = load;
         const double part = steady / load.milliseconds;
-        for (double* milliseconds : {&scaled.milliseconds, &scaled.imageMs, &scaled.shadowMs, &scaled.planMs})
+        for (double* milliseconds : {&scaled.milliseconds, &scaled.imageMs, &scaled.shadowMs})
             *milliseconds *= part;
         isExhausted_ = !cheapest(scaled, wanted);
         shed(scaled, target, wanted);

@@ -17,7 +17,7 @@ struct Effort {
     int texelsWidth = 2048;        // of all maps together
     int texelsHeight = 2048;
     double resolution = 1;  // pixels that are drawn over those of the window, along a side
-    bool mayBeExact = true; // shadows whose mode is left open may be decided exactly
+    bool mayBeExact = true; // shadows of kind auto may be exact
     bool operator==(const Effort&) const = default;
 };
 
@@ -30,7 +30,7 @@ struct ShadowErrors {
     std::optional<double> promised;    // perspective aliasing
     std::optional<double> fewerSlices; // with one slice less
     std::optional<double> fewerTexels; // with half the texels
-    std::optional<double> asMaps;      // of shadows that are exact, by a choice of the plan's own
+    std::optional<double> asMaps;      // of shadow maps in place of exact shadows of kind auto
     double texelShare = 0;             // of the counted cost of its maps; the rest is their casters'
 };
 
@@ -42,7 +42,6 @@ struct FrameLoad {
     double milliseconds = 0; // all of it
     double imageMs = 0;
     double shadowMs = 0;
-    double planMs = 0;
     double triangles = 0; // of the image
     double pixels = 0;
     bool decidesPoints = false; // shadows are decided at the image's points, by no maps
@@ -53,7 +52,8 @@ struct FrameLoad {
 /// error in pixels, a slice, half the texels, half the pixels (down to half the resolution), exact shadows for maps.
 /// Errors are the plan's figures in pixels of the window: those of detail and resolution are known, those of maps
 /// promised. Savings follow from what the frame's stages took and counted; how far fewer triangles a coarser cut has is
-/// learned, since parts that are many and small do not get fewer. A step is taken where two frames on end are over the
+/// learned, since parts that are many and small do not get fewer. How much longer exact shadows take than maps is
+/// measured when the one kind follows the other. A step is taken where two frames on end are over the
 /// target, and back where twelve would hold it: one slow frame moves nothing. A pure function of what is measured,
 /// without a clock.
 class DetailBudget {
@@ -102,6 +102,8 @@ private:
 
     Steps steps_{};
     double elasticity_ = 0.5;       // of triangles to the error: T ~ error^-elasticity
+    double exactOverMaps_ = 2;      // the shadow time of exact shadows over that of maps: as measured last
+    double exactMs_ = 0;            // the shadow time of the last frame with exact shadows; 0: maps have followed it
     double trianglesBefore_ = 0;    // of the last frame
     int detailBefore_ = 0;          // its steps
     double millisecondsBefore_ = 0; // likewise; 0 where levers have moved since

@@ -38,7 +38,6 @@ FrameLoad loadOf(const frame::Frame& frame, double milliseconds, double targetMs
     load.milliseconds = milliseconds;
     load.imageMs = row.imageMs.value_or(0);
     load.shadowMs = row.shadowMs.value_or(0);
-    load.planMs = row.planMs.value_or(0);
     load.triangles = static_cast<double>(row.imageTriangles.value_or(0));
     load.pixels = static_cast<double>(frame.plan.view.width) * frame.plan.view.height;
     load.decidesPoints = frame.hasOneCasterList();
@@ -213,8 +212,7 @@ Shot WindowSession::shot(const glm::ivec2& size, bool isStill) const {
     shot.quality.zPartitions = effort.slices;
     shot.quality.shadowTexelsWidth = effort.texelsWidth;
     shot.quality.shadowTexelsHeight = effort.texelsHeight;
-    if (!effort.mayBeExact && shot.quality.shadows == plan::ShadowMode::Auto)
-        shot.quality.shadows = plan::ShadowMode::Maps;
+    if (!effort.mayBeExact && !shot.quality.mapsBecause) shot.quality.mapsBecause = plan::ShadowReason::FrameTime;
     shot.options.overlay = settings_.overlay;
     if (settings_.overlay == executor::Overlay::None) shot.colors = settings_.colors;
     const bool isColored = shot.colors.by != settings::ColorBy::None;

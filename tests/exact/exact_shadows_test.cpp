@@ -250,52 +250,6 @@ TEST(ExactShadows, CountsAddUp) {
     EXPECT_EQ(found.cast.trianglesCast, 2U);
     EXPECT_EQ(found.cast.sampleTests, 2U);
     EXPECT_EQ(found.cast.exactDecisions, 0U);
-    EXPECT_EQ(found.forecast.weight, 1) << "nothing is left to cast over";
-    EXPECT_EQ(found.forecast.trianglesCast, 2);
-    EXPECT_EQ(found.forecast.sampleTests, 2);
-}
-
-TEST(ExactShadows, OneRoundForecastsAllWhereClustersAreAlike) {
-    RandomWholes random(8);
-    for (const std::int64_t size : {4, 12, 40}) {
-        SCOPED_TRACE(size);
-        Scene scene;
-        for (int cluster = 0; cluster < 800; ++cluster) {
-            const glm::i64vec3 place = random.point(0, 900) * glm::i64vec3(1, 1, 0);
-            const glm::i64vec3 above = place + glm::i64vec3(0, 0, 20);
-            std::vector<Corners> triangles{{place, place + glm::i64vec3(40, 0, 0), place + glm::i64vec3(0, 40, 0)}};
-            for (std::int64_t k = random.whole(1, 9); k > 0; --k)
-                triangles.push_back(
-                    {above + random.point(0, size), above + random.point(0, size), above + random.point(0, size)});
-            const std::size_t first = scene.names().size();
-            scene.add(triangles);
-            for (int k = 0; k < 3; ++k) {
-                scene.points.push_back({scene.names()[first]});
-                somePlace(random, false, scene.points.back());
-            }
-        }
-        const SampleSpace space = spaceOf({{0, 0, (1 << kLightBits) - 1}}, {1, 1, 99999});
-        const ExactStatistics found = expectSameAsPlain(scene, space, {glm::dmat3(1)}, 64);
-        EXPECT_GT(found.cast.sampleTests, 2000U);
-        EXPECT_GT(found.forecast.weight, 0.5);
-        const auto tests = static_cast<double>(found.cast.sampleTests);
-        const auto cast = static_cast<double>(found.cast.trianglesCast);
-        EXPECT_NEAR(found.forecast.sampleTests / tests, 1, 0.25);
-        EXPECT_NEAR(found.forecast.trianglesCast / cast, 1, 0.25);
-    }
-}
-
-TEST(ExactShadows, WhatLeavesAfterARoundIsForecastToo) {
-    CastCounts first;
-    first.clustersKept = 20;
-    first.trianglesCast = 100;
-    first.sampleTests = 1000;
-    EXPECT_EQ(forecastOf(first, 0, 400).sampleTests, 8000);
-    EXPECT_EQ(forecastOf(first, 0, 400).weight, 0.25) << "half of what very many clusters would tell, squared";
-    EXPECT_EQ(forecastOf(first, 40, 400).trianglesCast, 100 * (4 + 4 * (1 - 0.3)))
-        << "three times a tenth is dark then";
-    EXPECT_EQ(forecastOf(first, 200, 400).sampleTests, 1000 * (1 + 3 * 0.5 + 4 * 0.0625));
-    EXPECT_EQ(forecastOf(first, 400, 400).sampleTests, 1000) << "nothing is left";
 }
 
 TEST(ExactShadows, CoplanarTrianglesOfAnySizeCastNothing) {

@@ -67,28 +67,6 @@ TEST(FrameRow, CountsTheMapsThatWereDrawnAndAllCasters) {
     EXPECT_TRUE(row.promiseKept);
 }
 
-TEST(FrameRow, RefinesWhatWasPredictedByWhatWasCastFirst) {
-    PreparedFrame frame = frameOfTwoMaps();
-    executor::DrawStatistics drawn;
-    drawn.exact.emplace();
-    drawn.exact->samples = 7;
-    drawn.exact->forecast = {200, 1600, 0.5};
-    const auto row = [&] { return frameRow(frame, drawn, {"a.gnm", "software", {}}); };
-    EXPECT_FALSE(row().refinedSampleTests) << "nothing was predicted";
-    frame.plan.predicted.emplace();
-    frame.plan.predicted->castTriangles = 50;
-    frame.plan.predicted->sampleTests = 400;
-    EXPECT_EQ(row().predictedSampleTests, 400);
-    EXPECT_EQ(row().refinedCastTriangles, 100);
-    EXPECT_EQ(row().refinedSampleTests, 800);
-    drawn.exact->forecast.weight = 1;
-    EXPECT_EQ(row().refinedSampleTests, 1600);
-    drawn.exact->forecast.weight = 0;
-    EXPECT_EQ(row().refinedSampleTests, 400);
-    drawn.exact->samples = 0;
-    EXPECT_FALSE(row().refinedSampleTests);
-}
-
 TEST(FrameRow, PromisesNothingWithoutMaps) {
     PreparedFrame frame = frameOfTwoMaps();
     frame.plan.passes.clear();

@@ -92,29 +92,22 @@ TEST(PlanSentences, NameEffectAndReason) {
     }
 }
 
-TEST(PlanSentences, SayWhichShadowsAndWhyAndThatWhatIsPredictedIs) {
+TEST(PlanSentences, SayWhichShadowsAndWhy) {
     using plan::ShadowReason;
     std::set<std::string> words;
     for (const ShadowReason reason :
-         {ShadowReason::AskedFor,
-          ShadowReason::MapsAskedFor,
+         {ShadowReason::Requested,
           ShadowReason::NoSun,
-          ShadowReason::ExecutorHasMaps,
-          ShadowReason::ExactCostsNoMore,
-          ShadowReason::MapsCostLess,
-          ShadowReason::Held})
+          ShadowReason::MapsRequested,
+          ShadowReason::FrameTime,
+          ShadowReason::BackendHasMaps,
+          ShadowReason::BackendIsExact})
         words.insert(reasonInWords(reason));
-    EXPECT_EQ(words.size(), 7U);
+    EXPECT_EQ(words.size(), 6U);
     EXPECT_EQ(words.count(""), 0U);
     plan::FramePlan plan;
     plan.quality.shadows = plan::ShadowMode::Exact;
-    EXPECT_EQ(shadowsInWords(plan), "shadows exact: asked for\n");
-    plan.predicted = plan::ExactWork{10.4, 400, 200, 3000, 100, 5000};
-    EXPECT_EQ(
-        shadowsInWords(plan),
-        "shadows exact: asked for\n"
-        "predicted of exact shadows, not counted: 10 samples, 200 triangles cast, 3000 sample tests; of four maps: "
-        "100 triangles, 5000 fragments\n");
+    EXPECT_EQ(shadowsInWords(plan), "shadows exact: they are requested\n");
     const Omission nothing{Effect::ExactShadows, OmissionReason::NothingFacesLight};
     EXPECT_EQ(
         effectInWords(nothing) + ": " + reasonInWords(nothing), "exact shadows: no visible surface faces the light");

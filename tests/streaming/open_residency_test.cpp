@@ -168,33 +168,6 @@ TEST(OpenResidency, WhatIsPassedThroughHasNoDrawnCluster) {
     EXPECT_GT(passed, 200U);
 }
 
-TEST(OpenResidency, KeepsPagesThatACoarserCutDraws) {
-    Random random(73);
-    std::size_t passed = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        const WaitingView viewer(random);
-        const FakeSource source(sharedModel());
-        PageStore store(source, partOfAll());
-        CutQuery query = viewer.query(store.resident(), true);
-        query.mostPassedPixels = 5 * viewer.errorPixels();
-        for (int round = 0; round < 100; ++round) {
-            const Cut now = selection::cut(query);
-            if (!store.load({.used = now.used, .wanted = now.wanted, .isOpen = true}).hasChanged) break;
-        }
-        passed += selection::cut(query).passed.size();
-        CutQuery all = viewer.query(sharedModel().all, false);
-        for (const double coarser : {5.0, 7.5, 40.0}) {
-            query.errorPixels = all.errorPixels = coarser * viewer.errorPixels();
-            // Casters' detail is not what a prediction asks for.
-            const selection::ErrorRule rule(viewer.rule().view());
-            CutQuery few = query;
-            few.rule = all.rule = &rule;
-            expectSameLists(selection::cut(few), selection::cut(all), trial);
-        }
-    }
-    EXPECT_GT(passed, 20U);
-}
-
 TEST(OpenResidency, IsClosedForFramesThatDoNotWait) {
     Random random(74);
     FakeSource source(sharedModel());

@@ -17,29 +17,11 @@ namespace {
 /// Fills what is measured of `row`, each with a number that no other has.
 void fillMeasured(FrameRow& row) {
     std::int64_t whole = 1000;
-    for (std::optional<std::int64_t>* field : {&row.imageTriangles,
-                                               &row.shadowTriangles,
-                                               &row.shadowFragments,
-                                               &row.castersTested,
-                                               &row.castersKept,
-                                               &row.drawCalls,
-                                               &row.residentBytes,
-                                               &row.gpuBytes,
-                                               &row.bytesRead,
-                                               &row.pagesMissing,
-                                               &row.pagesDamaged,
-                                               &row.shadowSamples,
-                                               &row.shadowCells,
-                                               &row.sampleTests,
-                                               &row.exactDecisions,
-                                               &row.touchingPixels,
-                                               &row.predictedSampleTests,
-                                               &row.clustersHidden,
-                                               &row.imageWidthDrawn,
-                                               &row.samplesPerPixel,
-                                               &row.trianglesSetUp,
-                                               &row.refinedCastTriangles,
-                                               &row.refinedSampleTests})
+    for (std::optional<std::int64_t>* field :
+         {&row.imageTriangles, &row.shadowTriangles, &row.shadowFragments, &row.castersTested,   &row.castersKept,
+          &row.drawCalls,      &row.residentBytes,   &row.gpuBytes,        &row.bytesRead,       &row.pagesMissing,
+          &row.pagesDamaged,   &row.shadowSamples,   &row.shadowCells,     &row.sampleTests,     &row.exactDecisions,
+          &row.touchingPixels, &row.clustersHidden,  &row.imageWidthDrawn, &row.samplesPerPixel, &row.trianglesSetUp})
         *field = ++whole;
     double real = 0.5;
     for (std::optional<double>* field :

@@ -22,9 +22,9 @@ TEST(FrameRow, ColumnsAreThoseOfTheContractInItsOrder) {
         "achieved_error_pixels,near,far,depth_ratio,light_angle,storage_factor,promised_aliasing_x,"
         "promised_aliasing_z,measured_aliasing,promise_kept,wrong_shadow_fraction,shadow_edge_p99_px,"
         "image_difference,crawl,since_start_ms,missed_shadow_fraction,unexplained_shadow_fraction,"
-        "shadows,shadow_samples,shadow_cells,sample_tests,exact_decisions,touching_pixels,predicted_sample_tests,"
+        "shadows,shadow_samples,shadow_cells,sample_tests,exact_decisions,touching_pixels,"
         "occlusion,clusters_hidden,wrong_pixels_all,image_width_drawn,samples_per_pixel,sun_angle,light_error,"
-        "triangles_set_up,refined_cast_triangles,refined_sample_tests");
+        "triangles_set_up");
 }
 
 TEST(FrameRow, EveryRowHasEveryCell) {

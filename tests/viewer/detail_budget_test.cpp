@@ -161,8 +161,7 @@ TEST(DetailBudget, TakesMapsForExactShadowsWhereThoseTakeTheTime) {
             FrameLoad load = Machine{.triangles = 100e3, .msPerPixel = 5e-6}.load(budget.effort(wanted));
             load.decidesPoints = isExact;
             load.shadowMs = isExact ? 35 : 4;
-            load.planMs = isExact ? 5 : 0.5;
-            load.milliseconds += load.shadowMs + load.planMs;
+            load.milliseconds += load.shadowMs;
             if (isExact && mayBeExact) load.errors.asMaps = 1.5;
             if (!isExact) load.errors.promised = 1.5;
             budget.measure(load, 33, wanted);
@@ -174,6 +173,32 @@ TEST(DetailBudget, TakesMapsForExactShadowsWhereThoseTakeTheTime) {
     wanted.mayBeExact = false;
     EXPECT_EQ(played(false).effort(wanted).mayBeExact, false);
     EXPECT_NE(played(false).givenUp(wanted), "") << "what was asked for stays, so something else goes";
+}
+
+// A budget that guesses the time of exact shadows would try them every twelfth frame.
+TEST(DetailBudget, BringsExactShadowsBackOnceTheyFitByTheirMeasuredTime) {
+    DetailBudget budget;
+    const Effort wanted;
+    int switches = 0;
+    bool wasExact = true;
+    const auto play = [&](double exactMs, int frames) {
+        for (int frame = 0; frame < frames; ++frame) {
+            FrameLoad load = Machine{.triangles = 100e3, .msPerPixel = 5e-6}.load(budget.effort(wanted));
+            load.decidesPoints = budget.effort(wanted).mayBeExact;
+            load.shadowMs = load.decidesPoints ? exactMs : exactMs / 10;
+            load.milliseconds += load.shadowMs;
+            (load.decidesPoints ? load.errors.asMaps : load.errors.promised) = 1.5;
+            budget.measure(load, 33, wanted);
+            switches += budget.effort(wanted).mayBeExact != wasExact ? 1 : 0;
+            wasExact = budget.effort(wanted).mayBeExact;
+        }
+    };
+    play(60, 300);
+    EXPECT_EQ(switches, 1);
+    EXPECT_FALSE(wasExact);
+    play(15, 60);
+    EXPECT_EQ(switches, 2);
+    EXPECT_TRUE(wasExact) << "another part of the scene, where they fit";
 }
 
 TEST(DetailBudget, OneSlowFrameMovesNothing) {
@@ -235,7 +260,7 @@ TEST(ShadowErrors, AreThoseOfPlansWithLess) {
     exact.shadows = plan::ShadowMode::Exact;
     plan::FramePlan chosen = plan::planFrame(view, exact, facts).plan;
     EXPECT_FALSE(shadowErrors(chosen, facts, true).asMaps) << "asked for";
-    chosen.shadowReason = plan::ShadowReason::ExactCostsNoMore;
+    chosen.shadowReason = plan::ShadowReason::BackendIsExact;
     EXPECT_EQ(shadowErrors(chosen, facts, true).asMaps, promised(4, 2048, 2048));
 }
 

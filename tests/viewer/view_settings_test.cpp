@@ -32,7 +32,7 @@ TEST(ViewSettings, SchemesStepAroundAndAreWhatTheyAreCalled) {
     EXPECT_EQ(quality.shadows, plan::ShadowMode::Rays);
     choose(Scheme::Auto, quality);
     EXPECT_EQ(quality.shadows, plan::ShadowMode::Auto);
-    quality.mapsBecause = plan::ShadowReason::MapsAskedFor; // as a change of slices does
+    quality.mapsBecause = plan::ShadowReason::MapsRequested; // as a change of slices does
     EXPECT_NE(schemeOf(quality), Scheme::Auto);
     choose(Scheme::Auto, quality);
     EXPECT_EQ(schemeOf(quality), Scheme::Auto);

@@ -1,13 +1,8 @@
-// Shadows whose mode is left open: which frames get exact ones, which maps, and which none at all.
-#include "core/random.h"
+// Frames whose kind of shadows is `auto`: which of them are exact, which use maps, and which have none.
 #include "frame/drawn_model.h"
-#include "frame/exact_forecast.h"
-#include "frame/made_model.h"
 #include "hierarchy/scene_mesh.h"
-#include "plan/hysteresis.h"
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -68,24 +63,21 @@ private:
     std::unique_ptr<executor::Executor> own_ = executor::makeSoftwareExecutor();
 };
 
-TEST(ShadowMode, LeftOpenIsExactWhereThatIsCheapAndDrawsTheSamePicture) {
+TEST(AutoShadows, AreExactWithTheSoftwareBackendAndDrawTheSamePicture) {
     Crate crate;
     const Frame frame = crate.draw();
     EXPECT_EQ(frame.plan.quality.shadows, ShadowMode::Exact);
-    EXPECT_EQ(frame.plan.shadowReason, ShadowReason::ExactCostsNoMore);
+    EXPECT_EQ(frame.plan.shadowReason, ShadowReason::BackendIsExact);
     EXPECT_EQ(frame.row.shadows, "exact");
     EXPECT_EQ(frame.row.cullCasters, "") << "of maps that are not there";
-    ASSERT_TRUE(frame.row.predictedSampleTests && frame.row.sampleTests);
-    EXPECT_GT(*frame.row.predictedSampleTests, 0);
     const executor::Picture picture = crate.model->executor().picture();
     crate.quality.shadows = ShadowMode::Exact;
     const Frame asked = crate.draw();
-    EXPECT_EQ(asked.plan.shadowReason, ShadowReason::AskedFor);
-    EXPECT_EQ(asked.row.predictedSampleTests, frame.row.predictedSampleTests) << "whoever asks";
+    EXPECT_EQ(asked.plan.shadowReason, ShadowReason::Requested);
     EXPECT_TRUE(crate.model->executor().picture().pixels == picture.pixels);
 }
 
-TEST(ShadowMode, IsMapsWhereTheyAreAskedForOrAllThatThereIs) {
+TEST(AutoShadows, IsMapsWhereTheyAreAskedForOrAllThatThereIs) {
     Crate crate;
     FrameOptions options;
     for (const executor::NamedOverlay& overlay : executor::kOverlays) {
@@ -96,10 +88,10 @@ TEST(ShadowMode, IsMapsWhereTheyAreAskedForOrAllThatThereIs) {
         EXPECT_EQ(frame.row.shadows, isOfMaps ? "maps" : "exact");
         EXPECT_EQ(frame.plan.passes.empty(), !isOfMaps);
         if (isOfMaps) {
-            EXPECT_EQ(frame.plan.shadowReason, ShadowReason::MapsAskedFor);
+            EXPECT_EQ(frame.plan.shadowReason, ShadowReason::MapsRequested);
         }
     }
-    crate.quality.mapsBecause = ShadowReason::MapsAskedFor;
+    crate.quality.mapsBecause = ShadowReason::MapsRequested;
     EXPECT_EQ(crate.draw().row.shadows, "maps");
     crate.quality.shadows = ShadowMode::Exact;
     EXPECT_EQ(crate.draw().row.shadows, "exact") << "what is asked for by its name is not left open";
@@ -109,29 +101,11 @@ TEST(ShadowMode, IsMapsWhereTheyAreAskedForOrAllThatThereIs) {
     crate.quality.shadows = ShadowMode::Auto;
     const Frame frame = renderer.render(crate.view, crate.quality, {});
     EXPECT_EQ(frame.row.shadows, "maps");
-    EXPECT_EQ(frame.plan.shadowReason, ShadowReason::ExecutorHasMaps);
-    EXPECT_FALSE(frame.row.predictedSampleTests);
-}
-
-// A prediction takes its own small image, so a walk pays for it now and then: asked for by name or left open.
-TEST(ShadowMode, IsPredictedOnceInAWhileAndAtOnceBehindAnotherMode) {
-    Crate crate;
-    const auto executor = executor::makeSoftwareExecutor();
-    Renderer renderer(crate.model->file(), *executor, {});
-    for (const ShadowMode mode : {ShadowMode::Exact, ShadowMode::Auto, ShadowMode::Exact}) {
-        crate.quality.shadows = mode;
-        for (int i = 0; i < 2 * plan::kFramesBetweenCosts + 1; ++i) {
-            const Frame frame = renderer.render(crate.view, crate.quality, {});
-            EXPECT_EQ(frame.row.shadows, "exact");
-            EXPECT_EQ(frame.plan.predicted.has_value(), i % plan::kFramesBetweenCosts == 0) << i;
-        }
-    }
-    renderer.forget();
-    EXPECT_TRUE(renderer.render(crate.view, crate.quality, {}).plan.predicted);
+    EXPECT_EQ(frame.plan.shadowReason, ShadowReason::BackendHasMaps);
 }
 
 // Explicit and left open, whatever was drawn before: nothing of a mode stays behind in pictures.
-TEST(ShadowMode, OfAFrameLeavesNothingInTheNext) {
+TEST(AutoShadows, OfAFrameLeavesNothingInTheNext) {
     Crate crate;
     crate.quality.shadows = ShadowMode::Maps;
     crate.draw();
@@ -144,7 +118,7 @@ TEST(ShadowMode, OfAFrameLeavesNothingInTheNext) {
     EXPECT_TRUE(crate.model->executor().picture().pixels == maps.pixels);
 }
 
-TEST(ShadowMode, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
+TEST(AutoShadows, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
     for (const ShadowMode mode : {ShadowMode::Exact, ShadowMode::Auto}) {
         Crate crate;
         crate.quality.shadows = mode;
@@ -156,7 +130,6 @@ TEST(ShadowMode, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
         EXPECT_EQ(dark.cut.lists.size(), 1U) << "no caster was looked for";
         EXPECT_EQ(dark.row.shadowSamples, 0);
         EXPECT_EQ(dark.row.castersTested, 0);
-        EXPECT_EQ(dark.row.predictedSampleTests, 0);
         const executor::Picture picture = crate.model->executor().picture();
         crate.quality.shadows = ShadowMode::Rays;
         crate.draw();
@@ -170,7 +143,7 @@ TEST(ShadowMode, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
 }
 
 // A light that the rounding puts into the plane of all that is seen: no step may still take it as it was asked for.
-TEST(ShadowMode, OfALightThatIsRoundedIntoTheWallsPlaneDecidesNothing) {
+TEST(AutoShadows, OfALightThatIsRoundedIntoTheWallsPlaneDecidesNothing) {
     tests::SceneMesh scene;
     scene.addQuad({0, -8, -8}, {0, 16, 0}, {0, 0, 16});
     DrawnModel model(scene.model());
@@ -187,7 +160,7 @@ TEST(ShadowMode, OfALightThatIsRoundedIntoTheWallsPlaneDecidesNothing) {
 }
 
 // A plain under a pile of slabs: one of eight casters in the list, which go first, is enough for all samples.
-TEST(ShadowMode, CastersStopWhereTheLastSampleIsDark) {
+TEST(AutoShadows, CastersStopWhereTheLastSampleIsDark) {
     tests::SceneMesh scene;
     scene.addGround(64, 8);
     for (int slab = 0; slab < 40; ++slab)
@@ -213,113 +186,6 @@ TEST(ShadowMode, CastersStopWhereTheLastSampleIsDark) {
     view.towardsLight = {1, 0.02, 0.01}; // from below the slabs
     const std::vector<plan::Omission> all = model.draw(view, quality).plan.omitted;
     EXPECT_EQ(std::count(all.begin(), all.end(), late), 0);
-}
-
-/// Views from around and within `bounds`, each with a light above the horizon.
-plan::View viewAmid(const Box& bounds, Random& random) {
-    const auto any = [&](double low, double high) {
-        const glm::dvec3 size = bounds.extent();
-        return bounds.center() +
-               size * glm::dvec3(random.uniform(low, high), random.uniform(0, high), random.uniform(low, high));
-    };
-    plan::View view;
-    view.camera = {any(-1, 1), any(-0.3, 0.3), {0, 1, 0}, 1};
-    view.width = 400;
-    view.height = 300;
-    view.towardsLight = {random.uniform(-1, 1), random.uniform(0.1, 1), random.uniform(-1, 1)};
-    return view;
-}
-
-/// In how many of `views` frames of a made model a prediction lies within `factor` of what is counted.
-struct Hits {
-    int samples = 0;
-    int triangles = 0;
-    int tests = 0;
-    int mapTriangles = 0; // of those that maps draw
-    int views = 0;
-};
-
-Hits hitsOf(const char* kind, std::uint64_t triangles, int views, double factor) {
-    const tests::BuiltFile model(kind, triangles);
-    const auto executor = executor::makeSoftwareExecutor();
-    Renderer renderer(model.file(), *executor, {});
-    plan::Quality quality;
-    quality.shadows = ShadowMode::Exact;
-    const auto isNear = [&](double predicted, double counted) {
-        return predicted <= factor * counted && counted <= factor * predicted ? 1 : 0;
-    };
-    Random random(triangles);
-    Hits hits;
-    while (hits.views < views) {
-        const plan::View view = viewAmid(model.file().summary().bounds, random);
-        renderer.forget();
-        const Frame frame = renderer.render(view, quality, {});
-        if (frame.row.shadowSamples.value_or(0) < 1000) continue;
-        const plan::ExactWork& predicted = *frame.plan.predicted;
-        ++hits.views;
-        plan::Quality ofMaps;
-        ofMaps.shadows = ShadowMode::Maps;
-        ofMaps.cullCasters = plan::CasterCulling::Receivers;
-        renderer.forget();
-        const Frame maps = renderer.render(view, ofMaps, {});
-        hits.mapTriangles += isNear(predicted.keptTriangles, static_cast<double>(*maps.row.shadowTriangles));
-        hits.samples += isNear(predicted.samples, static_cast<double>(*frame.row.shadowSamples));
-        hits.triangles += isNear(predicted.castTriangles, static_cast<double>(*frame.row.shadowTriangles));
-        hits.tests += isNear(predicted.sampleTests, static_cast<double>(*frame.row.sampleTests));
-    }
-    return hits;
-}
-
-TEST(ShadowMode, PredictsWhatItWillCountMostOfTheTime) {
-    const Hits hits = hitsOf("statue", 20000, 12, 3);
-    EXPECT_EQ(hits.samples, hits.views);
-    EXPECT_GE(hits.triangles * 10, hits.views * 8);
-    EXPECT_GE(hits.tests * 10, hits.views * 8);
-    EXPECT_GE(hits.mapTriangles * 10, hits.views * 8);
-}
-
-// The bar of before the image; on models whose floors lie over each other it is missed (docs/exact_shadows.md).
-TEST(SlowShadowMode, PredictsWithinAFactorOfTwo) {
-    for (const char* kind : {"statue", "plant"}) {
-        const Hits hits = hitsOf(kind, 100000, 60, 2);
-        SCOPED_TRACE(kind);
-        EXPECT_EQ(hits.samples, hits.views);
-        EXPECT_GE(hits.triangles * 100, hits.views * 85) << hits.triangles;
-        EXPECT_GE(hits.tests * 100, hits.views * 85) << hits.tests;
-        EXPECT_GE(hits.mapTriangles * 100, hits.views * 85) << hits.mapTriangles;
-    }
-}
-
-TEST(ShadowMode, PredictsTheSameHoweverManyThreadsAndWhateverCameBefore) {
-    const tests::BuiltFile model("plant", 20000);
-    plan::Quality quality;
-    quality.shadows = ShadowMode::Exact;
-    Random random(5);
-    const plan::View view = viewAmid(model.file().summary().bounds, random);
-    const plan::View other = viewAmid(model.file().summary().bounds, random);
-    std::vector<double> counts;
-    for (const int threads : {1, 2}) {
-        tbb::task_arena arena(threads);
-        arena.execute([&] {
-            const auto executor = executor::makeSoftwareExecutor();
-            Renderer renderer(model.file(), *executor, {});
-            for (const bool isFirst : {true, false}) {
-                if (!isFirst) renderer.render(other, quality, {});
-                renderer.forget();
-                const plan::ExactWork work = *renderer.render(view, quality, {}).plan.predicted;
-                counts.insert(
-                    counts.end(),
-                    {work.samples,
-                     work.casterTriangles,
-                     work.castTriangles,
-                     work.sampleTests,
-                     work.keptTriangles,
-                     work.mapFragments});
-            }
-        });
-    }
-    for (std::size_t i = 6; i < counts.size(); ++i)
-        EXPECT_EQ(counts[i], counts[i % 6]) << i;
 }
 
 } // namespace

@@ -1,0 +1,18 @@
+// The kind of shadows that a frame draws, and the reason for it. This is the only place that decides it.
+#pragma once
+
+#include "plan/frame_plan.h"
+
+namespace gnomon::plan {
+
+/// The kind of shadows of a frame, and the reason.
+struct ShadowDecision {
+    ShadowMode mode = ShadowMode::Maps; // never Auto
+    ShadowReason reason = ShadowReason::Requested;
+};
+
+/// Returns the kind of shadows that `backend` draws for `quality`. Auto is Off if the shading has no sun. Otherwise it
+/// is Maps if `quality` requests them or the backend draws nothing else, and Exact in all other cases.
+ShadowDecision decideShadows(const Quality& quality, const Capabilities& backend);
+
+} // namespace gnomon::plan

@@ -1,4 +1,4 @@
-// The software executor against GL on OSMesa, or EGL with GNOMON_TEST_GL=egl, over seeded views, lights and settings of
+// The software backend against GL on OSMesa, or EGL with GNOMON_TEST_GL=egl, over seeded views, lights and settings of
 // a model: what differs, by scheme, and who is off where map depths do. usage: executor_parity MODEL.gnm TRIPLES [SIDE]
 // [TEXELS] [FIRST_SEED]
 #include "bench/exact_depth.h"

@@ -126,7 +126,8 @@ Mesh Model::cutForView(const Options& options) const {
 std::string Model::plan(const Options& options) const {
     return withPlainErrors([&] {
         const auto [view, quality] = state_->viewOf(options);
-        return telemetry::jsonText(settings::planJson(state_->session.renderer().plan(view, quality)), 1);
+        const settings::BackendChoice backend = measure::backendFor(state_->settings, settings::DrawingCommand::Render);
+        return telemetry::jsonText(settings::planJson(state_->session.renderer().plan(view, quality), backend), 1);
     });
 }
 

@@ -108,7 +108,7 @@ public:
           runs_(runsOf(options)),
           path_(path::projected(path::readCameraPath(options.path), runs_.front().settings.projection)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(options.model, measure::executorSettings(runs_), printWarning),
+          session_(options.model, measure::backendSettings(runs_), printWarning, settings::DrawingCommand::Bench),
           csv_(options.csv),
           json_(options.json),
           images_(options.images),

@@ -26,13 +26,13 @@ struct ExplainOptions {
 void runExplain(const ExplainOptions& options) {
     settings::Settings settings = options.settings.settings();
     const plan::Quality quality = settings::qualityOf(settings);
-    const bool isSoftware = measure::decidesExactly(settings);
-    settings.backend = settings::Backend::Software; // nothing is drawn, so no context is made
+    const settings::BackendChoice backend = measure::backendFor(settings, settings::DrawingCommand::Render);
+    settings.backend = settings::Backend::Software; // explain draws nothing, so it makes no context
     measure::Session session(options.model, settings, printWarning);
-    session.renderer().planFor(isSoftware ? plan::kSoftwareCapabilities : plan::kOpenGlCapabilities);
+    session.renderer().planFor(settings::capabilitiesOf(backend.backend));
     const plan::FramePlan plan = session.renderer().plan(settings::viewOf(settings, session.model()), quality);
-    const std::string text =
-        options.json ? telemetry::jsonText(settings::planJson(plan), 1) + "\n" : settings::planText(plan);
+    const std::string text = options.json ? telemetry::jsonText(settings::planJson(plan, backend), 1) + "\n"
+                                          : settings::planText(plan, backend);
     std::fputs(text.c_str(), stdout);
 }
 

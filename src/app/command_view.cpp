@@ -3,6 +3,7 @@
 #include "app/console.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
+#include "settings/backend_choice.h"
 #include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/samples.h"
@@ -22,14 +23,14 @@ namespace {
 void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
     settings::qualityOf(settings);
+    settings::requireCapable(settings, options.colors);
     settings::viewOf(settings, hierarchy::ModelSummary());
     settings::requireApart(
         {{"MODEL", options.file}, {"--path", options.path}, {"--camera", settings.cameraFile}},
         {{"--csv", options.csv}});
     if (settings.backend == settings::Backend::Osmesa || settings.backend == settings::Backend::Egl)
         throw settings::UsageError{
-            "--backend " + settings::named("backend").text(settings) +
-            " draws into no window; take auto, software or window"};
+            settings::written("backend", settings) + " draws into no window; take auto, software or window"};
     if (!storage::isAddress(options.file) && !std::filesystem::exists(options.file))
         throw Error(options.file, "this model cannot be opened", "a file", "none");
 }
@@ -89,7 +90,6 @@ void addViewCommand(CLI::App& program) {
         chosen.buildMemory = settings::parsed(settings::memory(), "--build-memory", options->buildMemory);
         chosen.settings = options->settings.settings();
         chosen.colors = settings::valueColors(options->colors);
-        chosen.settings = settings::fitToColors(chosen.settings, chosen.colors);
         chosen.tell = printMessage;
         chosen.threads = options->common.threads;
         const ThreadLimit limit(options->common);

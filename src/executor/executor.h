@@ -5,6 +5,7 @@
 #include "exact/exact_shadows.h"
 #include "executor/picture.h"
 #include "hierarchy/grid.h"
+#include "hierarchy/page.h"
 #include "plan/frame_plan.h"
 #include "raster/raster.h"
 #include "selection/cut.h"
@@ -197,6 +198,13 @@ struct SurfaceSample {
     float litFraction() const { return 2 * (partitionAndLit - std::floor(partitionAndLit)); }
 };
 
+/// The triangle of the model that a pixel shows.
+struct SeenTriangle {
+    std::uint32_t page = hierarchy::kNone; // kNone where none is seen: the background, the ground, a section's cap
+    std::uint32_t cluster = 0;             // in the page, as are:
+    std::array<std::uint32_t, 3> vertices{};
+};
+
 /// Draws frames: a frame's shadow maps, then its image. The results are those of the last frame.
 class Executor {
 public:
@@ -215,8 +223,12 @@ public:
     /// Draws the image, lit through the maps or by the frame's `litMask`.
     virtual PassStatistics drawImage(const FrameDrawing& frame) = 0;
 
-    /// What it can draw.
+    /// Returns what the backend can draw.
     virtual plan::Capabilities capabilities() const { return plan::kOpenGlCapabilities; }
+
+    /// Returns the OpenGL name of the texture that holds the colours of the last frame, bottom row first. Returns 0 if
+    /// the picture is not in a texture.
+    virtual std::uint32_t texture() const { return 0; }
 
     /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
     /// in its light. Throws Error where the executor cannot.
@@ -245,6 +257,9 @@ public:
     virtual FloatPicture shadowDepth() = 0;
     /// Only after a frame with `wantsSurfaces`.
     virtual Raster<SurfaceSample> surfaces() = 0;
+
+    /// Returns the triangle that each pixel shows. Empty without the capability `seesTriangles`.
+    virtual Raster<SeenTriangle> seenTriangles() const { return {}; }
 };
 
 } // namespace gnomon::executor

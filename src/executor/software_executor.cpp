@@ -9,6 +9,7 @@
 #include "executor/software/receiver_pass.h"
 #include "executor/view/lens.h"
 #include "executor/view/section_caps.h"
+#include "executor/view/seen_triangles.h"
 #include "plan/cell_maps.h"
 
 #include <tbb/blocked_range.h>
@@ -55,7 +56,7 @@ public:
 
     Raster<SurfaceSample> surfaces() override { return surfaces_; }
 
-    Raster<SeenTriangle> seenTriangles() const {
+    Raster<SeenTriangle> seenTriangles() const override {
         return executor::seenTriangles(picture_.width, picture_.height, words_, pass_.drawn());
     }
 
@@ -367,11 +368,6 @@ FloatPicture SoftwareExecutor::viewDepth() {
 }
 
 } // namespace
-
-Raster<SeenTriangle> seenTriangles(const Executor& executor) {
-    const auto* software = dynamic_cast<const SoftwareExecutor*>(&executor);
-    return software != nullptr ? software->seenTriangles() : Raster<SeenTriangle>();
-}
 
 std::unique_ptr<Executor> makeSoftwareExecutor() {
     return std::make_unique<SoftwareExecutor>();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "executor/executor.h"
-#include "executor/view/seen_triangles.h"
 
 #include <memory>
 
@@ -10,8 +9,5 @@ namespace gnomon::executor {
 
 /// Draws the frames that the GL executor draws, on the CPU's cores. The picture does not depend on their number.
 std::unique_ptr<Executor> makeSoftwareExecutor();
-
-/// What each pixel of the last image shows; empty for an executor that is not of makeSoftwareExecutor's kind.
-Raster<SeenTriangle> seenTriangles(const Executor& executor);
 
 } // namespace gnomon::executor

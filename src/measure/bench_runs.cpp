@@ -1,6 +1,6 @@
 #include "measure/bench_runs.h"
 
-#include "settings/backend_needs.h"
+#include "settings/backend_choice.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 
@@ -92,8 +92,8 @@ std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
     return runs;
 }
 
-settings::Settings executorSettings(const std::vector<BenchRun>& runs) {
-    const auto isNeedy = [](const BenchRun& run) { return settings::needsSoftware(run.settings); };
+settings::Settings backendSettings(const std::vector<BenchRun>& runs) {
+    const auto isNeedy = [](const BenchRun& run) { return settings::softwareNeed(run.settings).has_value(); };
     const auto needy = std::find_if(runs.begin(), runs.end(), isNeedy);
     return needy != runs.end() ? needy->settings : runs.front().settings;
 }

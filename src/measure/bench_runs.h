@@ -13,7 +13,7 @@ namespace gnomon::measure {
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
 
 /// The settings that the executor of all runs is made by: those of a run that needs the software backend, if one does.
-settings::Settings executorSettings(const std::vector<BenchRun>& runs);
+settings::Settings backendSettings(const std::vector<BenchRun>& runs);
 
 /// What a bench walks. All must outlive it.
 struct BenchWalks {

@@ -81,7 +81,7 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
     const bool takesTime = walked && walked->duration() > 0 && frames > 1;
     const bool isStream = series.output == "-";
     plan::Quality quality = settings::qualityOf(task.settings);
-    Session session(task.model, task.settings, task.warn);
+    Session session(task.model, task.settings, task.warn, settings::DrawingCommand::Render, frames);
     plan::View view = firstView(task, session.model(), walked.has_value());
     const std::vector<Camera> cameras = camerasOf(walked, view, frames);
     if (isStream)

@@ -90,6 +90,8 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     Settings base = asked; // maps, by their name: exact shadows are a run of their own
     if (base.quality.shadows == plan::ShadowMode::Auto) base.quality.shadows = plan::ShadowMode::Maps;
     base.quality.mapsBecause.reset();
+    const bool isExactToo =
+        settings::capabilitiesOf(backendFor(base, settings::DrawingCommand::Bench).backend).exactShadows;
     const bool isWarpOpen = !base.eta && !base.tsmFocus;
     Settings unculled = base;
     unculled.quality.cullCasters = plan::CasterCulling::Off;
@@ -106,7 +108,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
             runs.add(withWarp(base, WarpRule::None));
             runs.add(withWarp(oneMap, WarpRule::None));
         }
-        if (decidesExactly(base)) {
+        if (isExactToo) {
             if (isWarpOpen) addLogarithmic(runs, oneMap, isQuick);
             runs.addExact(base);
         }
@@ -124,7 +126,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     runs.add(withTexels(base, 4096));
     if (isWarpOpen) runs.add(stable);
     runs.vary(base, &Quality::facePartitions, {Choice::On});
-    if (decidesExactly(base)) {
+    if (isExactToo) {
         if (isWarpOpen) addLogarithmic(runs, oneMap, isQuick);
         runs.addExact(base);
     }

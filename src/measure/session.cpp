@@ -5,19 +5,22 @@
 #include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
 #include "gl/context.h"
-#include "settings/backend_needs.h"
 #include "settings/table.h"
 
 namespace gnomon::measure {
 
+namespace {
+
 std::unique_ptr<executor::Executor> makeExecutor(
-    const settings::Settings& settings, const std::function<void(const std::string&)>& warn) {
+    const settings::Settings& settings,
+    settings::Backend backend,
+    const std::function<void(const std::string&)>& warn) {
     using settings::Backend;
+    GNOMON_CHECK(backend != Backend::Window);
+    if (backend == Backend::Software) return executor::makeSoftwareExecutor();
     const gl::ShaderLibrary shaders(
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
-    GNOMON_CHECK(settings.backend != Backend::Window);
-    if (decidesExactly(settings)) return executor::makeSoftwareExecutor();
-    const gl::Platform platform = settings.backend == Backend::Osmesa ? gl::Platform::Osmesa : gl::Platform::Egl;
+    const gl::Platform platform = backend == Backend::Osmesa ? gl::Platform::Osmesa : gl::Platform::Egl;
     try {
         return executor::makeGlExecutor(platform, shaders, settings.gpuMemory, warn);
     } catch (const Error& error) {
@@ -27,19 +30,24 @@ std::unique_ptr<executor::Executor> makeExecutor(
     }
 }
 
-bool decidesExactly(const settings::Settings& settings) {
-    using settings::Backend;
-    return settings.backend == Backend::Software ||
-           (settings.backend == Backend::Auto && (settings::needsSoftware(settings) || !gl::hasGpu()));
+} // namespace
+
+settings::BackendChoice backendFor(const settings::Settings& settings, settings::DrawingCommand command, int pictures) {
+    settings::BackendRequest request{settings.backend, command, pictures, true, settings::softwareNeed(settings)};
+    const bool canUseGpu = settings::chooseBackend(request).backend != settings::Backend::Software;
+    if (settings.backend == settings::Backend::Auto && canUseGpu) request.hasGpu = gl::hasGpu();
+    return settings::chooseBackend(request);
 }
 
 Session::Session(
     const std::string& modelPath,
     const settings::Settings& settings,
-    const std::function<void(const std::string&)>& warn)
+    const std::function<void(const std::string&)>& warn,
+    settings::DrawingCommand command,
+    int pictures)
     : warn_(warn),
       model_(modelPath, settings.memory),
-      executor_(makeExecutor(settings, warn)),
+      executor_(makeExecutor(settings, backendFor(settings, command, pictures).backend, warn)),
       renderer_(
           model_,
           *executor_,

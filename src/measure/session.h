@@ -3,6 +3,7 @@
 
 #include "frame/renderer.h"
 #include "hierarchy/model_file.h"
+#include "settings/backend_choice.h"
 #include "settings/settings.h"
 
 #include <functional>
@@ -11,13 +12,9 @@
 
 namespace gnomon::measure {
 
-/// Makes the executor that `settings` name, which is not the window: `auto` is a GPU if there is one and it can carry
-/// out what they ask for, else `software`. Tells `warn` in a line why a GPU is not used.
-std::unique_ptr<executor::Executor> makeExecutor(
-    const settings::Settings& settings, const std::function<void(const std::string&)>& warn);
-
-/// Whether the executor that `settings` name can decide shadows exactly. Makes none.
-bool decidesExactly(const settings::Settings& settings);
+/// Returns the backend for `command`, which draws `pictures` pictures. Looks for a GPU only if `auto` can use one.
+settings::BackendChoice backendFor(
+    const settings::Settings& settings, settings::DrawingCommand command, int pictures = 1);
 
 /// The sentence of `shortfall`, with the options concerned; empty if nothing is missed.
 std::string shortfallLine(const telemetry::Shortfall& shortfall);
@@ -25,11 +22,15 @@ std::string shortfallLine(const telemetry::Shortfall& shortfall);
 /// A model, its executor and its renderer.
 class Session {
 public:
-    /// `warn` is told in a line of each page that is damaged, and of each GPU that cannot be used.
+    /// Opens the model and makes the backend for `command`. If `auto` chose a GPU that cannot be used, the software
+    /// backend draws. Tells `warn` in a line of each damaged page and of each GPU that cannot be used. The backend is
+    /// not the window.
     Session(
         const std::string& modelPath,
         const settings::Settings& settings,
-        const std::function<void(const std::string&)>& warn);
+        const std::function<void(const std::string&)>& warn,
+        settings::DrawingCommand command = settings::DrawingCommand::Render,
+        int pictures = 1);
 
     /// What is being read of a server is given up.
     ~Session() { model_.source().stop(); }

@@ -50,7 +50,8 @@ void drawStill(const StillTask& task, Progress& progress) {
     const int samples = settings::samplesOf(task.samples, beside);
     const plan::Quality quality = settings::qualityOf(task.settings);
     settings::requireLegendShown(task.settings, beside.overlay || beside.values);
-    Session session(task.model, settings::fitToColors(task.settings, task.colors), task.warn);
+    settings::requireCapable(task.settings, task.colors);
+    Session session(task.model, task.settings, task.warn);
     plan::View view = settings::viewOf(task.settings, session.model());
     view.camera = task.camera.value_or(view.camera);
     std::optional<executor::Picture> reference;

@@ -12,12 +12,21 @@ struct Capabilities {
     bool ground = false;           // draws the shadow on the ground
     bool sections = false;         // cuts models by planes
     bool bands = false;            // draws some rows of an image at a time
+    bool seesTriangles = false; // knows the triangle of each pixel, so colours can follow vertices, errors and fields
 
     bool operator==(const Capabilities&) const = default;
 };
 
 /// The capabilities of the software backend.
-inline constexpr Capabilities kSoftwareCapabilities = {true, true, true, true, true, true, true};
+inline constexpr Capabilities kSoftwareCapabilities = {
+    .exactShadows = true,
+    .unevenRows = true,
+    .imageFirst = true,
+    .occlusionCulling = true,
+    .ground = true,
+    .sections = true,
+    .bands = true,
+    .seesTriangles = true};
 
 /// The capabilities of the backends that draw with OpenGL.
 inline constexpr Capabilities kOpenGlCapabilities = {};

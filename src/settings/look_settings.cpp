@@ -121,7 +121,7 @@ std::vector<Setting> lookSettings() {
             &plan::Look::ground,
             {.name = "ground",
              .form = {},
-             .help = "A plane under the model that shows its shadow and nothing else (software executor)",
+             .help = "A plane under the model that shows its shadow and nothing else (software backend)",
              .offer = {.title = "shadow on the ground"}},
             onOff()),
         plain(
@@ -129,7 +129,7 @@ std::vector<Setting> lookSettings() {
             {.name = "section",
              .form = "PX,PY,PZ,NX,NY,NZ",
              .help = "Cut away what lies beyond the plane through this point, along this direction; up to six times "
-                     "(software executor)",
+                     "(software backend)",
              .isRepeated = true},
             sections()),
         plain(

@@ -91,8 +91,10 @@ std::string line(const char* format, ...) {
 
 } // namespace
 
-ordered_json planJson(const plan::FramePlan& plan) {
+ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend) {
     ordered_json json;
+    json["backend"] = wordOf(kBackends, backend.backend);
+    json["backend_reason"] = backend.reason;
     json["projection"] = wordOf(kProjections, plan.view.camera.projection);
     json["near"] = depthFromAskedEye(plan, plan.near);
     json["far"] = depthFromAskedEye(plan, plan.far);
@@ -169,9 +171,9 @@ std::string mapsText(const plan::FramePlan& plan) {
 
 } // namespace
 
-std::string planText(const plan::FramePlan& plan) {
+std::string planText(const plan::FramePlan& plan, const BackendChoice& backend) {
     const auto asked = [&](double depth) { return depthFromAskedEye(plan, depth); };
-    std::string text;
+    std::string text = "backend " + std::string(wordOf(kBackends, backend.backend)) + ": " + backend.reason + "\n";
     if (plan.view.camera.isParallel())
         text += "orthographic: the limit of a small angle, so one density of texels for each slice and no warp\n";
     text += line("near   %-12g %s\n", asked(plan.near), sourceInWords(plan.nearFrom).c_str());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/frame_plan.h"
+#include "settings/backend_choice.h"
 
 #include <string>
 
@@ -9,11 +10,11 @@
 
 namespace gnomon::settings {
 
-/// The document that CONTRACT.md lays down. Matrices and planes are in world space: a plane (x, y, z, offset) holds
-/// what has a product of at least 0 with (point, 1).
-nlohmann::ordered_json planJson(const plan::FramePlan& plan);
+/// Returns the JSON document of `gnomon explain`: the plan, and the backend that it is for. Matrices and planes are in
+/// world space: a plane (x, y, z, offset) contains the points whose product with (point, 1) is at least 0.
+nlohmann::ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend);
 
-/// The same for a reader.
-std::string planText(const plan::FramePlan& plan);
+/// Returns the same as text.
+std::string planText(const plan::FramePlan& plan, const BackendChoice& backend);
 
 } // namespace gnomon::settings

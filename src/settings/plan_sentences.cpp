@@ -1,6 +1,7 @@
 #include "settings/plan_sentences.h"
 
 #include "plan/hysteresis.h"
+#include "settings/backend_choice.h"
 
 #include <array>
 #include <cstdio>
@@ -53,7 +54,7 @@ std::string otherReason(const plan::Omission& omission) {
     case OmissionReason::NoSun:
         return "the shading has no sun";
     case OmissionReason::ExecutorHasEvenRows:
-        return "only the software executor draws rows that lie unevenly";
+        return onlySoftware(&plan::Capabilities::unevenRows);
     case OmissionReason::SlicesGiven:
         return "--z-partitions gives the slices, and with them a scheme of even rows";
     case OmissionReason::NothingHidesTheSky:
@@ -146,13 +147,13 @@ std::string reasonInWords(const plan::Omission& omission) {
     case OmissionReason::NoCasterBeforeMaps:
         return "no caster is nearer to the light than its map begins";
     case OmissionReason::MapsComeFirst:
-        return "this executor draws its maps before it knows what is visible";
+        return onlySoftware(&plan::Capabilities::imageFirst);
     case OmissionReason::MapsAreKept:
         return "stabilised maps are kept for views with other receivers";
     case OmissionReason::FewCasters:
         return "there are few casters beside the pixels that would have to be asked";
     case OmissionReason::ExecutorDrawsAll:
-        return "only the software executor leaves out what is hidden";
+        return onlySoftware(&plan::Capabilities::occlusionCulling);
     case OmissionReason::FewLayers:
         return "few clusters lie behind one another, so little is hidden";
     case OmissionReason::ParallelSight:
@@ -183,7 +184,7 @@ std::string reasonInWords(plan::ShadowReason reason) {
     case ShadowReason::FrameTime:
         return "exact shadows take too long for the target frame time";
     case ShadowReason::BackendHasMaps:
-        return "only the software backend draws exact shadows";
+        return onlySoftware(&plan::Capabilities::exactShadows);
     case ShadowReason::BackendIsExact:
         return "the software backend draws exact shadows unless shadow maps are requested";
     }

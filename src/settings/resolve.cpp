@@ -4,7 +4,7 @@
 #include "hierarchy/main_part.h"
 #include "path/camera_path.h"
 #include "path/outline.h"
-#include "settings/backend_needs.h"
+#include "settings/backend_choice.h"
 #include "settings/codec.h"
 #include "settings/sun_settings.h"
 #include "settings/table.h"
@@ -45,14 +45,6 @@ void requireNoWarpIfStable(const Settings& settings) {
         throw UsageError{
             written("stabilize", settings) + " and " + written(hasEta ? "eta" : "warp", settings) +
             " contradict each other: stabilised slices are unwarped"};
-}
-
-void requireSoftwareIfNeeded(const Settings& settings) {
-    if (settings.backend == Backend::Auto || settings.backend == Backend::Software) return;
-    if (const auto need = unmetNeed(settings, plan::kOpenGlCapabilities))
-        throw UsageError{
-            written("backend", settings) + " and " + need->option +
-            " contradict each other: only the software executor " + need->reason};
 }
 
 /// Whether options ask for shadows, or for maps of them.
@@ -200,7 +192,7 @@ plan::Quality qualityOf(const Settings& settings) {
     if (quality.near && quality.far && !(*quality.near < *quality.far))
         throw UsageError{"--near and --far contradict each other: near must be below far"};
     requireNoWarpIfStable(settings);
-    requireSoftwareIfNeeded(settings);
+    requireCapable(settings);
     requireSunIfShadowed(settings);
     requireNoneIfPoint(settings);
     if (settings.lightAt && quality.look.shading == plan::Shading::Auto) quality.look.shading = plan::Shading::Lit;

@@ -27,7 +27,7 @@ Settings sunHoursSettings(const Settings& settings) {
     if (result.quality.shadows != plan::ShadowMode::Auto && result.quality.shadows != plan::ShadowMode::Exact)
         throw UsageError{"--shadows: hours of sun are counted by exact shadows alone"};
     if (result.backend != Backend::Auto && result.backend != Backend::Software)
-        throw UsageError{"--backend: hours of sun are counted by the software executor alone"};
+        throw UsageError{"--backend: hours of sun are counted by the software backend alone"};
     if (result.quality.mapsBecause)
         throw UsageError{"hours of sun are counted by exact shadows: no option of maps goes with them"};
     if (result.sunAngleDegrees.value_or(0) > 0 || result.quality.sky.directions > 0)

@@ -183,8 +183,10 @@ std::vector<Setting> machineSettings() {
         plain(
             &Settings::backend,
             {.name = "backend",
-             .form = "EXECUTOR:" + enumerated(kBackends, "|", "|"),
-             .help = "What executes the plan: the software rasteriser, or GL from one of three places"},
+             .form = "BACKEND:" + enumerated(kBackends, "|", "|"),
+             .help = "What draws: the software rasteriser, or OpenGL by OSMesa, EGL or the window; auto: software for "
+                     "one picture, "
+                     "else a GPU if there is one that can draw the requested options"},
             oneOf(kBackends)),
         plain(
             &Settings::memory,
@@ -215,8 +217,7 @@ Setting shadowsSetting() {
         {.name = "shadows",
          .form = {},
          .help = "None, shadow maps, exact ones (software backend), the ray-traced reference; auto: exact with the "
-                 "software "
-                 "backend, maps with OpenGL or beside an option of maps",
+                 "software backend, maps with OpenGL or beside an option of maps",
          .isSwept = true},
         oneOf(plan::kShadowModes),
         [](const Settings& settings) {
@@ -322,7 +323,7 @@ std::vector<Setting> moreSweptSettings() {
             &Quality::occlusion,
             {.name = "occlusion",
              .form = {},
-             .help = "Draw the image without what it hides, the same to the last bit (software executor); auto: where "
+             .help = "Draw the image without what it hides, the same to the last bit (software backend); auto: where "
                      "much lies behind what is seen",
              .isSwept = true,
              .changesPicture = false},

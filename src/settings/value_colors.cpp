@@ -1,5 +1,7 @@
 #include "settings/value_colors.h"
 
+#include "core/printable.h"
+
 namespace gnomon::settings {
 
 namespace {
@@ -29,14 +31,8 @@ ValueColors valueColors(const ValueColorWords& words) {
     return colors;
 }
 
-Settings fitToColors(Settings settings, const ValueColors& colors) {
-    if (!isOfTriangles(colors.by)) return settings;
-    if (settings.backend == Backend::Auto) settings.backend = Backend::Software;
-    if (settings.backend == Backend::Software) return settings;
-    const std::string by = colors.by == ColorBy::Field ? colors.field : std::string(wordOf(kColorBys, colors.by));
-    throw UsageError{
-        "--backend " + std::string(wordOf(kBackends, settings.backend)) + " and --color-by " + by +
-        " contradict each other: only the software executor knows what it shows"};
+std::string nameOf(const ValueColors& colors) {
+    return colors.by == ColorBy::Field ? printable(colors.field) : std::string(wordOf(kColorBys, colors.by));
 }
 
 Codec<std::array<double, 2>> valueRange() {

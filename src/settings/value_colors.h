@@ -3,7 +3,6 @@
 
 #include "plan/color_map.h"
 #include "settings/codec.h"
-#include "settings/settings.h"
 
 #include <array>
 #include <optional>
@@ -42,14 +41,13 @@ struct ValueColorWords {
 /// What is asked for; a name that is none of the words above is that of a field. Throws UsageError.
 ValueColors valueColors(const ValueColorWords& words);
 
-/// Whether `by` is of what vertices and clusters carry, which the software executor alone knows of what it shows.
+/// Returns whether `by` is a value of vertices or clusters. Backends with the capability `seesTriangles` can show it.
 constexpr bool isOfTriangles(ColorBy by) {
     return by == ColorBy::Vertex || by == ColorBy::Error || by == ColorBy::Field;
 }
 
-/// `settings` with the executor that can draw in `colors`, if nobody names one. Throws UsageError where they name
-/// another.
-Settings fitToColors(Settings settings, const ValueColors& colors);
+/// Returns the word of `--color-by`: "height", or the name of a field with printable characters only.
+std::string nameOf(const ValueColors& colors);
 
 /// "LO,HI", the first less than the second.
 Codec<std::array<double, 2>> valueRange();

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/printable.h"
-#include "executor/software_executor.h"
 #include "hierarchy/page_fields.h"
+#include "settings/backend_choice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +43,12 @@ std::array<double, 3> weightsAt(const std::array<glm::dvec3, 3>& corners, const 
 /// Hands each pixel that shows a triangle of the model to `take`.
 template <class Take>
 void eachSeen(const frame::Renderer& renderer, const frame::Frame& frame, const Take& take) {
-    const executor::Raster<executor::SeenTriangle> seen = executor::seenTriangles(renderer.executor());
+    const executor::Raster<executor::SeenTriangle> seen = renderer.executor().seenTriangles();
     if (seen.pixels.empty())
         throw Error(
-            "what vertices and clusters carry",
-            "this executor does not tell",
-            "the software one",
+            "values of vertices and clusters",
+            settings::onlySoftware(&plan::Capabilities::seesTriangles),
+            "software",
             renderer.executor().name());
     const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
     const hierarchy::ResidentPages resident = renderer.residency().resident();

@@ -21,8 +21,8 @@ void OpenFile::open(const std::string& file) {
 }
 
 void OpenFile::openModel(const std::string& path) {
-    auto scene =
-        std::make_unique<Scene>(path, options_->settings, *context_, [messages = messages_](const std::string& reason) {
+    auto scene = std::make_unique<Scene>(
+        path, options_->settings, options_->colors, *context_, [messages = messages_](const std::string& reason) {
             messages->fail(reason);
         });
     onOpen_(*scene);

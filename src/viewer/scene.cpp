@@ -1,9 +1,10 @@
 #include "viewer/scene.h"
 
+#include "executor/gl/gl_executor.h"
 #include "executor/light/eye_dome.h"
 #include "executor/software_executor.h"
 #include "proof/frame_proof.h"
-#include "settings/backend_needs.h"
+#include "settings/backend_choice.h"
 #include "storage/open_source.h"
 #include "values/value_picture.h"
 #include "viewer/input/picking.h"
@@ -24,13 +25,14 @@ std::unique_ptr<storage::Source> sourceOf(const std::string& path) {
     return storage::openSource(path, access);
 }
 
-/// The window's executor where its OpenGL is worth it; null for the software one.
-std::unique_ptr<executor::TextureExecutor> windowExecutor(
-    const settings::Settings& settings, const gl::Context& context) {
-    const bool isSoftware =
-        settings.backend == settings::Backend::Software ||
-        (settings.backend == settings::Backend::Auto && (settings::needsSoftware(settings) || !context.isHardware()));
-    if (isSoftware) return nullptr;
+std::unique_ptr<executor::Executor> windowExecutor(
+    const settings::Settings& settings, const settings::ValueColors& colors, const gl::Context& context) {
+    const settings::BackendChoice choice = settings::chooseBackend(
+        {.requested = settings.backend,
+         .command = settings::DrawingCommand::View,
+         .hasGpu = context.isHardware(),
+         .need = settings::softwareNeed(settings, colors)});
+    if (choice.backend == settings::Backend::Software) return executor::makeSoftwareExecutor();
     const gl::ShaderLibrary shaders(
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
     return executor::makeWindowExecutor(context, shaders, settings.gpuMemory);
@@ -41,16 +43,12 @@ std::unique_ptr<executor::TextureExecutor> windowExecutor(
 Scene::Scene(
     const std::string& path,
     const settings::Settings& settings,
+    const settings::ValueColors& colors,
     const gl::Context& context,
     std::function<void(const std::string&)> onDamaged)
     : model_(sourceOf(path), settings.memory),
       context_(&context),
-      executor_([&]() -> std::unique_ptr<executor::Executor> {
-          std::unique_ptr<executor::TextureExecutor> ours = windowExecutor(settings, context);
-          textures_ = ours.get();
-          if (ours) return ours;
-          return executor::makeSoftwareExecutor();
-      }()),
+      executor_(windowExecutor(settings, colors, context)),
       renderer_(
           model_,
           *executor_,
@@ -68,9 +66,9 @@ Scene::Scene(
 const frame::Frame& Scene::draw(const Shot& shot) {
     plan::Quality quality = shot.quality;
     if (quality.shadows == plan::ShadowMode::Exact && !executor_->capabilities().exactShadows)
-        quality.shadows = plan::ShadowMode::Rays; // as exact as this executor can be
+        quality.shadows = plan::ShadowMode::Rays; // as exact as this backend can be
     if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !executor_->capabilities().unevenRows)
-        quality.warp.rule = shadow::WarpRule::Auto; // the least that even rows promise
+        quality.warp.rule = shadow::WarpRule::Auto; // the smallest bound of even rows
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);
     colored_.reset();
@@ -107,11 +105,12 @@ executor::Picture Scene::picture() const {
 
 ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
     if (!frame_) return {};
-    if (textures_ != nullptr && samples() <= 1 && !darkensHollows && !colored_) {
+    if (const std::uint32_t texture = executor_->texture();
+        texture != 0 && samples() <= 1 && !darkensHollows && !colored_) {
         // Software OpenGL would take longer for that than for all the rest of the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
-        context_->api().textureParameteri(textures_->texture().id(), GL_TEXTURE_MAG_FILTER, filter);
-        return {textures_->texture().id(), true, false};
+        context_->api().textureParameteri(texture, GL_TEXTURE_MAG_FILTER, filter);
+        return {texture, true, false};
     }
     if (!isUploaded_) {
         executor::Picture picture = this->picture();

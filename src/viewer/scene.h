@@ -1,7 +1,7 @@
 // An open model with its executor in the window: frames, pictures, and what became of its file.
 #pragma once
 
-#include "executor/gl/gl_executor.h"
+#include "executor/executor.h"
 #include "executor/overlay/window_picture.h"
 #include "frame/accumulation.h"
 #include "frame/drawn_point.h"
@@ -41,11 +41,12 @@ struct ShownPicture {
 /// A model in a window's context, which must outlive it.
 class Scene {
 public:
-    /// Opens `path`. `--backend auto` draws with the window's OpenGL where that is a GPU's, else with the software
-    /// executor. `onDamaged` hears of each damaged page once. Throws Error.
+    /// Opens `path`. The backend is the one that `settings` request, or the choice for the window's OpenGL; it can draw
+    /// `colors`. Calls `onDamaged` once for each damaged page. Throws Error.
     Scene(
         const std::string& path,
         const settings::Settings& settings,
+        const settings::ValueColors& colors,
         const gl::Context& context,
         std::function<void(const std::string&)> onDamaged);
 
@@ -99,14 +100,12 @@ public:
     /// Whether the last frame lacks pages that a server may yet send.
     bool isAwaiting() const;
 
-    /// Whether the software executor draws, which alone cuts models by planes and knows what vertices and clusters
-    /// carry.
-    bool isSoftware() const { return textures_ == nullptr; }
+    /// Returns the capabilities of the backend that draws.
+    plan::Capabilities capabilities() const { return executor_->capabilities(); }
 
 private:
     hierarchy::ModelFile model_;
     const gl::Context* context_;
-    executor::TextureExecutor* textures_ = nullptr; // the executor, if it draws into textures
     std::unique_ptr<executor::Executor> executor_;
     frame::Renderer renderer_;
     std::optional<frame::Frame> frame_;
@@ -114,7 +113,7 @@ private:
     Camera seenBy_;
     std::optional<executor::Picture> colored_; // the last frame's, if it is coloured by a value
     executor::WindowPicture words_;            // of it, as is:
-    gl::Texture uploaded_;                     // the picture of an executor without textures, or the mean
+    gl::Texture uploaded_;                     // the picture of a backend without textures, or the mean
     bool isUploaded_ = false;
 };
 

@@ -1,6 +1,5 @@
 #include "viewer/view_settings.h"
 
-#include "core/printable.h"
 #include "values/value_picture.h"
 
 #include <algorithm>
@@ -51,23 +50,19 @@ bool areBySame(const settings::ValueColors& a, const settings::ValueColors& b) {
 
 } // namespace
 
-std::vector<settings::ValueColors> colorChoices(const hierarchy::ModelSummary& model, bool isSoftware) {
+std::vector<settings::ValueColors> colorChoices(
+    const hierarchy::ModelSummary& model, const plan::Capabilities& capabilities) {
     using settings::ColorBy;
     std::vector<settings::ValueColors> choices;
     for (const auto& each : settings::kColorBys) {
-        if (each.value == ColorBy::Vertex && !(model.hasColors && isSoftware)) continue;
-        if (each.value == ColorBy::Error && !isSoftware) continue;
+        if (each.value == ColorBy::Vertex && !model.hasColors) continue;
+        if (settings::isOfTriangles(each.value) && !capabilities.seesTriangles) continue;
         choices.push_back({each.value});
     }
-    if (isSoftware)
+    if (capabilities.seesTriangles)
         for (const hierarchy::Field& field : model.fields)
             choices.push_back({ColorBy::Field, field.name});
     return choices;
-}
-
-std::string nameOf(const settings::ValueColors& colors) {
-    const bool isField = colors.by == settings::ColorBy::Field;
-    return isField ? printable(colors.field) : std::string(wordOf(settings::kColorBys, colors.by));
 }
 
 std::array<double, 2> widestEnds(

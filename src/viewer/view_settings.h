@@ -41,12 +41,9 @@ struct ViewSettings {
     bool showsHelp = false;
 };
 
-/// What a picture of `model` can be coloured by, nothing first; `isSoftware`: by an executor that knows what vertices
-/// and clusters carry.
-std::vector<settings::ValueColors> colorChoices(const hierarchy::ModelSummary& model, bool isSoftware);
-
-/// "height", or the name of a field, for people.
-std::string nameOf(const settings::ValueColors& colors);
+/// Returns the values that can colour a picture of `model` by a backend with `capabilities`; first None.
+std::vector<settings::ValueColors> colorChoices(
+    const hierarchy::ModelSummary& model, const plan::Capabilities& capabilities);
 
 /// Ends for the map of `colors`, from which a person may move them: all that `model` has of it, of errors all above the
 /// finest. `up` has any length above 0.

@@ -123,7 +123,7 @@ void WindowSession::enter(const Scene& scene) {
     framed.enter(walk_, settings_.asked, framebufferSize());
     framed_ = std::move(framed);
     caps_.pages = model.pages().size();
-    if (!isAmong(colorChoices(model.summary(), scene.isSoftware()), settings_.colors)) {
+    if (!isAmong(colorChoices(model.summary(), scene.capabilities()), settings_.colors)) {
         messages_.fail(model.path() + ": it has no such value to be coloured by");
         settings_.colors = {};
     }

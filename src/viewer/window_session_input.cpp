@@ -1,4 +1,5 @@
 // What the window session does with keys and mouse.
+#include "settings/backend_choice.h"
 #include "viewer/input/setting_keys.h"
 #include "viewer/window_session.h"
 
@@ -66,7 +67,8 @@ void WindowSession::takeDrag(const Drag& drag) {
 void WindowSession::dragSection(const Drag& drag) {
     std::vector<settings::Section>& sections = settings_.asked.sections;
     if (sections.empty()) return messages_.show("no section to drag: J makes one");
-    if (!file_.scene()->isSoftware()) return messages_.show("only the software executor draws sections");
+    if (!file_.scene()->capabilities().sections)
+        return messages_.show(settings::onlySoftware(&plan::Capabilities::sections));
     sectionDrag_.drag(drag, underCursor(), walk_.control().camera(), framebufferSize(), framed_->bounds(), sections);
     messages_.show(sectionInWords(sections[sectionDrag_.held()], framed_->bounds()));
     pace_.wakeScene();
@@ -174,8 +176,8 @@ void WindowSession::act(const Binding& binding) {
 void WindowSession::actOnModel(const Binding& binding) {
     if (const auto set = changeQuality(binding, settings_.asked)) return messages_.show(*set);
     const bool isOfSections = binding.action == Action::ToggleSection || binding.action == Action::MoveSection;
-    if (isOfSections && !file_.scene()->isSoftware())
-        return messages_.show("only the software executor draws sections");
+    if (isOfSections && !file_.scene()->capabilities().sections)
+        return messages_.show(settings::onlySoftware(&plan::Capabilities::sections));
     if (const auto set = changeSection(binding, settings_.asked, framed_->bounds(), framed_->up()))
         return messages_.show(*set);
     if (!walk_.isUnderWay()) recentViews().stay(walk_.camera()); // which the key may be about to leave
@@ -183,7 +185,7 @@ void WindowSession::actOnModel(const Binding& binding) {
     case Action::StepColors:
         settings_.overlay = executor::Overlay::None;
         return messages_.show(stepColors(
-            colorChoices(file_.scene()->model().summary(), file_.scene()->isSoftware()),
+            colorChoices(file_.scene()->model().summary(), file_.scene()->capabilities()),
             binding.value,
             settings_.colors));
     case Action::RecentView:

@@ -53,7 +53,7 @@ class AutoShadows(ProgramTest):
 
         self.assertIn("+log", told(*SOFTWARE))
         self.assertNotIn("+log", told("--backend", "osmesa"))
-        self.assertIn("only the software executor draws rows that lie unevenly", told("--backend", "osmesa"))
+        self.assertIn("only the software backend draws logarithmic maps", told("--backend", "osmesa"))
         self.assertNotIn("+log", told(*SOFTWARE, slices="4"))
         self.assertIn("--z-partitions gives the slices", told(*SOFTWARE, slices="4"))
         stats = self.place / "log.json"

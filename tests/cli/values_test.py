@@ -49,7 +49,7 @@ class ColoringByValues(ProgramTest):
         picture = self.place / "wrong.png"
         self.expect(1, "vertex, height, slope, error, rest, copy, found 'heigth'", "render", self.model, "-o", picture,
                     "--color-by", "heigth")
-        self.expect(2, "only the software executor", "render", self.model, "-o", picture, "--color-by", "copy", "--backend",
+        self.expect(2, "only the software backend", "render", self.model, "-o", picture, "--color-by", "copy", "--backend",
                     "osmesa")
         self.expect(2, "--color-range is of", "render", self.model, "-o", picture, "--color-by", "vertex", "--color-range",
                     "0,1")

@@ -1,4 +1,4 @@
-// The software executor against GL on OSMesa: every scheme and overlay over seeded poses and lights.
+// The software backend against GL on OSMesa: every scheme and overlay over seeded poses and lights.
 #include "core/random.h"
 #include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"

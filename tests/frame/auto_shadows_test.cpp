@@ -34,7 +34,7 @@ struct Crate {
     plan::Quality quality;
 };
 
-/// The software executor, but for exact shadows: what OpenGL is like.
+/// The software backend, but for exact shadows: what OpenGL is like.
 class MapsAlone final : public executor::Executor {
 public:
     std::string name() const override { return own_->name(); }

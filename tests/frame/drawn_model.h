@@ -1,4 +1,4 @@
-// A model in a file of its own with a renderer over the software executor.
+// A model in a file of its own with a renderer over the software backend.
 #pragma once
 
 #include "executor/software_executor.h"

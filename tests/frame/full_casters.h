@@ -13,7 +13,7 @@ struct CasterDifference {
     std::uint64_t fullOffScreenTriangles = 0; // and at full detail
 };
 
-/// Draws `view` twice with the software executor. What is in view casts with the clusters that are drawn in both.
+/// Draws `view` twice with the software backend. What is in view casts with the clusters that are drawn in both.
 CasterDifference casterDifference(
     const hierarchy::ModelFile& model, const plan::View& view, const plan::Quality& quality);
 

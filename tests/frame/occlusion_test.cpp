@@ -29,7 +29,7 @@ bool sameBits(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
     return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0; // null where there is none
 }
 
-/// A renderer of a model over the software executor.
+/// A renderer of a model over the software backend.
 class Stage {
 public:
     explicit Stage(const hierarchy::ModelFile& file) : file_(&file), renderer_(file, *executor_, ResidencyOptions()) {}

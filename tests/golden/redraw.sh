@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the stored pictures anew, with the software executor. Look at each before it is committed.
+# Draws the stored pictures anew, with the software backend. Look at each before it is committed.
 # usage: tests/golden/redraw.sh GNOMON
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,4 +1,4 @@
-// A model in exact shadows over the software executor, and what the plain integer loops say of its pixels.
+// A model in exact shadows over the software backend, and what the plain integer loops say of its pixels.
 #pragma once
 
 #include "executor/exact_pass.h"
@@ -44,7 +44,7 @@ inline bool isLit(const executor::SurfaceSample& surface) {
     return surface.isLitSide() && surface.litFraction() >= 0.5F;
 }
 
-/// A model with a renderer over the software executor.
+/// A model with a renderer over the software backend.
 class Stage {
 public:
     explicit Stage(const hierarchy::ModelFile& file) : file_(&file), renderer_(file, *executor_, {}) {}

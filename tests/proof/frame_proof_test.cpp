@@ -16,7 +16,7 @@
 namespace gnomon::proof {
 namespace {
 
-/// The software executor, with where the eye of each image is.
+/// The software backend, with where the eye of each image is.
 class CountingExecutor final : public executor::Executor {
 public:
     std::string name() const override { return inner_->name(); }

@@ -66,7 +66,7 @@ template <class Look>
 void forPlans(Random& random, const Look& look) {
     for (int trial = 0; trial < 60; ++trial) {
         const plan::FramePlan plan = anyPlan(random);
-        look(plan, planJson(plan));
+        look(plan, planJson(plan, {Backend::Software, "a reason"}));
     }
 }
 
@@ -180,7 +180,7 @@ TEST(PlanText, HasALineForEachMapAndEachOmission) {
     Random random(5);
     for (int trial = 0; trial < 60; ++trial) {
         const plan::FramePlan plan = anyPlan(random);
-        const std::string text = planText(plan);
+        const std::string text = planText(plan, {Backend::Software, "a reason"});
         std::istringstream lines(text);
         std::string line;
         std::size_t maps = 0;
@@ -209,13 +209,19 @@ TEST(PlanText, SaysWhereAPromiseIsNotKept) {
         plan = anyPlan(random);
     plan.promiseKept = true;
     plan.texelsThatWouldDo = 123456;
-    EXPECT_EQ(planText(plan).find("NOT"), std::string::npos);
-    EXPECT_NE(planText(plan).find("; 123456 texels would do for 4\n"), std::string::npos) << planText(plan);
+    EXPECT_EQ(planText(plan, {Backend::Software, "a reason"}).find("NOT"), std::string::npos);
+    EXPECT_NE(
+        planText(plan, {Backend::Software, "a reason"}).find("; 123456 texels would do for 4\n"), std::string::npos)
+        << planText(plan, {Backend::Software, "a reason"});
     plan.promiseKept = false;
     plan.texelsThatWouldDo = 0;
-    EXPECT_NE(planText(plan).find("which is NOT what was asked for"), std::string::npos);
-    EXPECT_NE(planText(plan).find("; no number of texels would do for 4\n"), std::string::npos) << planText(plan);
-    EXPECT_TRUE(planJson(plan)["texels_that_would_do"].is_null());
+    EXPECT_NE(
+        planText(plan, {Backend::Software, "a reason"}).find("which is NOT what was asked for"), std::string::npos);
+    EXPECT_NE(
+        planText(plan, {Backend::Software, "a reason"}).find("; no number of texels would do for 4\n"),
+        std::string::npos)
+        << planText(plan, {Backend::Software, "a reason"});
+    EXPECT_TRUE(planJson(plan, {Backend::Software, "a reason"})["texels_that_would_do"].is_null());
 }
 
 } // namespace

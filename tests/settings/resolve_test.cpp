@@ -116,7 +116,7 @@ TEST(Resolve, EtaAndTheFocusSettleTheWarp) {
     EXPECT_EQ(qualityOf(settings).warp.tsmFocus, 2);
 }
 
-TEST(Resolve, RowsThatLieUnevenlyAreOfTheSoftwareExecutor) {
+TEST(Resolve, LogarithmicMapsNeedTheSoftwareBackend) {
     Settings settings;
     settings.quality.warp.rule = shadow::WarpRule::Log;
     for (const Backend backend : {Backend::Auto, Backend::Software}) {
@@ -126,7 +126,7 @@ TEST(Resolve, RowsThatLieUnevenlyAreOfTheSoftwareExecutor) {
     settings.backend = Backend::Egl;
     EXPECT_EQ(
         objection(settings),
-        "--backend egl and --warp log contradict each other: only the software executor draws rows that lie unevenly");
+        "--backend egl and --warp log contradict each other: only the software backend draws logarithmic maps");
 }
 
 TEST(Resolve, StabilisedSlicesHaveNoWarp) {

@@ -4,10 +4,10 @@
 #include "core/random.h"
 #include "executor/overlay/color_map.h"
 #include "executor/software_executor.h"
-#include "executor/view/seen_triangles.h"
 #include "frame/drawn_model.h"
 #include "frame/drawn_point.h"
 #include "hierarchy/scene_mesh.h"
+#include "settings/backend_choice.h"
 #include "settings/usage_error.h"
 #include "settings/value_colors.h"
 #include "values/seen_values.h"
@@ -116,11 +116,11 @@ TEST(ValueColors, AreReadFromTheWordsOfAPerson) {
          {settings::ValueColorWords{"error", "pink", ""}, {"", "", "0,2"}, {"vertex", "", "0,2"}, {"slope", "", "2,0"}})
         EXPECT_THROW((void)valueColors(wrong), settings::UsageError) << wrong.by << wrong.map << wrong.range;
     settings::Settings settings;
-    EXPECT_EQ(fitToColors(settings, valueColors({"height", "", ""})).backend, settings::Backend::Auto);
-    EXPECT_EQ(fitToColors(settings, valueColors({"error", "", ""})).backend, settings::Backend::Software);
+    EXPECT_FALSE(settings::softwareNeed(settings, valueColors({"height", "", ""})));
+    EXPECT_TRUE(settings::softwareNeed(settings, valueColors({"error", "", ""})));
     settings.backend = settings::Backend::Egl;
-    EXPECT_EQ(fitToColors(settings, valueColors({"slope", "", ""})).backend, settings::Backend::Egl);
-    EXPECT_THROW((void)fitToColors(settings, valueColors({"vertex", "", ""})), settings::UsageError);
+    EXPECT_NO_THROW(settings::requireCapable(settings, valueColors({"slope", "", ""})));
+    EXPECT_THROW(settings::requireCapable(settings, valueColors({"vertex", "", ""})), settings::UsageError);
 }
 
 /// Hills with colours of several levels, seen from aside.
@@ -259,7 +259,7 @@ TEST(SeenTriangles, HoldThePointsThatTheSurfacesShow) {
         frame::FrameOptions options;
         options.wantsSurfaces = true;
         const frame::Frame frame = model.draw(view, quality, options);
-        const auto seen = executor::seenTriangles(model.executor());
+        const auto seen = model.executor().seenTriangles();
         const auto surfaces = model.executor().surfaces();
         const auto resident = model.renderer().residency().resident();
         const hierarchy::Grid& grid = model.file().summary().grid;

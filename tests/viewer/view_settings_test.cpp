@@ -116,12 +116,12 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
 TEST(ColorChoices, AreWhatTheModelAndTheExecutorHave) {
     using settings::ColorBy;
     hierarchy::ModelSummary model;
-    EXPECT_EQ(colorChoices(model, false).size(), 3U); // none, height, slope
-    EXPECT_EQ(colorChoices(model, true).size(), 4U);  // and the error
+    EXPECT_EQ(colorChoices(model, plan::kOpenGlCapabilities).size(), 3U);   // none, height, slope
+    EXPECT_EQ(colorChoices(model, plan::kSoftwareCapabilities).size(), 4U); // and the error
     model.hasColors = true;
     model.fields = {{"rain", 0, 1}, {"wind", 0, 1}};
-    EXPECT_EQ(colorChoices(model, false).size(), 3U);
-    const std::vector<settings::ValueColors> all = colorChoices(model, true);
+    EXPECT_EQ(colorChoices(model, plan::kOpenGlCapabilities).size(), 3U);
+    const std::vector<settings::ValueColors> all = colorChoices(model, plan::kSoftwareCapabilities);
     ASSERT_EQ(all.size(), 7U);
     EXPECT_EQ(all[0].by, ColorBy::None);
     settings::ValueColors colors;

@@ -36,7 +36,7 @@ std::size_t ringSegment(Bytes memory, std::uint64_t share, std::size_t least, st
 
 constexpr std::size_t kKibibyte = 1024;
 
-class GlExecutor final : public TextureExecutor {
+class GlExecutor final : public Executor {
 public:
     /// `own` is the context to keep if `context` is this executor's alone.
     GlExecutor(
@@ -63,7 +63,7 @@ public:
 
     std::string name() const override { return name_; }
 
-    const gl::Texture& texture() const override { return targets_.color(); }
+    std::uint32_t texture() const override { return targets_.color().id(); }
 
     PassStatistics drawShadowMaps(const FrameDrawing& frame) override;
 
@@ -162,7 +162,7 @@ PassStatistics GlExecutor::drawImage(const FrameDrawing& frame) {
 
 /// The GPU's times, where it has a clock: of this frame if it is waited for, else of the last that is known to be done.
 DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
-    DrawStatistics statistics = TextureExecutor::draw(frame);
+    DrawStatistics statistics = Executor::draw(frame);
     if (submission_ == GlSubmission::WaitsForEachFrame) {
         statistics.image.time = imageTimer_->finished();
         statistics.shadows.time = shadowTimer_->finished();
@@ -382,13 +382,13 @@ std::unique_ptr<Executor> makeGlExecutor(
     return std::make_unique<GlExecutor>(std::move(context), ours, name, shaders, gpuMemory, submission);
 }
 
-std::unique_ptr<TextureExecutor> makeWindowExecutor(
+std::unique_ptr<Executor> makeWindowExecutor(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory) {
     return makeWindowExecutor(
         context, shaders, gpuMemory, context.isHardware() ? GlSubmission::Queues : GlSubmission::WaitsForEachPass);
 }
 
-std::unique_ptr<TextureExecutor> makeWindowExecutor(
+std::unique_ptr<Executor> makeWindowExecutor(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory, GlSubmission submission) {
     return std::make_unique<GlExecutor>(nullptr, context, "window", shaders, gpuMemory, submission);
 }

@@ -4,7 +4,6 @@
 #include "core/units.h"
 #include "executor/executor.h"
 #include "gl/context.h"
-#include "gl/objects.h"
 #include "gl/shader_library.h"
 
 #include <memory>
@@ -26,19 +25,12 @@ std::unique_ptr<Executor> makeGlExecutor(
     Bytes gpuMemory,
     const std::function<void(const std::string&)>& warn = {});
 
-/// An executor whose picture can be shown where it was drawn, without reading it back.
-class TextureExecutor : public Executor {
-public:
-    /// The colours of the last frame, bottom row first.
-    virtual const gl::Texture& texture() const = 0;
-};
-
-/// Draws in a window's context, which must outlive it and be current whenever it is called.
-std::unique_ptr<TextureExecutor> makeWindowExecutor(
+/// Makes an executor that draws in a window's context. The context must outlive it and be current at every call.
+std::unique_ptr<Executor> makeWindowExecutor(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
 
 /// The same, waiting as `submission` says whatever the context is.
-std::unique_ptr<TextureExecutor> makeWindowExecutor(
+std::unique_ptr<Executor> makeWindowExecutor(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory, GlSubmission submission);
 
 } // namespace gnomon::executor

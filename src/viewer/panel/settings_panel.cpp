@@ -155,7 +155,7 @@ bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
 
 /// What surfaces are coloured by, in which map.
 bool drawColors(const Scene& scene, ViewSettings& settings) {
-    const std::vector<settings::ValueColors> choices = colorChoices(scene.model().summary(), scene.isSoftware());
+    const std::vector<settings::ValueColors> choices = colorChoices(scene.model().summary(), scene.capabilities());
     std::vector<std::string> names;
     names.reserve(choices.size());
     int current = 0;

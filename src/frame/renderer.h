@@ -37,7 +37,7 @@ public:
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
     /// Plans from now on for an executor that can do so much, which is not the one that draws.
-    void planFor(const plan::Capabilities& executor) { plannedFor_ = executor; }
+    void planFor(const plan::Capabilities& backend) { plannedFor_ = backend; }
 
     /// What the frames of a motion share. Frames that begin with the same state are planned and shaded alike.
     struct Motion {

@@ -8,7 +8,7 @@ std::optional<OmissionReason> whyNoReceivers(const FramePlan& plan) {
     const Quality& quality = plan.quality;
     if (quality.cullCasters == CasterCulling::Off || quality.cullCasters == CasterCulling::On)
         return OmissionReason::SwitchedOff;
-    if (!plan.executor.imageFirst) return OmissionReason::MapsComeFirst;
+    if (!plan.backend.imageFirst) return OmissionReason::MapsComeFirst;
     if (quality.cullCasters == CasterCulling::Receivers) return std::nullopt;
     if (quality.stabilize) return OmissionReason::MapsAreKept;
     std::uint64_t triangles = 0;

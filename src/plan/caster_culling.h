@@ -9,7 +9,7 @@ namespace gnomon::plan {
 constexpr std::uint64_t kPixelsPerTriangle = 16;
 
 /// Sets `plan.casterCulling`, with a line in `plan.omitted` where receivers do not cull; by counts alone. Where the
-/// quality asks for receivers they cull whenever the plan's executor draws the image first.
+/// quality asks for receivers they cull whenever the plan's backend draws the image first.
 void chooseCasterCulling(FramePlan& plan);
 
 } // namespace gnomon::plan

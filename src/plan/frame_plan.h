@@ -1,5 +1,5 @@
 // A frame as a value: what will be drawn, with which volumes, matrices and texels, what it promises, and why everything
-// else is left out. Made without GL, files or a clock; executors only carry it out.
+// else is left out. Made without GL, files or a clock; backends only carry it out.
 #pragma once
 
 #include "core/camera.h"
@@ -153,8 +153,8 @@ struct ShadowPass {
 /// The plan of a frame.
 struct FramePlan {
     View view;
-    Quality quality;       // its shadows are the drawn ones, never Auto
-    Capabilities executor; // of the backend that the plan is for
+    Quality quality;      // its shadows are the drawn ones, never Auto
+    Capabilities backend; // of the backend that the plan is for
     ShadowReason shadowReason = ShadowReason::Requested;
     CameraBasis basis;
     IntegerLight light;               // the view's

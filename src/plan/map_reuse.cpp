@@ -46,7 +46,7 @@ bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass) 
 }
 
 bool isSameImage(const FramePlan& now, const FramePlan& before) {
-    if (now.view != before.view || now.quality != before.quality || now.executor != before.executor ||
+    if (now.view != before.view || now.quality != before.quality || now.backend != before.backend ||
         now.selector != before.selector || now.passOfPartition != before.passOfPartition ||
         now.passes.size() != before.passes.size())
         return false;

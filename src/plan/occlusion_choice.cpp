@@ -6,7 +6,7 @@ namespace {
 
 std::optional<OmissionReason> reasonToDrawAll(const FramePlan& plan, double layers) {
     if (plan.quality.occlusion == Choice::Off) return OmissionReason::SwitchedOff;
-    if (!plan.executor.occlusionCulling) return OmissionReason::ExecutorDrawsAll;
+    if (!plan.backend.occlusionCulling) return OmissionReason::BackendDrawsAll;
     if (plan.quality.occlusion == Choice::Auto && layers < kLeastLayers) return OmissionReason::FewLayers;
     return std::nullopt;
 }

@@ -30,27 +30,27 @@ enum class Effect : std::uint8_t {
 
 enum class OmissionReason : std::uint8_t {
     SwitchedOff,
-    RayTraced,           // shadows are
-    DecidedExactly,      // shadows are, point by point
-    NothingInView,       //
-    NothingFacesLight,   // of what is seen in the view, or in the slice
-    NoCasterInReach,     // of a visible surface
-    SlicesStabilized,    // which rules the effect out
-    NotStabilized,       // which the effect needs
-    LightGrazesFaces,    // every one of the view
-    FacesGiveIt,         // the maps of faces follow their edges
-    GainTooSmall,        // Omission::gain is less than 1 - kWorthwhile
-    NoGain,              // the promise would not be lower
-    BetterWithout,       // cheaper where the promise is kept, or lower by 1 - kWorthwhile
-    OneSliceSuffices,    // it is the best at this promise
-    NoCasterBeforeMaps,  // all lie within their depths
-    MapsComeFirst,       // the executor draws no image before them
-    MapsAreKept,         // for views that see other receivers
-    FewCasters,          // beside the pixels: finding out who receives light would cost more than they do
-    ExecutorDrawsAll,    // whatever hides it
-    ExecutorHasEvenRows, // and no others
-    SlicesGiven,         // so many, and with them the scheme
-    FewLayers,           // of clusters over a pixel
+    RayTraced,          // shadows are
+    DecidedExactly,     // shadows are, point by point
+    NothingInView,      //
+    NothingFacesLight,  // of what is seen in the view, or in the slice
+    NoCasterInReach,    // of a visible surface
+    SlicesStabilized,   // which rules the effect out
+    NotStabilized,      // which the effect needs
+    LightGrazesFaces,   // every one of the view
+    FacesGiveIt,        // the maps of faces follow their edges
+    GainTooSmall,       // Omission::gain is less than 1 - kWorthwhile
+    NoGain,             // the promise would not be lower
+    BetterWithout,      // cheaper where the promise is kept, or lower by 1 - kWorthwhile
+    OneSliceSuffices,   // it is the best at this promise
+    NoCasterBeforeMaps, // all lie within their depths
+    MapsComeFirst,      // the backend draws no image before them
+    MapsAreKept,        // for views that see other receivers
+    FewCasters,         // beside the pixels: finding out who receives light would cost more than they do
+    BackendDrawsAll,    // whatever hides it
+    BackendHasEvenRows, // and no others
+    SlicesGiven,        // so many, and with them the scheme
+    FewLayers,          // of clusters over a pixel
     ParallelSight,      // lines of sight are: nothing is nearer than anything else, and no perspective is to be matched
     AllAreDark,         // the visible points that face the light, before all casters were looked at
     NarrowPenumbrae,    // of at most Omission::pixels

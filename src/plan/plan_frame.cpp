@@ -92,14 +92,14 @@ PlannedFrame planFrame(
     const Quality& quality,
     const SceneFacts& scene,
     const PlanMemory& memory,
-    const Capabilities& executor) {
+    const Capabilities& backend) {
     requireValid(view);
     PlannedFrame result;
     FramePlan& plan = result.plan;
     plan.view = view;
     plan.quality = quality;
-    plan.executor = executor;
-    const ShadowDecision shadows = decideShadows(quality, executor);
+    plan.backend = backend;
+    const ShadowDecision shadows = decideShadows(quality, backend);
     plan.quality.shadows = shadows.mode;
     plan.quality.mapsBecause.reset();
     plan.shadowReason = shadows.reason;

@@ -21,12 +21,12 @@ struct PlannedFrame {
 };
 
 /// The plan for `view` with `quality`; `memory`, that of the frame before, steadies what must not jump from frame to
-/// frame; `executor` is what will carry it out. Throws Error if the view is impossible.
+/// frame; `backend` is what will carry it out. Throws Error if the view is impossible.
 PlannedFrame planFrame(
     const View& view,
     const Quality& quality,
     const SceneFacts& scene,
     const PlanMemory& memory = {},
-    const Capabilities& executor = {});
+    const Capabilities& backend = {});
 
 } // namespace gnomon::plan

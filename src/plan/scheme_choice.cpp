@@ -256,7 +256,7 @@ std::vector<SchemeChoice> openChoices(const SchemeContext& context) {
     const int last = quality.zPartitions.value_or(kMostSlices);
     const Choice faces = quality.stabilize ? Choice::Off : quality.facePartitions;
     const bool areRowsOpen = !quality.zPartitions && quality.warp.rule == shadow::WarpRule::Auto &&
-                             context.executor.unevenRows && !quality.stabilize;
+                             context.backend.unevenRows && !quality.stabilize;
     std::vector<SchemeChoice> choices;
     const auto add = [&](int slices, bool hasFaces) {
         choices.push_back({slices, hasFaces, true});

@@ -16,7 +16,7 @@ struct SchemeContext {
     CameraBasis basis;
     Quality quality;
     const SceneFacts* scene = nullptr;
-    Capabilities executor;
+    Capabilities backend;
     std::optional<SchemeMemory> before; // of the frame before, if it had a scheme
     Receivers receivers;                // after it
     bool ignoreHistory = false;         // slices are empty where nothing in this very frame needs them
@@ -51,7 +51,7 @@ constexpr int kMostSlices = 12;
 SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choice);
 
 /// The schemes that the quality leaves open, fewest maps first; logarithmic rows where slices and warp both are and the
-/// executor draws them: in one slice, as logarithms add, and more slices lower nothing.
+/// backend draws them: in one slice, as logarithms add, and more slices lower nothing.
 std::vector<SchemeChoice> openChoices(const SchemeContext& context);
 
 /// Whether `a` is to be preferred to `b`: a kept promise, then, where both keep it, the lower cost, else the lower

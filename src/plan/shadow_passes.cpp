@@ -30,7 +30,7 @@ OmissionReason warpReason(const FramePlan& plan) {
 
 /// Why rows are even where the warp is left open.
 OmissionReason rowsReason(const FramePlan& plan) {
-    if (!plan.executor.unevenRows) return OmissionReason::ExecutorHasEvenRows;
+    if (!plan.backend.unevenRows) return OmissionReason::BackendHasEvenRows;
     return plan.quality.zPartitions ? OmissionReason::SlicesGiven : OmissionReason::BetterWithout;
 }
 
@@ -82,7 +82,7 @@ SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const st
     if (scene.light) context.view.seen = scene.light->seen;
     context.basis = plan.basis;
     context.quality = plan.quality;
-    context.executor = plan.executor;
+    context.backend = plan.backend;
     context.scene = &scene;
     context.before = before;
     context.receivers = receiversOf(context);

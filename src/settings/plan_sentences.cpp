@@ -53,7 +53,7 @@ std::string otherReason(const plan::Omission& omission) {
         return "shadows are switched off";
     case OmissionReason::NoSun:
         return "the shading has no sun";
-    case OmissionReason::ExecutorHasEvenRows:
+    case OmissionReason::BackendHasEvenRows:
         return onlySoftware(&plan::Capabilities::unevenRows);
     case OmissionReason::SlicesGiven:
         return "--z-partitions gives the slices, and with them a scheme of even rows";
@@ -152,7 +152,7 @@ std::string reasonInWords(const plan::Omission& omission) {
         return "stabilised maps are kept for views with other receivers";
     case OmissionReason::FewCasters:
         return "there are few casters beside the pixels that would have to be asked";
-    case OmissionReason::ExecutorDrawsAll:
+    case OmissionReason::BackendDrawsAll:
         return onlySoftware(&plan::Capabilities::occlusionCulling);
     case OmissionReason::FewLayers:
         return "few clusters lie behind one another, so little is hidden";
@@ -163,7 +163,7 @@ std::string reasonInWords(const plan::Omission& omission) {
     case OmissionReason::NarrowPenumbrae:
     case OmissionReason::NoShadows:
     case OmissionReason::NoSun:
-    case OmissionReason::ExecutorHasEvenRows:
+    case OmissionReason::BackendHasEvenRows:
     case OmissionReason::SlicesGiven:
     case OmissionReason::NothingHidesTheSky:
     case OmissionReason::FacesOfCube:

@@ -40,14 +40,14 @@ ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& f
         plan.shadowReason != plan::ShadowReason::Requested && !plan.view.pointLight) {
         plan::Quality maps = plan.quality;
         maps.shadows = plan::ShadowMode::Maps;
-        errors.asMaps = largest(plan::planFrame(plan.view, maps, facts, {}, plan.executor).plan);
+        errors.asMaps = largest(plan::planFrame(plan.view, maps, facts, {}, plan.backend).plan);
     }
     if (!errors.promised) return errors;
     const double texels = static_cast<double>(plan.textureWidth) * plan.textureHeight / 16;
     errors.texelShare = texels / std::max(static_cast<double>(plan.cost), texels);
     if (!withLess) return errors;
     const auto promisedWith = [&](const plan::Quality& quality) {
-        return largest(plan::planFrame(plan.view, quality, facts, {}, plan.executor).plan);
+        return largest(plan::planFrame(plan.view, quality, facts, {}, plan.backend).plan);
     };
     plan::Quality fewer = plan.quality;
     if (fewer.zPartitions.value_or(1) > 1) {

@@ -43,7 +43,7 @@ SchemeContext contextOf(const FramePlan& plan, const SceneFacts& facts) {
     context.basis = plan.basis;
     context.quality = plan.quality;
     context.scene = &facts;
-    context.executor = plan.executor;
+    context.backend = plan.backend;
     return context;
 }
 
@@ -87,7 +87,7 @@ std::vector<SchemeChoice> choicesOf(const SchemeContext& context) {
         for (const bool faces : {false, true}) {
             if (faces && context.quality.facePartitions != Choice::Auto) continue;
             choices.push_back({slices, faces, true, false});
-            if (slices == 1 && context.executor.unevenRows) choices.push_back({slices, faces, true, true});
+            if (slices == 1 && context.backend.unevenRows) choices.push_back({slices, faces, true, true});
         }
     return choices;
 }
@@ -147,7 +147,7 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
         outcome.kept += plan.promiseKept ? 1 : 0;
         outcome.several += plan.passes.size() > 1 ? 1 : 0;
         outcome.logRows += best.choice.logRows ? 1 : 0;
-        EXPECT_TRUE(plan.executor.unevenRows || !best.choice.logRows);
+        EXPECT_TRUE(plan.backend.unevenRows || !best.choice.logRows);
     }
 }
 

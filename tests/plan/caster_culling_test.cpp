@@ -44,7 +44,7 @@ TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
         SCOPED_TRACE(row.words);
         FramePlan plan = planOf(row.asked, row.triangles);
         plan.quality.stabilize = row.isStable;
-        plan.executor.imageFirst = row.isImageFirst;
+        plan.backend.imageFirst = row.isImageFirst;
         chooseCasterCulling(plan);
         EXPECT_EQ(plan.casterCulling, row.chosen);
         ASSERT_EQ(plan.omitted.size(), row.reason ? 1U : 0U);

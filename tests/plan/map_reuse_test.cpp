@@ -82,7 +82,7 @@ TEST(MapReuse, IsOfWarpedMapsFromTheSameCamera) {
         {"error", [](FramePlan& p) { p.quality.errorPixels *= 1.001; }, true},
         {"culling", [](FramePlan& p) { p.quality.cullCasters = CasterCulling::Receivers; }, true},
         {"kernel", [](FramePlan& p) { p.passes[0].map.filterTexels += 1; }, true},
-        {"backend", [](FramePlan& p) { p.executor = kSoftwareCapabilities; }, true},
+        {"backend", [](FramePlan& p) { p.backend = kSoftwareCapabilities; }, true},
         {"partitions", [](FramePlan& p) { p.passOfPartition[0] = -1; }, true},
     };
     for (const Row& row : table) {

@@ -9,7 +9,7 @@ namespace {
 FramePlan chosen(Choice occlusion, double layers, bool canSkip) {
     FramePlan plan;
     plan.quality.occlusion = occlusion;
-    plan.executor.occlusionCulling = canSkip;
+    plan.backend.occlusionCulling = canSkip;
     chooseOcclusion(plan, layers);
     return plan;
 }
@@ -32,7 +32,7 @@ TEST(OcclusionChoice, SaysWhyNot) {
     }
     for (const Choice choice : {Choice::Auto, Choice::On}) {
         EXPECT_FALSE(chosen(choice, 100, false).skipsHidden);
-        EXPECT_EQ(chosen(choice, 100, false).omitted, omitted(OmissionReason::ExecutorDrawsAll));
+        EXPECT_EQ(chosen(choice, 100, false).omitted, omitted(OmissionReason::BackendDrawsAll));
     }
     EXPECT_FALSE(chosen(Choice::Auto, 0.99 * kLeastLayers, true).skipsHidden);
     EXPECT_EQ(chosen(Choice::Auto, 0.99 * kLeastLayers, true).omitted, omitted(OmissionReason::FewLayers));

@@ -29,17 +29,17 @@ Quality openQuality(std::uint64_t seed) {
 struct ModeCase {
     explicit ModeCase(std::uint64_t seed)
         : view(madeView(seed)), quality(openQuality(seed)), facts(MadeScene(seed % 20).facts(view)) {
-        executor.unevenRows = seed % 3 != 0;
+        backend.unevenRows = seed % 3 != 0;
     }
 
     View view;
     Quality quality;
     SceneFacts facts;
-    Capabilities executor;
+    Capabilities backend;
 };
 
 [[gnu::noinline]] PlannedFrame planOf(const ModeCase& given) {
-    return planFrame(given.view, given.quality, given.facts, {}, given.executor);
+    return planFrame(given.view, given.quality, given.facts, {}, given.backend);
 }
 
 bool isSameChoice(const PlannedFrame& a, const PlannedFrame& b) {

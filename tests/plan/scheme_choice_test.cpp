@@ -13,7 +13,7 @@ namespace {
 TEST(SchemeChoice, OpensWhatTheQualityLeavesOpen) {
     const auto open = [](std::optional<int> slices, Choice faces, bool stabilize, bool drawsLogRows = false) {
         SchemeContext context;
-        context.executor.unevenRows = drawsLogRows;
+        context.backend.unevenRows = drawsLogRows;
         context.quality.zPartitions = slices;
         context.quality.facePartitions = faces;
         context.quality.stabilize = stabilize;

@@ -9,7 +9,7 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// A point seen along the light.
+/// A point projected along the light.
 struct Seen {
     double x = 0;
     double z = 0;
@@ -19,7 +19,7 @@ double cross(const Seen& a, const Seen& b, const Seen& c) {
     return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
 }
 
-/// The convex outline of `points`, counter-clockwise in (x, z), without collinear points (Andrew 1979).
+/// Returns the convex hull of `points`, counter-clockwise in (x, z), without collinear points (Andrew 1979).
 std::vector<Seen> convexOutline(std::vector<Seen> points) {
     std::sort(points.begin(), points.end(), [](const Seen& a, const Seen& b) {
         return a.x < b.x || (a.x == b.x && a.z < b.z);
@@ -63,7 +63,8 @@ struct SweepSide {
     double offset = 0;
 };
 
-/// The side over the outline's edge a-b, moved out until every vertex is inside: rounding in the outline must not cut.
+/// Returns the side through the hull edge a-b, moved outwards until it contains all vertices. Rounding errors in the
+/// hull therefore do not cut off vertices.
 SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
     const double length = std::hypot(b.x - a.x, b.z - a.z);
     SweepSide side{-(b.z - a.z) / length, (b.x - a.x) / length, 0};
@@ -74,7 +75,7 @@ SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
     return side;
 }
 
-/// The convex hull of points seen along the light, and the sides of its sweep.
+/// The convex hull of points projected along the light, and the sides of its sweep.
 struct Sweep {
     std::vector<Seen> outline;
     std::vector<SweepSide> sides;
@@ -82,14 +83,14 @@ struct Sweep {
 
 Sweep sweepOf(std::span<const glm::dvec3> points, const LightFrame& frame) {
     const std::vector<Seen> seen = seenAlong(frame, points);
-    double size = 0; // of the points as seen: a near square may be far smaller than its depth range
+    double size = 0; // extent of the projected points: a near square can be far smaller than its depth range
     for (const Seen& point : seen)
         size = std::max(size, std::hypot(point.x - seen.front().x, point.z - seen.front().z));
     Sweep sweep{convexOutline(seen), {}};
     for (std::size_t i = 0; i < sweep.outline.size(); ++i) {
         const Seen& a = sweep.outline[i];
         const Seen& b = sweep.outline[(i + 1) % sweep.outline.size()];
-        // Between two vertices that differ by rounding there is no direction to take.
+        // Two vertices that differ only by rounding do not define a direction.
         if (std::hypot(b.x - a.x, b.z - a.z) > 1e-10 * size) sweep.sides.push_back(sideOver(a, b, seen));
     }
     return sweep;
@@ -101,8 +102,8 @@ Plane planeOf(const SweepSide& side, const LightFrame& frame) {
     return {normal / length, side.offset / length};
 }
 
-/// Corners of all within `outline`, moved by `growS` and `growT` in the map; nothing where that has no end. What they
-/// move to is within the hull of these (lightPlanePoint).
+/// Returns the corners of `outline`, each moved by `growS` and `growT` in the map. Returns nothing if a corner moves
+/// across the vanishing line. The moved outline lies in the hull of these corners (see lightPlanePoint).
 std::optional<std::vector<Seen>> grown(
     std::span<const Seen> outline, const WarpedMap& map, double growS, double growT) {
     std::vector<Seen> corners;
@@ -124,8 +125,8 @@ std::optional<std::vector<Seen>> grown(
 
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
     ConvexVolume volume;
-    // What faces away from the light bounds the sweep from below; what faces it is swept away, and the sides of the
-    // outline stand for everything between.
+    // Planes that face away from the light bound the sweep from below. Planes that face the light are swept away. The
+    // sides of the hull replace all other planes.
     for (const Plane& plane : region.volume.planes)
         if (glm::dot(plane.normal, frame.y) > 1e-12) volume.planes.push_back(plane);
     for (const SweepSide& side : sweepOf(positionsOf(region), frame).sides)
@@ -135,7 +136,8 @@ ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
 
 namespace {
 
-/// The plane of `normal` that has all of `points` on its inner side and one of them on it; offsets from `origin`.
+/// Returns the plane with `normal` that contains all of `points` on its inner side and touches one of them. Offsets are
+/// computed relative to `origin`.
 Plane touchingPlane(std::span<const glm::dvec3> points, const glm::dvec3& normal, const glm::dvec3& origin) {
     double least = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points)
@@ -143,7 +145,7 @@ Plane touchingPlane(std::span<const glm::dvec3> points, const glm::dvec3& normal
     return {normal, -least - glm::dot(normal, origin)};
 }
 
-/// Adds the plane through three of `points` to `volume`, for each side of it that has all of them.
+/// Adds the plane through three of `points` to `volume`, once per orientation that has all points on its inner side.
 void addFace(
     std::span<const glm::dvec3> points, const std::array<std::size_t, 3>& three, double size, ConvexVolume& volume) {
     const glm::dvec3& a = points[three[0]];
@@ -167,7 +169,7 @@ ConvexVolume pointCasterVolume(std::span<const glm::dvec3> corners, const glm::d
     double size = 0;
     for (const glm::dvec3& point : points)
         size = std::max(size, glm::length(point - light));
-    ConvexVolume volume; // few points: every three of them are tried
+    ConvexVolume volume; // there are few points, so the code tries each triple
     for (std::size_t i = 0; i < points.size(); ++i)
         for (std::size_t j = i + 1; j < points.size(); ++j)
             for (std::size_t k = j + 1; k < points.size(); ++k)
@@ -178,7 +180,7 @@ ConvexVolume pointCasterVolume(std::span<const glm::dvec3> corners, const glm::d
 ConvexVolume grownCasterVolume(
     std::span<const glm::dvec3> receivers, const WarpedMap& map, double growS, double growT) {
     ConvexVolume volume;
-    // Depth 1 is the plane -y = (rawMin + rawRange) w.
+    // The far end of the depth range (depth 1) is the plane -y = (rawMin + rawRange) w.
     const double rawMax = map.rawMin + map.rawRange;
     const glm::dvec3 floorNormal = map.frame.y + map.frame.z * (rawMax * map.kappa);
     const double length = glm::length(floorNormal);

@@ -1,4 +1,4 @@
-// An image in square tiles: what is told of its parts, and which of them are drawn.
+// An image divided into square tiles, and a mask that selects some of the tiles.
 #pragma once
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 
 namespace gnomon::shadow {
 
-/// The tiles of an image, row by row from its lower left corner; those at its far sides are cut off.
+/// The tiles of an image, row by row from the lower left corner. Tiles at the right and upper border may be smaller.
 struct ImageTiles {
     static constexpr int kSide = 32; // pixels
 
-    int width = 0; // of the image, pixels
+    int width = 0; // width of the image, pixels
     int height = 0;
 
     int columns() const { return (width + kSide - 1) / kSide; }
@@ -20,7 +20,7 @@ struct ImageTiles {
 
     std::size_t count() const { return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()); }
 
-    /// The tile of a pixel, whose row counts from below.
+    /// Returns the index of the tile that contains pixel (x, y). Row 0 is the lowest.
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y / kSide) * static_cast<std::size_t>(columns()) +
                static_cast<std::size_t>(x / kSide);
@@ -29,14 +29,15 @@ struct ImageTiles {
     bool operator==(const ImageTiles&) const = default;
 };
 
-/// Some of them.
+/// A set of tiles.
 struct TileMask {
     ImageTiles tiles;
     std::vector<bool> wanted; // by tile
 
     bool holds(int x, int y) const { return wanted[tiles.at(x, y)]; }
 
-    /// Whether it holds any pixel of x0 <= x < x1, y0 <= y < y1, which lie in the image and are some.
+    /// Returns true if a wanted tile intersects the pixels x0 <= x < x1, y0 <= y < y1. The range must lie in the image
+    /// and must not be empty.
     bool holdsAny(int x0, int y0, int x1, int y1) const {
         for (int y = y0 / ImageTiles::kSide; y <= (y1 - 1) / ImageTiles::kSide; ++y)
             for (int x = x0 / ImageTiles::kSide; x <= (x1 - 1) / ImageTiles::kSide; ++x)

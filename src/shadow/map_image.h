@@ -1,5 +1,5 @@
-// A shadow map as a lookup sees it: the numbers that both executors are given, and what they compute with them. In
-// double it is the map that is planned and proven, rounded to float the one that is drawn.
+// The parameters of a shadow lookup, and the lookup's position and bias. Both backends use them. The version in double
+// serves for planning and validation, the version in float for drawing.
 #pragma once
 
 #include "shadow/depth_bias.h"
@@ -11,7 +11,8 @@
 
 namespace gnomon::shadow {
 
-/// One map for positions in a space of world units, whose axes may be any. Shaders repeat texelAt and receiverBias.
+/// The lookup parameters of one map, for positions in any space with world units. Shaders repeat texelAt and
+/// receiverBias.
 template <typename Number>
 struct MapImage {
     using Vec2 = glm::vec<2, Number, glm::defaultp>;
@@ -19,43 +20,43 @@ struct MapImage {
     using Vec4 = glm::vec<4, Number, glm::defaultp>;
     using Mat4 = glm::mat<4, 4, Number, glm::defaultp>;
 
-    Vec3 origin{0}; // positions are taken relative to it before anything else; 0 unless floats need it
-    /// Clip space to draw the casters with and to look up in, viewport = the map's rectangle: x and y in [-w, w] fill
-    /// it gutters included, depth w in [0, w] with the smallest nearest to the light. w may be 0 or negative behind the
-    /// warp's centre: clip homogeneously, and clamp depth per fragment. Centred on 0 it is three times as exact in
-    /// single precision as a matrix to texels would be.
+    Vec3 origin{0}; // subtracted from each position first; 0 unless float precision requires it
+    /// The matrix from an offset to clip space, for casters and lookups; the viewport is the map's rectangle. x and y
+    /// in [-w, w] fill the rectangle with its borders. Depth times w is in [0, w], and the smallest depth is nearest to
+    /// the light. w may be 0 or negative behind the centre of the warp: clip homogeneously, and clamp the depth per
+    /// fragment. Clip space is centred on 0 and therefore has three times the float precision of a matrix to texels.
     Mat4 clipFromOffset{1};
     Vec2 texelScale{1}; // (column, row) in the depth texture = clip.xy / clip.w * texelScale + texelOffset
     Vec2 texelOffset{0};
-    /// Products with a receiver's plane (N, -N.(p - origin)): byColumn / byDepth is what its depth changes by from one
-    /// column to the next, byRow / byDepth likewise, but for the sign.
+    /// Factors for a receiver's plane (N, -N.(p - origin)), to be multiplied by a dot product. byColumn / byDepth is
+    /// the change of the plane's depth per column, and byRow / byDepth the change per row, both without sign.
     Vec4 byColumn{0};
     Vec4 byRow{0};
     Vec4 byDepth{0};
-    Number unevenX = 0; // depth that kUnevenSlope changes over a texel along x
-    Number unevenZ = 0; // and along z where w is 1: times w; the unevenness is the length of both
+    Number unevenX = 0; // change of depth that kUnevenSlope causes over a texel along x
+    Number unevenZ = 0; // the same along z at w = 1, to be multiplied by w; the two combine as a vector length
     Number reach = 0;   // reachTexels
-    /// 1 where rows lie logarithmically, else 0. The row is then ln(clip.w) * texelScale.y + texelOffset.y, clip.y is
-    /// -1 everywhere, byRow is what it is where w is 1, to be divided by w, and unevenZ is the same everywhere.
+    /// 1 if rows are logarithmic, else 0. With logarithmic rows, the row is ln(clip.w) * texelScale.y + texelOffset.y,
+    /// and clip.y is -1 everywhere. byRow is then valid at w = 1 and must be divided by w. unevenZ is constant.
     Number logRows = 0;
-    /// 1 where the map is a point light's, else 0. What unevenness changes in depth over a texel, along x and along z,
-    /// is then `unevenX` and `unevenZ` over w, the distance along the axis.
+    /// 1 for the map of a point light, else 0. For a point light, the change of depth by kUnevenSlope over a texel is
+    /// `unevenX` / w along x and `unevenZ` / w along z, where w is the distance along the axis.
     Number fromPoint = 0;
 };
 
 using DoubleMapImage = MapImage<double>;
 using FloatMapImage = MapImage<float>;
 
-/// Where a lookup reads.
+/// The position of a lookup in the depth texture.
 template <typename Number>
 struct MapTexel {
-    Number column = 0; // in the depth texture, whole numbers on the edges of texels
+    Number column = 0; // column in the depth texture; whole numbers are texel edges
     Number row = 0;
-    Number depth = 0; // 0 nearest to the light, before the bias
+    Number depth = 0; // before the bias; 0 is nearest to the light
     Number w = 1;
 };
 
-/// Where `p` lies in the map. Only meaningful where w > 0.
+/// Returns the texel position of `p`. The result is valid only where w > 0.
 template <typename Number>
 MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number, glm::defaultp>& p) {
     const auto clip = image.clipFromOffset * typename MapImage<Number>::Vec4(p - image.origin, 1);
@@ -67,8 +68,9 @@ MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number
         clip.w};
 }
 
-/// What to subtract from the depth of a receiver at `p` with flat unit normal `normal` and cosine `cosine` (above 0) to
-/// the light: what its plane, and a neighbour somewhat steeper, may change in depth over the reach, and rounding.
+/// Returns the bias to subtract from the depth of a receiver at `p` with flat unit normal `normal`. `cosine` (> 0) is
+/// the cosine between normal and light. The bias is the change of depth over the reach of the filter, for the
+/// receiver's plane and a steeper neighbour (kUnevenSlope), plus the rounding error.
 template <typename Number>
 Number receiverBias(
     const MapImage<Number>& image,
@@ -92,11 +94,11 @@ Number receiverBias(
     return (slope + uneven) * image.reach + static_cast<Number>(kDepthRounding);
 }
 
-/// Where the rows of the texture that `image` fills from `firstRow` on lie, y / w of their middles, if
-/// logarithmically; else nothing.
+/// Returns y / w at the centre of each row of the texture that `image` fills, from `firstRow` on, if rows are
+/// logarithmic. Otherwise returns an empty list.
 std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count);
 
-/// The image in single precision, each number rounded once.
+/// Returns the image in single precision, each number rounded once.
 FloatMapImage rounded(const DoubleMapImage& image);
 
 } // namespace gnomon::shadow

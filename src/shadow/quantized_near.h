@@ -1,20 +1,21 @@
-// The near depth that shadows are promised from: in quantised steps, so that it neither creeps nor jumps back and
-// forth.
+// The near depth of the aliasing bound, quantised into steps. The steps prevent small continuous changes and
+// oscillation.
 #pragma once
 
 namespace gnomon::shadow {
 
-/// What the quantisation remembers from frame to frame.
+/// The state of the quantisation from the previous frame.
 struct NearState {
     double near = 0;     // 0 before the first frame
-    int framesAbove = 0; // how many frames in a row would have allowed a higher step
+    int framesAbove = 0; // number of consecutive frames that permitted a higher step
 };
 
-/// The highest quantised step, a power of 2^(1/4) world units, that is not above `depth` (> 0).
+/// Returns the highest quantised step not above `depth` (> 0). Steps are powers of 2^(1/4), in world units.
 double quantizeNear(double depth);
 
-/// The near depth of this frame: the step under `leastDepth`, the least view depth of anything drawn in the frustum,
-/// but not under `floor`. It falls at once and rises only after `framesBeforeRise` frames that all allow it.
+/// Returns the near depth of this frame: the highest step not above `leastDepth`, and not below `floor`. `leastDepth`
+/// is the smallest view depth of the drawn surfaces. The near depth falls at once. It rises only after
+/// `framesBeforeRise` consecutive frames that permit a higher step.
 NearState nextNear(const NearState& previous, double leastDepth, double floor, int framesBeforeRise = 15);
 
 } // namespace gnomon::shadow

@@ -1,4 +1,4 @@
-// The storage factor of a whole scheme: slices, faces and warp together, summed map by map.
+// The storage factor of a whole scheme (slices, faces and warp), as the sum over its maps.
 #pragma once
 
 #include "shadow/partition/faces.h"
@@ -9,14 +9,14 @@
 
 namespace gnomon::shadow {
 
-/// What becomes of the near square, which no side face covers.
+/// The treatment of the near square, which no side face covers.
 enum class NearFace : std::uint8_t {
-    Omit,    // it is left out, as in the paper: a hole, for the figures only
-    OwnMap,  // an unwarped map of its own
-    Stretch, // the sides are stretched to the eye to cover it
+    Omit,    // no map covers it, as in Lloyd et al. 2006; only for figures, because it leaves a hole
+    OwnMap,  // it has its own unwarped map
+    Stretch, // the side faces extend to the eye and cover it
 };
 
-/// A scheme of maps.
+/// A scheme: a combination of slices, face partitions and warp.
 struct Scheme {
     Warp warp;
     int slices = 4;
@@ -26,10 +26,11 @@ struct Scheme {
     NearFace nearFace = NearFace::OwnMap;
 };
 
-/// Which direction the frames of its faces follow: faces with logarithmic rows follow their near edges.
+/// Returns the direction that the frames of the scheme's faces follow. Faces with logarithmic rows follow their near
+/// edges.
 Bisector bisectorOf(const Scheme& scheme);
 
-/// One map of a scheme with what it costs at unit resolutions.
+/// One map of a scheme, with its aliasing at unit resolutions.
 struct SchemeMap {
     std::size_t slice = 0;
     Face face = Face::Whole;
@@ -37,20 +38,22 @@ struct SchemeMap {
     double kappa = 0;
     Aliasing unit; // M_x and M_z with res_i = res_s = res_t = 1
 
-    double sheared = 0; // M_t with the shear of the texel
+    double sheared = 0; // M_t: largest aliasing along t with the shear of the texel
 
     double storageFactor() const { return unit.x * unit.z; }
 
     double shearedStorageFactor() const { return unit.x * sheared; }
 };
 
-/// The maps of `scheme` in the plain orientation, slice by slice; faces in the order top, bottom, left, right, near.
+/// Returns the maps of `scheme` in the plain orientation, slice by slice. Faces have the order top, bottom, left,
+/// right, near.
 std::vector<SchemeMap> schemeMaps(const ViewFrustum& frustum, const glm::dvec3& towardsLight, const Scheme& scheme);
 
-/// The storage factor of the scheme: the sum over its maps.
+/// Returns the storage factor of the scheme: the sum over its maps.
 double storageFactor(const std::vector<SchemeMap>& maps);
 
-/// The same with the shear of texels counted: what keeps even a sheared step in t within a pixel.
+/// Returns the storage factor with the shear of texels. With so many texels per pixel, even a sheared step in t is at
+/// most a pixel.
 double shearedStorageFactor(const std::vector<SchemeMap>& maps);
 
 } // namespace gnomon::shadow

@@ -12,36 +12,36 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// The steepest warp whose matrix still keeps its promise to a thousandth as floats: its derivatives are differences of
-/// numbers kappa d times as large. Only a TSM with its focus on the near side, and a PSM of a depth ratio above this,
-/// ask for more.
+/// Returns the steepest warp whose float matrix still achieves the aliasing bound to a thousandth. The derivatives of
+/// the matrix are differences of numbers that are kappa d times larger. Only two warps exceed this limit: a TSM with
+/// its focus at the near side, and a PSM of a larger depth ratio.
 double mostKappa(const LightFit& fit) {
-    // Logarithmic rows are counted from the vanishing line, and lose less.
+    // Logarithmic rows are computed relative to the vanishing line and lose less precision.
     const double kMostWarp = fit.rows == RowSpacing::Logarithmic ? 1e6 : 1e4; // of kappa d
     return fit.length > 0 ? kMostWarp / fit.length : std::numeric_limits<double>::infinity();
 }
 
-/// One map before the budget is split.
+/// An unsized map: one map before the distribution of the budget.
 struct Draft {
     Region region;
     LightFit fit;
     double kappa = 0;
-    Aliasing unit;      // at unit resolutions and a single lookup
-    double sheared = 0; // likewise
+    Aliasing unit;      // at unit resolutions, for a single lookup
+    double sheared = 0; // at unit resolutions, for a single lookup
 };
 
 double filterWidth(const ShadowOptions& options) {
     return std::max(1.0, options.filterTexels);
 }
 
-/// A view so thin that float positions relative to the eye do not resolve its texels.
+/// Returns true for a view so thin that float positions relative to the eye cannot resolve its texels.
 bool isThin(const ViewFrustum& frustum) {
     constexpr double kDegree = 0.017453292519943295;
     return frustum.depthRatio() < 1.1 || frustum.halfFovYRadians < kDegree;
 }
 
-/// The slice whose orientation all slices share: that of the largest depth ratio, where the choice matters most. The
-/// others are similar to it, or less demanding.
+/// Returns the slice that determines the common orientation of all slices: the slice with the largest depth ratio. The
+/// orientation matters most for this slice. The other slices are similar to it or less demanding.
 ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& splits) {
     std::size_t leading = 0;
     for (std::size_t i = 0; i + 1 < splits.size(); ++i)
@@ -49,7 +49,7 @@ ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& 
     return slice(frustum, splits[leading], splits[leading + 1]);
 }
 
-/// The frame of a face's map: a near square's is along one of the square's own edges, or along both.
+/// Returns the frame of a face's map. The frame of a near square follows one of the square's edges, or both.
 LightFrame frameOf(const Region& region, const glm::dvec3& towardsLight, const Scheme& scheme) {
     const Bisector bisector = bisectorOf(scheme);
     if (region.face == Face::Near && bisector != Bisector::NearEdge)
@@ -65,12 +65,14 @@ Draft draftOf(const ShadowView& view, const ShadowOptions& options, Region regio
     const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
     draft.fit.rows = rowsOf(warp.rule);
     draft.kappa = std::min(kappaOfMap(warp, draft.fit, region.face), mostKappa(draft.fit));
-    // Rows that are all but even are drawn evenly: so near the vanishing line lies far, and floats tell few apart.
+    // Rows that are almost even are drawn as even rows. Their vanishing line is so far away that floats distinguish few
+    // of them.
     constexpr double kLeastLogWarp = 0.05; // of kappa d
     if (draft.fit.rows == RowSpacing::Logarithmic && draft.kappa * draft.fit.length < kLeastLogWarp) draft.kappa = 0;
     draft.unit = worstAliasing(draft.fit, draft.kappa);
     draft.sheared = worstShearedAliasing(draft.fit, draft.kappa);
-    // A face that the light grazes has texels far longer than wide of the t axis alone, so t is sized by what they are.
+    // A face at a grazing angle to the light has sheared texels, far longer than along the t axis alone. The sheared
+    // length therefore determines the demand in t.
     if (draft.fit.rows == RowSpacing::Logarithmic) draft.unit.z = draft.sheared;
     draft.region = std::move(region);
     return draft;
@@ -91,7 +93,7 @@ StablePlace placeOf(
     const ShadowView& view, const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const int texels = std::min(texelsS, texelsT);
     const double texel = stableExtent(draft.region.covered) / (texels - 1);
-    // The slope at the least cosine, along both axes, whatever the orientation.
+    // This is the slope at the smallest cosine, along both axes, for each orientation.
     const double steepest = 1 / kLeastCosine + kUnevenSlope;
     const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
     return stablePlace(view.anchor, draft.fit.frame, draft.region.covered, texels, bias);
@@ -103,7 +105,7 @@ bool isLogFace(const Draft& draft) {
 
 WarpedMap regionMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
-    // The width of a kernel with so much more reach on each side.
+    // A wider filter models the missed rows: it reaches so far on each side.
     const double missed =
         isLogFace(draft) ? 2 * rowsMissed(draft.region.frustum, draft.region.face, draft.fit.frame.y, texelsT) : 0;
     const double width = std::max(1.0, options.filterTexels) + missed;
@@ -127,7 +129,7 @@ PromisedAliasing promiseOf(
     return {draft.unit.x / s * pixels, draft.unit.z / t * pixels, draft.sheared / t * pixels};
 }
 
-/// The point inside a thin slice that positions are taken relative to: the middle of its vertices.
+/// Returns the origin of float positions in a thin slice: the mean of its vertices.
 glm::dvec3 originOf(const Region& region) {
     glm::dvec3 sum(0);
     for (const FitVertex& vertex : region.vertices)
@@ -142,7 +144,7 @@ std::vector<glm::dvec3> cornersOf(const Region& region) {
     return corners;
 }
 
-/// Corners of all that can ask the map of `region`. Where nothing that is seen does, those of the region.
+/// Returns the corners of all receivers in the map of `region`. Without receivers, returns the corners of the region.
 std::vector<glm::dvec3> receiversOf(const ShadowView& view, const Region& region) {
     std::vector<glm::dvec3> corners = seenCorners(region, view.seen, view.anchor.basis);
     return corners.empty() ? cornersOf(region) : corners;
@@ -165,7 +167,8 @@ ShadowMap finished(
         result.warped = regionMap(options, draft, texelsS, texelsT);
     }
     const double reach = layout.gutter;
-    // A stabilised map stays from frame to frame while its casters do, so what is seen must not choose among them.
+    // A stabilised map is reused while its casters stay the same. The visible slabs must therefore not influence its
+    // casters.
     const std::vector<glm::dvec3> receivers =
         options.stabilized ? cornersOf(draft.region) : receiversOf(view, draft.region);
     result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach / texelsT);

@@ -24,7 +24,7 @@ Resolution ShadowMap::texels() const {
 }
 
 glm::dmat4 ShadowMap::lightClipFromMap() const {
-    // [0, 1] over the map becomes [-1, 1] over it, and that what the map is of its rectangle.
+    // Maps [0, 1] over the map to [-1, 1] over the map, and scales it to the map's part of its rectangle.
     const TexelRectangle inner = innerRectangle();
     const double scaleX = static_cast<double>(inner.width) / rectangle.width;
     const double scaleY = static_cast<double>(inner.height) / rectangle.height;
@@ -35,7 +35,8 @@ glm::dmat4 ShadowMap::lightClipFromMap() const {
     clip[1] = rectangle.transposed ? alongX : alongY;
     clip[3] = {-scaleX, -scaleY, 0, 1};
     if (warped.rows == RowSpacing::Even) return clip;
-    // t w = (1 + kappa d) / (kappa d) (w - 1), so that y is -1.
+    // The row is computed from w = 1 + kappa zeta, and t w = (1 + kappa d) / (kappa d) (w - 1). This matrix makes y
+    // equal to -1.
     const double warp = warped.kappa * warped.length;
     for (glm::length_t column = 0; column < 4; ++column)
         clip[column].y = 0;
@@ -53,7 +54,7 @@ double ShadowMap::rowsPerLog() const {
 
 namespace {
 
-/// `clip` with even columns and rows moved by the map's shift. Clip space is 2 w wide over the rectangle.
+/// Returns `clip` with columns and even rows moved by the map's shift. In clip space, the rectangle has a width of 2 w.
 glm::dmat4 shifted(const ShadowMap& map, glm::dmat4 clip) {
     if (map.shift == glm::dvec2(0)) return clip;
     const bool hasEvenRows = map.cubeFace || map.warped.rows == RowSpacing::Even;
@@ -95,7 +96,8 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromO
     image.reach += rowsMissed(map.region.frustum, map.region.face, map.warped.frame.y, map.texels().t);
     image.texelScale.y = map.rowsPerLog();
     image.texelOffset.y = r.y + map.shift.y;
-    // A step of `reach` rows towards the light's near end is the longest: 1 / w grows by e^(reach / rowsPerLog).
+    // A step of `reach` rows towards the near end of the light's frame is the longest, because 1 / w grows by e^(reach
+    // / rowsPerLog).
     const double steps = image.reach / map.rowsPerLog();
     const double longer = std::expm1(steps) / steps;
     image.byRow = offsetFromClip[1] * (longer / map.rowsPerLog());

@@ -1,4 +1,4 @@
-// One shadow map of a frame: the value that plan, executors, proofs and tests share.
+// One shadow map of a frame: the value that the plan, the executors, the validation and the tests share.
 #pragma once
 
 #include "shadow/cube/cube_face.h"
@@ -10,45 +10,45 @@
 
 namespace gnomon::shadow {
 
-/// What a map promises over its region: the perspective aliasing, with real sizes, viewport and kernel.
+/// The aliasing bound of a map over its region: perspective aliasing for the actual map size, viewport and filter.
 struct PromisedAliasing {
     double x = 0;       // along s
-    double z = 0;       // along t, the paper's measure
+    double z = 0;       // along t, as in Lloyd et al. 2006
     double sheared = 0; // along t, with the shear of the texel
 
     double worst() const { return x > z ? x : z; }
 };
 
-/// One map of a region, in camera space.
+/// One shadow map with its region, projection, place in the texture and casters, in camera space.
 struct ShadowMap {
-    Region region;             // slice, face, vertices and planes: its receivers
-    WarpedMap warped;          // light frame, kappa, and (s, t, depth) over the map without its gutters
-    TexelRectangle rectangle;  // in the depth texture, gutters included
+    Region region;             // slice, face, vertices and planes; contains the receivers
+    WarpedMap warped;          // light frame, kappa, and (s, t, depth) over the map without its borders
+    TexelRectangle rectangle;  // place in the depth texture, borders included
     int gutter = 1;            // texels on each side
-    double filterTexels = 0;   // width of the kernel; 0 is a single lookup
-    ConvexVolume casterVolume; // all that can throw a shadow into the region, grown by the lookup's reach
+    double filterTexels = 0;   // width of the filter; 0 is a single lookup
+    ConvexVolume casterVolume; // volume of all casters, extended by the reach of the lookup
     PromisedAliasing promised;
-    std::optional<StablePlace> stable; // of a stabilised slice's map
-    /// Of a point light's map, in place of `warped`, of which the frame alone holds then.
+    std::optional<StablePlace> stable; // only for a stabilised slice
+    /// The projection for a point light. It replaces `warped`; only warped.frame is then valid.
     std::optional<CubeFaceProjection> cubeFace;
-    /// For views so thin (depth ratio under 1.1 or half angle under a degree) that float positions must be relative to
-    /// a point inside the slice: that point; of a point light's map the light; else 0.
+    /// The origin of float positions. It is a point inside the slice for very thin views (depth ratio below 1.1 or half
+    /// angle below one degree), the light for the map of a point light, and 0 otherwise.
     glm::dvec3 origin{0};
-    /// Columns and rows of the depth texture by which the grid of texels is moved, each at most half a texel: the
-    /// samples of one picture see different grids. Lookups and casters need no more room for it.
+    /// The shift of the texel grid, in columns and rows of the depth texture, each at most half a texel. Each sample of
+    /// one picture can use a different grid. Lookups and casters need no extra space for the shift.
     glm::dvec2 shift{0};
 
-    /// What a lookup reads without a kernel: the rectangle without its gutters.
+    /// Returns the rectangle without its borders: the area that a lookup without a filter reads.
     TexelRectangle innerRectangle() const;
 
-    /// Texels along s and t without gutters, whichever way the map lies in the depth texture; `image` is 1.
+    /// Returns the texels along s and t without borders, independent of transposition; `image` is 1.
     Resolution texels() const;
 
-    /// (s, t, depth) over the map, times w -> clip space over the rectangle, as MapImage has it. With logarithmic rows
-    /// t is that of even ones, and w is 1 on the rectangle's lowest edge.
+    /// Returns the matrix from (s, t, depth) times w to clip space over the rectangle (MapImage describes clip space).
+    /// With logarithmic rows, t is the t of even rows, and w is 1 at the lowest edge of the rectangle.
     glm::dmat4 lightClipFromMap() const;
 
-    /// Rows of the texture by which w grows e times, where they are logarithmic.
+    /// Returns the number of texture rows over which w grows by a factor of e, for logarithmic rows.
     double rowsPerLog() const;
 
     glm::dmat4 lightClipFromCamera() const {
@@ -56,11 +56,11 @@ struct ShadowMap {
     }
 };
 
-/// The image of `map`, moved by its shift, for positions of which `unmovedClipFromOffset` makes clip space without it
-/// once `origin` is subtracted.
+/// Returns the lookup parameters of `map`, including its shift. `unmovedClipFromOffset` is the matrix without the
+/// shift, for positions relative to `origin`.
 DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromOffset, const glm::dvec3& origin);
 
-/// The image of `map` for positions in camera space, relative to the map's origin.
+/// Returns the lookup parameters of `map` for positions in camera space, relative to the map's origin.
 DoubleMapImage cameraImage(const ShadowMap& map);
 
 } // namespace gnomon::shadow

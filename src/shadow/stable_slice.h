@@ -1,5 +1,5 @@
-// Stable slices (Blow 2004): an unwarped map whose size does not depend on how the camera is turned and whose texels
-// lie on a grid fixed in the world, so that shadow edges do not crawl as the camera moves.
+// Stable slices (Blow 2004): unwarped maps of constant size whose texels lie on a grid fixed in the world. Shadow edges
+// therefore do not crawl when the camera moves.
 #pragma once
 
 #include "core/camera.h"
@@ -11,40 +11,40 @@
 
 namespace gnomon::shadow {
 
-/// Where the grid of stable maps is anchored.
+/// The camera's position and axes in the world, which fix the texel grid of stable maps.
 struct WorldAnchor {
     CameraBasis basis; // the camera's axes in world space
     glm::dvec3 eye{0}; // world space
 };
 
-/// The extent that a stable map of `slice` has to have in any orientation: the longest of its diagonals.
+/// Returns the side of a stable map for `slice` that suffices in each orientation: the longest diagonal of the slice.
 double stableExtent(const ViewFrustum& slice);
 
-/// The frame that depends on nothing but the light's direction in the world: z along the world axis furthest from it.
-/// Given and returned in camera space.
+/// Returns a frame that depends only on the light's direction in the world. z follows the world axis with the largest
+/// angle to the light. Input and result are in camera space.
 LightFrame stableFrame(const WorldAnchor& anchor, const glm::dvec3& towardsLight);
 
-/// The same in world space, where it depends on nothing else to the last bit.
+/// Returns the same frame in world space. The result depends only on `towardsLight`, to the last bit.
 LightFrame stableWorldFrame(const glm::dvec3& towardsLight);
 
-/// Where a stable map lies on the world's grid. Under one light, maps of equal places are one map, wherever they are
-/// seen from.
+/// The position of a stable map on the world's texel grid. With the same light, maps with equal places are identical,
+/// independent of the camera.
 struct StablePlace {
-    std::array<std::int64_t, 3> corner{}; // in texels along x, away from the light and along z, from the world's origin
-    double texel = 1;                     // world units
-    int texels = 1;                       // a side
-    double bias = 0;                      // by which the depth range is longer at both ends
+    std::array<std::int64_t, 3> corner{}; // in texels from the world's origin: along x, away from the light, along z
+    double texel = 1;                     // size of a texel, world units
+    int texels = 1;                       // texels per side
+    double bias = 0;                      // length that the depth range adds at both ends
     bool operator==(const StablePlace&) const = default;
 };
 
-/// The place of the map of `slice` with `texels` (at least 2) a side in `frame`: each side is
-/// stableExtent * texels / (texels - 1) long, a texel of margin, so that its corner can snap to whole texels of the
-/// world's grid and the slice still fits. The depth range is as long plus `bias` at both ends, and snaps alike.
+/// Returns the place of the map of `slice` with `texels` (at least 2) per side in `frame`. Each side has the length
+/// stableExtent * texels / (texels - 1). The extra texel lets the corner snap to whole texels of the world's grid. The
+/// depth range has the same length plus `bias` at both ends, and also snaps.
 StablePlace stablePlace(
     const WorldAnchor& anchor, const LightFrame& frame, const ViewFrustum& slice, int texels, double bias);
 
-/// The map at `place` for positions relative to `origin` (light space of the world, world units), in the axes that
-/// `frame` is given in.
+/// Returns the map at `place`, in the axes of `frame`, for positions relative to `origin` (light space of the world,
+/// world units).
 WarpedMap stableMap(const StablePlace& place, const LightFrame& frame, const glm::dvec3& origin);
 
 } // namespace gnomon::shadow

@@ -13,9 +13,9 @@ std::size_t cubeFaceOf(const glm::dvec3& offset) {
 LightFrame cubeFaceAxes(std::size_t index) {
     const auto axis = static_cast<glm::length_t>(index / 2);
     LightFrame frame{glm::dvec3(0), glm::dvec3(0), glm::dvec3(0)};
-    frame.y[axis] = index % 2 == 0 ? -1 : 1; // from the face back to the light
+    frame.y[axis] = index % 2 == 0 ? -1 : 1; // from the face towards the light
     frame.z[(axis + 1) % 3] = 1;
-    frame.x = glm::cross(frame.z, frame.y); // camera space is left-handed: there it is y cross z
+    frame.x = glm::cross(frame.z, frame.y); // camera space is left-handed; there, x is y cross z
     return frame;
 }
 

@@ -1,4 +1,4 @@
-// What the map of a point light sees through one face of the cube about it: a perspective projection from the light.
+// The perspective projection of a point light through one face of the cube around the light.
 #pragma once
 
 #include "shadow/fit/light_frame.h"
@@ -8,34 +8,37 @@
 
 namespace gnomon::shadow {
 
-/// The faces of a cube about a light whose edges lie along the world's axes, in the order of cubeFaceOf.
+/// The faces of the cube around a point light, in the order of cubeFaceOf. The edges of the cube are parallel to the
+/// world axes.
 inline constexpr std::array kCubeFaces = {
     Face::PlusX, Face::MinusX, Face::PlusY, Face::MinusY, Face::PlusZ, Face::MinusZ};
 
-/// The face that `offset` from the light, along the world's axes, is seen through: that of its largest component, the
-/// first of these where two are as large. Shadow lookups repeat it.
+/// Returns the index of the face that contains the direction `offset` from the light, in world axes. The largest
+/// component selects the face; of equal components the first one wins. The shadow lookup in the shaders uses the same
+/// rule.
 std::size_t cubeFaceOf(const glm::dvec3& offset);
 
-/// The axes of face `index` in the world: y towards the light, z and x along the map's t and s axes.
+/// Returns the axes of face `index` in world space: y towards the light, z and x along the t and s axes of the map.
 LightFrame cubeFaceAxes(std::size_t index);
 
-/// Camera space -> (s, t, depth). With q from the light to a point and w = -q.y, the distance along the face's axis,
-/// s = (q.x / w - sMin) / sRange, t = (q.z / w - tMin) / tRange, and depth = far (w - near) / ((far - near) w).
+/// The projection from camera space to (s, t, depth). Let q be the vector from the light to a point, and w = -q.y the
+/// distance along the face's axis. Then s = (q.x / w - sMin) / sRange, t = (q.z / w - tMin) / tRange, and depth = far
+/// (w - near) / ((far - near) w).
 struct CubeFaceProjection {
     glm::dvec3 light{0}; // camera space
-    LightFrame frame;    // likewise
-    double sMin = -1;    // tangents of the angle from the axis
+    LightFrame frame;    // camera space
+    double sMin = -1;    // tangent of the angle to the axis
     double sRange = 2;
     double tMin = -1;
     double tRange = 2;
-    double near = 1; // along the axis
+    double near = 1; // distance along the axis
     double far = 2;
 
-    /// What depth changes by over a unit of w, times w squared.
+    /// Returns the derivative of depth by w, times w squared.
     double depthSlope() const { return far * near / (far - near); }
 };
 
-/// The matrix whose product with (p, 1) is (s w, t w, depth w, w).
+/// Returns the matrix whose product with (p, 1) is (s w, t w, depth w, w).
 glm::dmat4 textureFromCamera(const CubeFaceProjection& face);
 
 } // namespace gnomon::shadow

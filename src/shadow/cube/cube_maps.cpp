@@ -9,7 +9,7 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// The least and the greatest of dot(axis, p) over a box.
+/// The min and max of dot(axis, p) over a box.
 struct Interval {
     double least = 0;
     double greatest = 0;
@@ -25,7 +25,8 @@ double leastSize(const Interval& values) {
     return std::max({values.least, -values.greatest, 0.0});
 }
 
-/// Of values over distances from `near` (0 where the quotient has no bound) to `far`, within what a face shows.
+/// Returns the range of `values` divided by distances from `near` to `far`, clamped to [-1, 1], the range of a face. If
+/// `near` is 0, the quotient has no bound.
 Interval tangents(const Interval& values, double near, double far) {
     const auto quotient = [&](double value, double nearer, double farther) {
         const double over = value < 0 ? nearer : farther;
@@ -34,18 +35,18 @@ Interval tangents(const Interval& values, double near, double far) {
     return {quotient(values.least, near, far), quotient(values.greatest, far, near)};
 }
 
-/// All that is seen through one face.
+/// The ranges of all receivers of one face.
 struct FaceReceivers {
     Interval s{2, -2}; // tangents
     Interval t{2, -2};
     Interval w{std::numeric_limits<double>::infinity(), 0}; // distances along the axis
-    double ratio = 0;                                       // the largest of w over view depth, within [near, far]
-    double ratioBeyond = 0;                                 // likewise outside
+    double ratio = 0;                                       // max of w over view depth, within [near, far]
+    double ratioBeyond = 0;                                 // the same outside [near, far]
 
     bool isAny() const { return w.greatest > 0; }
 };
 
-/// The view between two depths, world axes, relative to the eye.
+/// Returns the bounding box of the view between two depths, in world axes relative to the eye.
 Box slabBox(const LampView& view, const DepthSpan& depths) {
     Box box;
     for (const glm::dvec3& corner : corners(slice(view.frustum, depths.near, depths.far)))
@@ -57,13 +58,13 @@ Box common(const Box& a, const Box& b) {
     return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
 }
 
-/// What is seen, or, where that is not known, all that may be.
+/// Returns the visible slabs. Without known slabs, returns slabs that cover the whole view.
 std::vector<SeenPart> seenParts(const LampView& view) {
     std::vector<SeenPart> parts;
     for (SeenPart part : view.seen) {
         part.depths.near = std::max(part.depths.near, view.shown.near);
         part.depths.far = std::max(part.depths.far, part.depths.near * (1 + 1e-9));
-        constexpr double kSlack = 1e-9; // of a ground without height
+        constexpr double kSlack = 1e-9; // for a flat ground
         const glm::dvec3 slack(kSlack * part.depths.far);
         const Box box = common({part.box.min - slack, part.box.max + slack}, slabBox(view, part.depths));
         if (!box.isEmpty()) parts.push_back({part.depths, box});
@@ -83,7 +84,7 @@ void addPart(
     const Interval x = along(axes.x, box);
     const Interval z = along(axes.z, box);
     Interval w = along(-axes.y, box);
-    constexpr double kSeam = 1 - 1e-6; // what rounding may take for either face has a map in both
+    constexpr double kSeam = 1 - 1e-6; // a point that rounding may assign to either face has a map in both
     w.least = std::max({w.least, leastSize(x) * kSeam, leastSize(z) * kSeam});
     if (!(w.greatest > 0) || w.least > w.greatest) return;
     const Interval s = tangents(x, w.least, w.greatest);
@@ -96,7 +97,7 @@ void addPart(
         face.ratio = std::max(face.ratio, w.greatest / std::max(part.depths.near, view.frustum.near));
 }
 
-/// A face without its texels.
+/// A face before the distribution of texels.
 struct FaceDraft {
     std::size_t index = 0;
     FaceReceivers receivers;
@@ -104,13 +105,13 @@ struct FaceDraft {
 };
 
 FaceDraft draftOf(const LampView& view, double kernel, std::size_t index, FaceReceivers receivers) {
-    constexpr double kLeastTangent = 1e-6; // of a map of next to nothing
+    constexpr double kLeastTangent = 1e-6; // min size of a map, as a tangent
     for (Interval* range : {&receivers.s, &receivers.t}) {
         const double missing = std::max(kLeastTangent - (range->greatest - range->least), 0.0);
         range->least -= missing / 2;
         range->greatest += missing / 2;
     }
-    // What is not promised for gets texels, too, where the face shows nothing else.
+    // A face that contains only points outside the depth range of the aliasing bound gets texels, too.
     const double ratio = receivers.ratio > 0 ? receivers.ratio : receivers.ratioBeyond;
     const double pixels = view.imageHeight / (2 * tanHalfY(view.frustum)) * kernel * ratio;
     return {
@@ -119,7 +120,7 @@ FaceDraft draftOf(const LampView& view, double kernel, std::size_t index, FaceRe
         {(receivers.s.greatest - receivers.s.least) * pixels, (receivers.t.greatest - receivers.t.least) * pixels}};
 }
 
-/// The face's planes in camera space, each side moved out by so many tangents.
+/// Returns the planes of the face in camera space, each side moved outwards by `growS` or `growT` (tangents).
 ConvexVolume pyramid(const CubeFaceProjection& face, double growS, double growT) {
     ConvexVolume volume;
     const auto add = [&](const glm::dvec3& normal) {
@@ -135,7 +136,7 @@ ConvexVolume pyramid(const CubeFaceProjection& face, double growS, double growT)
     return volume;
 }
 
-/// What is seen through the face, within the depths of what is shown.
+/// Returns the view through the face, within the depths of the receivers.
 Region regionOf(const LampView& view, const CubeFaceProjection& face, std::size_t index) {
     Region region;
     region.face = kCubeFaces[index];
@@ -147,8 +148,9 @@ Region regionOf(const LampView& view, const CubeFaceProjection& face, std::size_
     return region;
 }
 
-/// Depths begin where a receiver's bias cannot lead before them, but not so near to the light that floats could not
-/// tell depths apart: what is nearer than that is lit.
+/// Sets the depth range. It begins so early that the bias of a receiver cannot move it before the range. The ratio far
+/// / near has a limit, because floats could not distinguish depths otherwise. Surfaces nearer to the light than `near`
+/// are lit.
 void setDepths(CubeFaceProjection& face, const Interval& w, double texelS, double texelT, double filterTexels) {
     constexpr double kMostRatio = 1000;
     const double steepest = (texelS + texelT) / kLeastCosine + kUnevenSlope * std::hypot(texelS, texelT);

@@ -1,30 +1,31 @@
-// The shadow maps of a point light: a perspective map for each face of a cube about it that anything is seen through.
+// The shadow maps of a point light: one perspective map per face of a cube around the light. Faces without receivers
+// get no map.
 #pragma once
 
 #include "shadow/setup.h"
 
 namespace gnomon::shadow {
 
-/// What is looked at, and from where it is lit.
+/// The view and the position of a point light.
 struct LampView {
     glm::dvec3 light{0};            // camera space
-    CameraBasis basis;              // of that
-    ViewFrustum frustum;            // near and far are the range that shadows are promised for
-    DepthSpan shown;                // view depths of all that is to have shadows
+    CameraBasis basis;              // axes of camera space
+    ViewFrustum frustum;            // near and far are the depth range of the aliasing bound
+    DepthSpan shown;                // view depths of all receivers
     int imageHeight = 800;          // pixels
-    std::span<const SeenPart> seen; // all that is seen; nothing: anything may be anywhere within `shown`
+    std::span<const SeenPart> seen; // the visible slabs; empty: surfaces can be anywhere within `shown`
 };
 
-/// One map a face that has any receivers, packed into one texture, and so many texels each that all promise the same
-/// (Lloyd et al. 2006, Eqs 13 and 14).
+/// Returns one map per face that has receivers, packed into one texture. The texels are distributed such that all maps
+/// have the same aliasing bound (Lloyd et al. 2006, Eqs 13 and 14).
 ///
-/// A texel of a face is tangent / texels wide a unit of distance along the face's axis, and a pixel is 2 tan(theta) /
-/// height wide a unit of view depth. So what a map promises, the largest width of a texel, parallel to its face, over
-/// that of a pixel, is a constant times the largest ratio of those two depths over what is seen through the face
-/// within [near, far]: a quotient of linear functions, which is largest at a corner. It is taken of boxes that hold
-/// what is seen, each over its least depth.
+/// A texel of a face has the width tangent / texels per unit of distance along the face's axis. A pixel has the width 2
+/// tan(theta) / height per unit of view depth. The aliasing bound of a map is the largest ratio of these widths, for
+/// texels parallel to the face. It is a constant times the largest ratio of the two depths over the visible points of
+/// the face within [near, far]. This ratio of linear functions is largest at a corner. The function evaluates it for
+/// boxes around the visible points, each with its smallest view depth.
 ///
-/// Uses texels, filterTexels, minSide and maxSide of `options`. Throws as shadowMapSetup.
+/// The function uses texels, filterTexels, minSide and maxSide of `options`. Throws the same errors as shadowMapSetup.
 ShadowMapSetup cubeMapSetup(const LampView& view, const ShadowOptions& options);
 
 } // namespace gnomon::shadow

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Moves the zeta origin to the least z of the region, given points whose zeta still is their z.
+/// Moves the origin of zeta to the min z of the region. Before the call, the zeta of each point must be its z.
 void startZetaAtZero(LightFit& fit) {
     double least = kInfinity;
     double most = -kInfinity;
@@ -51,8 +51,8 @@ LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<
     fit.zMin = glm::dot(frame.z, least->position);
     for (const FitVertex& vertex : vertices) {
         const glm::dvec3 p = toLight(frame, vertex.position);
-        // Of the difference, and not the other way round: near corners of a thin view lie side by side, far from the
-        // eye.
+        // zeta is computed from the difference of positions. In a thin view, near corners are close to each other and
+        // far from the eye, and the difference of two z values would lose precision.
         const double zeta = glm::dot(frame.z, vertex.position - least->position);
         fit.storage[fit.count++] = {p.x, p.y, zeta, vertex.position.z, vertex.end};
     }
@@ -101,8 +101,8 @@ WarpedExtent warpedExtent(const LightFit& fit, double kappa) {
 
 Aliasing worstAliasing(const LightFit& fit, double kappa) {
     WarpedExtent extent{kInfinity, -kInfinity};
-    double worstX = 0; // of (1 + kappa zeta) / depth
-    double worstZ = 0; // of (1 + kappa zeta)^2 / depth, or of (1 + kappa zeta) / depth
+    double worstX = 0; // max of (1 + kappa zeta) / depth
+    double worstZ = 0; // max of (1 + kappa zeta)^2 / depth, or of (1 + kappa zeta) / depth with logarithmic rows
     for (const FitPoint& point : fit.points()) {
         const double w = 1 + kappa * point.zeta;
         const double u = point.x / w;

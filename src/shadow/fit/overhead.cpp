@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNoWarp = std::numeric_limits<double>::infinity();
 
-/// n' / (n' + c) and (n' + c) / n', which an infinite n' must not turn into a NaN.
+/// Returns n' / (n' + length), which is 1 for an infinite n' (the plain expression would be NaN).
 double overFar(double nPrime, double length) {
     return std::isinf(nPrime) ? 1.0 : nPrime / (nPrime + length);
 }
@@ -65,7 +65,7 @@ double nPrimeOfEta(const ViewFrustum& frustum, double eta) {
 }
 
 double etaOfNPrime(const ViewFrustum& frustum, double nPrime) {
-    // Differences of M_z, as the paper has it, have no digits left where the depth ratio is near 1.
+    // The paper uses differences of M_z, which lose all digits for a depth ratio near 1.
     if (std::isinf(nPrime)) return -1;
     const double least = nPrimeLspsm(frustum);
     if (nPrime > least) return (least - nPrime) / (nPrime + (frustum.far - frustum.near));

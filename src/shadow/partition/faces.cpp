@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::array<Face, 4> kSides{Face::Top, Face::Bottom, Face::Left, Face::Right};
 
-/// The two near corners of a side face as indices into shadow::corners; the far ones are 4 further.
+/// Returns the two near corners of a side face, as indices into shadow::corners. The far corners have these indices
+/// plus 4.
 std::array<std::size_t, 2> nearCorners(Face face) {
     switch (face) {
     case Face::Top:
@@ -28,8 +29,8 @@ std::array<std::size_t, 2> nearCorners(Face face) {
     return {};
 }
 
-/// The frame in which the near square is a rectangle, its rows along the image's; the plain convention where the light
-/// sees it edge-on.
+/// Returns the frame in which the near square is a rectangle with rows parallel to the image rows. Returns the plain
+/// convention if the light sees the square edge-on.
 LightFrame squareFrame(const glm::dvec3& towardsLight) {
     const glm::dvec3 guide = glm::cross(glm::dvec3(1, 0, 0), towardsLight);
     if (!(glm::length(guide) > 1e-12)) return lightFrame(towardsLight);
@@ -38,10 +39,10 @@ LightFrame squareFrame(const glm::dvec3& towardsLight) {
     return std::abs(glm::dot(frame.z, up)) > 1e-12 ? leant(frame, up) : frame;
 }
 
-/// The frame of a side face across its near edge, from `left` to `right`.
+/// Returns the frame of a side face with z perpendicular to the near edge, which runs from `left` to `right`.
 LightFrame edgeFrame(const glm::dvec3& towardsLight, const glm::dvec3& left, const glm::dvec3& right) {
     const glm::dvec3 guide = glm::cross(towardsLight, right - left);
-    // A light along the edge sees the face edge-on, and all of it on one line.
+    // A light parallel to the edge sees the whole face as a line.
     if (!(glm::length(guide) > 1e-12 * glm::length(right - left))) return lightFrame(towardsLight);
     const LightFrame frame = lightFrameAlong(towardsLight, guide);
     return glm::dot(frame.z, left + right) < 0 ? LightFrame{-frame.x, frame.y, -frame.z} : frame;
@@ -134,7 +135,8 @@ LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, F
         return bisector == Bisector::Normalized && length > 0 ? flat / length : flat;
     };
     const glm::dvec3 guide = projectedEdge(0) + projectedEdge(1);
-    // Opposite edges: the light grazes the face and the light's side of it says nothing about the orientation.
+    // The projected edges are opposite: the face is at a grazing angle to the light, and its projection does not define
+    // an orientation.
     if (!(glm::length(glm::cross(towardsLight, guide)) > 1e-12 * slice.far)) return lightFrame(towardsLight);
     return lightFrameAlong(towardsLight, guide);
 }

@@ -1,4 +1,5 @@
-// Face partitioning: the frustum cut along the edges of its faces as the light sees them, so that each face gets a map.
+// Face partitioning: the frustum is cut along the edges of its faces, seen from the light, and each face gets its own
+// map.
 #pragma once
 
 #include "shadow/fit/light_fit.h"
@@ -9,37 +10,40 @@
 
 namespace gnomon::shadow {
 
-/// A face of a slice, or the whole of it where it is not cut along its faces; or one of a cube about a point light.
+/// A face of a slice, a whole slice without face partitions, or a face of the cube around a point light.
 enum class Face : std::uint8_t { Whole, Top, Bottom, Left, Right, Near, PlusX, MinusX, PlusY, MinusY, PlusZ, MinusZ };
 
-/// "whole", "top", "bottom", "left", "right" or "near"; "+x", "-x", "+y", "-y", "+z" or "-z".
+/// Returns "whole", "top", "bottom", "left", "right" or "near"; "+x", "-x", "+y", "-y", "+z" or "-z".
 const char* name(Face face);
 
-/// Which bisector of a face's two side edges, projected along the light, the map's z axis follows.
+/// The direction of the map's z axis, from a face's two side edges projected along the light.
 enum class Bisector : std::uint8_t {
-    Normalized, // of the edges' directions: the right one
-    Literal,    // e0' + e1' as the paper prints it, which the longer edge pulls to itself
-    NearEdge,   // of neither: across the face's near edge, so that with its centre at the eye a warp makes the face a
-                // rectangle on which m_x is constant; the near square's map is as oblique as the light sees the square
+    Normalized, // bisector of the unit edge directions: the correct one
+    Literal,    // e0' + e1' as the paper prints it; the longer edge dominates
+    /// Perpendicular to the face's near edge. With its centre at the eye, a warp turns the face into a rectangle with
+    /// constant m_x. The frame of the near square is as oblique as the square seen from the light.
+    NearEdge,
 };
 
-/// The outward unit normal of a side face or of the near face.
+/// Returns the outward unit normal of a side face or of the near face.
 glm::dvec3 outwardNormal(const ViewFrustum& frustum, Face face);
 
-/// The side faces that bear maps, in the order top, bottom, left, right: those that the narrowest image beams along
-/// each light ray meet, turned to the light where it is behind the viewer (L.v <= 0) and away from it where it is in
-/// front. A face counts where the sine of its angle to the light is above `grazing`.
+/// Returns the side faces that need maps, in the order top, bottom, left, right. These faces contain the narrowest
+/// image beam along each light ray. If the light is behind the viewer (L.v <= 0), they are the faces towards the light;
+/// otherwise the faces away from the light. The function omits a face if the sine of its angle to the light is at most
+/// `grazing`.
 std::vector<Face> sideFaces(const ViewFrustum& frustum, const glm::dvec3& towardsLight, double grazing = 1e-12);
 
-/// The four corners of a side face of `slice` (near, near, far, far), or of its near face.
+/// Returns the four corners of a side face of `slice` (near, near, far, far), or of its near face.
 std::array<FitVertex, 4> faceVertices(const ViewFrustum& slice, Face face);
 
-/// The light frame of a face's map: z along the bisector of its side edges; the near face takes the plain convention.
-/// By its near edge, z is across that, and away from the eye. The near face's frame then leans, so that the face is a
-/// rectangle in (x, z).
+/// Returns the light frame of a face's map. z follows the bisector of the face's side edges; the near face uses the
+/// plain convention. With Bisector::NearEdge, z is perpendicular to the near edge and points away from the eye. The
+/// frame of the near face then has a lean, so that the face is a rectangle in (x, z).
 LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector);
 
-/// A face's region as its map sees it: its four corners, whose projection along the light is that of its partition.
+/// Fits the map of a face to the four corners of the face. Their projection along the light is the projection of the
+/// whole partition.
 LightFit fitFace(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector);
 
 } // namespace gnomon::shadow

@@ -1,18 +1,20 @@
-// Faces that the light grazes: from which angle on they have maps, and what lookups in these take for roundings.
+// Faces at grazing angles to the light: the min angle of a face with its own map, and the rounding error of lookups in
+// such a map.
 #pragma once
 
 #include "shadow/partition/faces.h"
 
 namespace gnomon::shadow {
 
-/// The sine of the light's angle to a face from which on it has a map: 1e-3 with even rows. About the eye with
-/// logarithmic rows a neighbour that takes over a face of sine g covers g f beside the line of the near edge, and its S
-/// grows in proportion to g f/n: so it is 0.1 n/f there, but at least 1e-4, below which floats do not tell the rows of
-/// such a map apart.
+/// Returns the smallest sine of the angle between light and face for which the face gets its own map. It is 1e-3 with
+/// even rows. With logarithmic rows and a warp about the eye, a neighbour covers the omitted face. Its S grows in
+/// proportion to g f/n, where g is the sine. The result is then 0.1 n/f, but at least 1e-4: below 1e-4, floats cannot
+/// distinguish the rows of such a map.
 double leastGrazing(const ViewFrustum& frustum, RowSpacing rows);
 
-/// By how many of `rows` floats may miss one in the map with logarithmic rows of `face` where the light is within 1e-3
-/// of its plane: what tells rows apart there are small differences. Else 0, as subpixels cover it.
+/// Returns the rounding error of a float lookup, in rows, for the map of `face` with logarithmic rows and `rows` rows.
+/// The error matters only if the sine of the angle between light and face is below 1e-3, because the row then depends
+/// on small differences. Otherwise the result is 0, and the margin for subpixels covers the error.
 double rowsMissed(const ViewFrustum& frustum, Face face, const glm::dvec3& towardsLight, double rows);
 
 } // namespace gnomon::shadow

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-/// The sides in cyclic order, each with the signs of the corner that it shares with the next one.
+/// A side face in cyclic order, with the signs of the corner that it shares with the next side.
 struct Side {
     Face face;
     double cornerX;
@@ -26,7 +26,7 @@ glm::dvec3 cornerRay(const ViewFrustum& frustum, const Side& side) {
     return {side.cornerX * tanHalfX(frustum), side.cornerY * tanHalfY(frustum), 1};
 }
 
-/// The middle of a side face at depth 1, and its edge's direction.
+/// Returns the ray through the middle of a side face at depth 1.
 glm::dvec3 middleRay(const ViewFrustum& frustum, Face face) {
     const glm::dvec3 normal = outwardNormal(frustum, face);
     const double x = normal.x == 0 ? 0 : std::copysign(tanHalfX(frustum), normal.x);
@@ -34,7 +34,8 @@ glm::dvec3 middleRay(const ViewFrustum& frustum, Face face) {
     return {x, y, 1};
 }
 
-/// The plane through the eye, the corner ray and the light, oriented so that `inside` passes.
+/// Returns the normal of the plane through the eye, the corner ray and the light, oriented such that `inside` is on its
+/// positive side.
 glm::dvec3 separator(const glm::dvec3& ray, const glm::dvec3& towardsLight, const glm::dvec3& inside) {
     const glm::dvec3 normal = glm::normalize(glm::cross(ray, towardsLight));
     return glm::dot(normal, inside) >= 0 ? normal : -normal;
@@ -45,7 +46,7 @@ void addNearEdge(FaceSelector& selector, const ViewFrustum& frustum, const glm::
     const glm::dvec3 along = horizontal ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 middle = middleRay(frustum, selector.face);
     glm::dvec3 normal = glm::normalize(glm::cross(along, towardsLight));
-    // The face lies beyond its near edge: further along its own middle ray.
+    // The face lies behind its near edge, further along its own middle ray.
     if (glm::dot(normal, middle) < 0) normal = -normal;
     selector.edge = normal;
     selector.edgeOffset = glm::dot(normal, middle);
@@ -61,9 +62,10 @@ Outline imageOutline(const ViewFrustum& frustum) {
     return outline;
 }
 
-/// The part of `outline` with dot(normal, ray) >= 0; a zero normal keeps everything.
+/// Returns the part of `outline` with dot(normal, ray) >= 0. A zero normal keeps the whole outline.
 Outline clipped(const Outline& outline, const glm::dvec3& normal) {
-    // Each corner is asked once: one on the plane that is in for one of its edges and out for the other one is lost.
+    // Each corner is evaluated once. Otherwise, a corner on the plane could be inside for one of its edges and outside
+    // for the other, and would be lost.
     std::vector<double> at;
     for (const glm::dvec3& ray : outline)
         at.push_back(glm::dot(normal, ray));
@@ -83,12 +85,13 @@ Outline clipped(const Outline& outline, const glm::dvec3& normal) {
     return result;
 }
 
-/// The vertices of the slice's part over `outline` with side * (dot(edge, p) - offset) >= 0; an edge of 0 keeps all.
+/// Returns the vertices of the slice over `outline` with side * (dot(edge, p) - offset) >= 0. A zero `edge` keeps all
+/// vertices.
 std::vector<FitVertex> sliceVertices(
     const ViewFrustum& part, const Outline& outline, const glm::dvec3& edge, double offset, double side) {
     std::vector<FitVertex> result;
     const auto value = [&](const glm::dvec3& p) { return side * (glm::dot(edge, p) - offset); };
-    // Rounding must not drop the corners that lie on the cutting plane by construction.
+    // Corners that lie on the cutting plane by construction must not be dropped because of rounding.
     const double slack = 1e-12 * part.far;
     const auto keep = [&](const glm::dvec3& p, DepthEnd end) {
         if (value(p) >= -slack) result.push_back({p, end});
@@ -111,7 +114,7 @@ std::vector<FitVertex> sliceVertices(
     return result;
 }
 
-/// The outline that a face owns when faces before it have had their choice: exactly what ownerOf gives it.
+/// Returns the part of the image that a face owns after the faces before it. It matches the rule of ownerOf exactly.
 Outline faceOutline(const ViewFrustum& frustum, const FaceSelector& face) {
     return clipped(clipped(imageOutline(frustum), face.first), face.second);
 }
@@ -127,8 +130,8 @@ void addSlicePlanes(Region& region) {
         addPlane(region.volume, -outwardNormal(region.frustum, side.face), 0);
 }
 
-/// The vertices between the depths of `part` of the near square's own region: what every face leaves to it. `nearDepth`
-/// is the slice's.
+/// Returns the vertices of the near square's region between the depths of `part`: the part that no face owns.
+/// `nearDepth` is the near depth of the slice.
 std::vector<FitVertex> nearVertices(const ViewFrustum& part, double nearDepth, const PartitionSelector& all) {
     std::vector<FitVertex> result;
     for (const FaceSelector& face : all.faces) {
@@ -143,7 +146,7 @@ std::vector<FitVertex> nearVertices(const ViewFrustum& part, double nearDepth, c
     return result;
 }
 
-/// The vertices between the depths of `part` of what partition `ordinal` of the slice from `nearDepth` on owns.
+/// Returns the vertices of partition `ordinal` between the depths of `part`. The slice begins at `nearDepth`.
 std::vector<FitVertex> partitionVertices(
     const ViewFrustum& part, double nearDepth, const PartitionSelector& selector, std::size_t ordinal) {
     if (selector.faces.empty()) return sliceVertices(part, imageOutline(part), glm::dvec3(0), 0, 1);
@@ -152,14 +155,14 @@ std::vector<FitVertex> partitionVertices(
     return sliceVertices(part, faceOutline(part, face), face.edge, face.edgeOffset * nearDepth, 1);
 }
 
-/// `slice`, the one of `index` among `count`, with what lies beyond it of `shown` if it is at that end.
+/// Returns `slice`, extended to `shown` if it is the first or the last of `count` slices.
 ViewFrustum coveredBy(ViewFrustum slice, std::size_t index, std::size_t count, const DepthSpan& shown) {
     if (index == 0) slice.near = std::min(slice.near, shown.near);
     if (index + 1 == count) slice.far = std::max(slice.far, shown.far);
     return slice;
 }
 
-/// Drops the planes that no vertex touches: they bound nothing.
+/// Removes the planes that touch no vertex, because they do not bound the region.
 void dropIdlePlanes(Region& region) {
     std::erase_if(region.volume.planes, [&](const Plane& plane) {
         return std::none_of(region.vertices.begin(), region.vertices.end(), [&](const FitVertex& vertex) {
@@ -168,7 +171,7 @@ void dropIdlePlanes(Region& region) {
     });
 }
 
-/// In camera space; bit i of the index says at which end of axis i.
+/// Returns the corners in camera space. Bit i of the index selects the max of axis i.
 std::array<glm::dvec3, 8> cornersOf(const Box& box, const CameraBasis& basis) {
     std::array<glm::dvec3, 8> corners{};
     for (unsigned i = 0; i < 8; ++i) {
@@ -193,7 +196,7 @@ ConvexVolume volumeOf(const Box& box, const CameraBasis& basis) {
     return volume;
 }
 
-/// Adds the ends of the part of a-b that is inside `volume`, which may be `slack` wider.
+/// Adds the two end points of the part of a-b inside `volume`, with its planes moved outwards by `slack`.
 void addClipped(
     const glm::dvec3& a,
     const glm::dvec3& b,
@@ -214,13 +217,14 @@ void addClipped(
     points.push_back(a + (b - a) * last);
 }
 
-/// A part of a region: its planes, and segments within it, all of its edges among them.
+/// A part of a region: its planes, and segments inside it that include all its edges.
 struct Part {
     ConvexVolume volume;
     std::vector<std::array<glm::dvec3, 2>> segments;
 };
 
-/// All of `region`, with the segments between any two of its vertices: of a face they are not told apart.
+/// Returns the whole `region`, with segments between each two of its vertices. For a face, the code does not know which
+/// of these segments are edges.
 Part wholePart(const Region& region) {
     Part part{region.volume, {}};
     for (std::size_t i = 0; i < region.vertices.size(); ++i)
@@ -229,7 +233,7 @@ Part wholePart(const Region& region) {
     return part;
 }
 
-/// The part of `region` at `depths`; of a face all of it.
+/// Returns the part of `region` at `depths`. For a face, returns the whole region.
 Part partAt(const Region& region, const DepthSpan& depths) {
     if (region.face != Face::Whole) return wholePart(region);
     const double near = std::max(depths.near * (1 - kRounding), region.covered.near);
@@ -247,8 +251,8 @@ Part partAt(const Region& region, const DepthSpan& depths) {
     return part;
 }
 
-/// What is seen at the depths of `region`, neighbours taken together where there are many: the outline of a long region
-/// gains little from more.
+/// Returns the visible slabs at the depths of `region`, merged to at most kMostParts slabs. More slabs would improve
+/// the outline of a long region only slightly.
 std::vector<SeenPart> fewParts(const Region& region, std::span<const SeenPart> seen) {
     constexpr std::size_t kMostParts = 4;
     std::vector<SeenPart> inRegion;
@@ -266,12 +270,12 @@ std::vector<SeenPart> fewParts(const Region& region, std::span<const SeenPart> s
     return result;
 }
 
-/// Adds points whose convex hull holds all of `box` that lies in `part`.
+/// Adds points whose convex hull contains the intersection of `box` and `part`.
 void addShared(
     const Part& part, const Box& box, const CameraBasis& basis, double slack, std::vector<glm::dvec3>& points) {
     const std::array<glm::dvec3, 8> corners = cornersOf(box, basis);
-    // The corners of what two convex bodies share lie on edges of one, within the other; what more the segments bring
-    // lies within both.
+    // Each corner of the intersection of two convex bodies lies on an edge of one body inside the other. The segments
+    // can add more points, but these also lie in both bodies.
     const ConvexVolume boxVolume = volumeOf(box, basis);
     for (const auto& [first, last] : part.segments)
         addClipped(first, last, boxVolume, slack, points);
@@ -295,7 +299,7 @@ PartitionSelector partitionSelector(
     const auto counts = [&](std::size_t i) {
         return std::find(counting.begin(), counting.end(), kCycle[i % 4].face) != counting.end();
     };
-    // Start the cycle after a face that does not count, so that neighbours in the list are neighbours in the image.
+    // The cycle starts after a face without a map, so that adjacent faces in the list are adjacent in the image.
     std::size_t start = 0;
     for (std::size_t i = 0; i < 4; ++i)
         if (!counts(i)) start = i + 1;
@@ -305,7 +309,8 @@ PartitionSelector partitionSelector(
         FaceSelector face;
         face.face = kCycle[i % 4].face;
         const glm::dvec3 middle = middleRay(frustum, face.face);
-        // A plane between neighbours is found once: it is the one's second and, turned, the other one's first.
+        // The plane between two neighbours is computed once. It is the second plane of one face and, negated, the first
+        // plane of the other.
         if (counts(i + 3))
             face.first = selector.faces.empty()
                              ? separator(cornerRay(frustum, kCycle[(i + 3) % 4]), towardsLight, middle)
@@ -328,7 +333,7 @@ std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p) {
     while (face + 1 < selector.faces.size()) {
         const double beyond = glm::dot(selector.faces[face].second, p);
         if (inside >= 0 && beyond >= 0) break;
-        inside = -beyond; // the same number for both neighbours, so no rounding makes both deny the point
+        inside = -beyond; // both neighbours use the same number, so rounding cannot exclude the point from both
         ++face;
     }
     const FaceSelector& owner = selector.faces[face];
@@ -376,7 +381,7 @@ Region partitionRegion(
 std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPart> seen, const CameraBasis& basis) {
     std::vector<glm::dvec3> result;
     for (const SeenPart& part : fewParts(region, seen)) {
-        // A ground may have no height, and rounding must not lose it.
+        // A ground can be flat, and rounding must not exclude it.
         const double slack = kRounding * (region.covered.far + glm::length(part.box.extent()));
         addShared(partAt(region, part.depths), part.box, basis, slack, result);
     }

@@ -1,5 +1,5 @@
-// The convex regions that partitions own, with their vertices and planes, and the rule that says which partition owns a
-// point: by selection, never by a mask product.
+// The convex regions of the partitions, with vertices and planes, and the rule that assigns each point to one
+// partition. The rule selects a partition directly; it does not multiply masks.
 #pragma once
 
 #include "core/camera.h"
@@ -13,23 +13,27 @@
 
 namespace gnomon::shadow {
 
-/// A side face as the selection sees it. All its planes contain the light's direction.
+/// A side face as the selection uses it. The light direction lies in each of its planes.
 struct FaceSelector {
     Face face = Face::Top;
-    glm::dvec3 first{0};   // the face owns p only if dot(first, p) >= 0 and dot(second, p) >= 0: planes through the
-    glm::dvec3 second{0};  // eye that part it from its neighbours, whose first is -second; 0 where there is none,
-                           // which every p passes
-    glm::dvec3 edge{0};    // with an own near map: p belongs to the near face where dot(edge, p) < edgeOffset * n_i,
-    double edgeOffset = 0; // n_i the near depth of p's slice
+    /// Normals of the two planes through the eye that separate the face from its neighbours. The face owns p only if
+    /// dot(first, p) >= 0 and dot(second, p) >= 0. The `first` of a neighbour is the negated `second` of this face. The
+    /// normal is 0 where there is no neighbour, and each p then passes.
+    glm::dvec3 first{0};
+    glm::dvec3 second{0};
+    /// The test of the near face, if it has its own maps: p belongs to the near face if dot(edge, p) < edgeOffset *
+    /// n_i, where n_i is the near depth of p's slice.
+    glm::dvec3 edge{0};
+    double edgeOffset = 0;
 
     bool operator==(const FaceSelector&) const = default;
 };
 
-/// Which partition a point in camera space belongs to. Shaders repeat `ownerOf` word for word.
+/// The rule that assigns a point in camera space to a partition. Shaders repeat `ownerOf` exactly.
 struct PartitionSelector {
-    std::vector<double> splits;      // slice i owns splits[i] <= z < splits[i + 1], the ends unbounded
-    std::vector<FaceSelector> faces; // in cyclic order; empty: a partition is a whole slice
-    bool ownNear = false;            // the near face has partitions of its own
+    std::vector<double> splits;      // slice i owns splits[i] <= z < splits[i + 1]; end slices have no outer limit
+    std::vector<FaceSelector> faces; // in cyclic order; empty: each partition is a whole slice
+    bool ownNear = false;            // true: the near face has its own partitions
 
     std::size_t facesPerSlice() const { return faces.empty() ? 1 : faces.size() + (ownNear ? 1 : 0); }
 
@@ -38,18 +42,19 @@ struct PartitionSelector {
     bool operator==(const PartitionSelector&) const = default;
 };
 
-/// Which faces of a slice have maps of their own.
+/// The faces of a slice that have their own maps.
 enum class FaceMaps : std::uint8_t {
-    None,         // a map shows a whole slice
-    Sides,        // the side faces, which reach the near square
+    None,         // one map covers a whole slice
+    Sides,        // the side faces, extended over the near square
     SidesAndNear, // the side faces and the near square
 };
 
-/// The sine of the light's angle to a face below which its map is too thin for single precision.
+/// The smallest sine of the angle between light and face at which a map with even rows works in single precision.
 inline constexpr double kGrazing = 1e-3;
 
-/// The selector of `splits` and of the faces that bear maps. Faces whose angle to the light has a sine below
-/// `grazing`, and near squares below kGrazing, are left to their neighbours, so nothing is left out.
+/// Returns the selector for `splits` and for the faces that have maps. Neighbours take over a face if the sine of its
+/// angle to the light is below `grazing`, and a near square if it is below kGrazing. Each point therefore has a
+/// partition.
 PartitionSelector partitionSelector(
     const ViewFrustum& frustum,
     const glm::dvec3& towardsLight,
@@ -57,36 +62,38 @@ PartitionSelector partitionSelector(
     FaceMaps faceMaps,
     double grazing = kGrazing);
 
-/// The partition that owns `p`: slice * facesPerSlice + face, the near face last. The slice by splits, then the first
-/// face whose two tests hold, the last face needing none, then the near face's test.
+/// Returns the index of the partition that owns `p`: slice * facesPerSlice + face. The near face is the last face. The
+/// splits select the slice. Then the first face whose two tests pass is selected; the last face needs no test. The test
+/// of the near face comes last.
 std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p);
 
-/// What an image shows between two depths.
+/// A visible slab: the box of all visible surfaces between two depths.
 struct SeenPart {
     DepthSpan depths;
     Box box; // world axes, relative to the eye
 };
 
-/// The region of one partition, in camera space: closed, convex, bounded by what its map covers of its slice.
+/// The region of one partition, in camera space: a closed convex polyhedron.
 struct Region {
     std::size_t slice = 0;
     Face face = Face::Whole;
-    ViewFrustum frustum;             // of the slice: what its map promises an aliasing for
-    ViewFrustum covered;             // the same, or more where an end slice owns what is shown beyond it
-    std::vector<FitVertex> vertices; // of the slice's part; then, Unpromised, those of what is covered beyond it
-    ConvexVolume volume;             // of what is covered; every plane touches a vertex
+    ViewFrustum frustum; // the slice with the map's aliasing bound
+    ViewFrustum covered; // the slice, extended if it is an end slice and receivers lie outside the frustum
+    /// First the vertices within the slice; then, marked Unpromised, the vertices of the extended part.
+    std::vector<FitVertex> vertices;
+    ConvexVolume volume; // planes of the covered region; each touches a vertex
 };
 
-/// The region of partition `index`, in the numbering of ownerOf. The end slices cover `shown` too, the view depths of
-/// all that the image shows, where that goes past the frustum.
+/// Returns the region of partition `index`, in the numbering of ownerOf. The first and the last slice are extended to
+/// `shown`, the view depths of all receivers, where these lie outside the frustum.
 Region partitionRegion(
     const ViewFrustum& frustum,
     const PartitionSelector& selector,
     std::size_t index,
     const std::optional<DepthSpan>& shown = std::nullopt);
 
-/// Points whose convex hull holds all of `seen` that lies in `region`; `basis` is that of camera space. None if nothing
-/// does.
+/// Returns points whose convex hull contains the intersection of the visible slabs `seen` with `region`. `basis` gives
+/// the axes of camera space. Returns an empty list if the intersection is empty.
 std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPart> seen, const CameraBasis& basis);
 
 } // namespace gnomon::shadow

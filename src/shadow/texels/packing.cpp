@@ -8,13 +8,14 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// A step of the skyline: everything under `height` from `x` to the next step is taken.
+/// A step of the skyline: the area below `height` is occupied from `x` to the next step.
 struct Step {
     int x;
     int height;
 };
 
-/// The height at which `width` texels from step `first` on can rest; nothing fits beyond `limit`.
+/// Returns the smallest height for a rectangle of `width` texels that begins at step `first`. Returns INT_MAX if it
+/// would extend beyond `limit`.
 int restingHeight(const std::vector<Step>& steps, std::size_t first, int width, int limit) {
     const int right = steps[first].x + width;
     if (right > limit) return std::numeric_limits<int>::max();
@@ -41,7 +42,8 @@ void raise(std::vector<Step>& steps, std::size_t first, int width, int height) {
         steps.insert(at, {Step{left, height}, rest});
 }
 
-/// Bottom-left placement, tallest first, in a strip of `width`; height 0 where it exceeds `maxSide`.
+/// Packs rectangles bottom-left, in the given `order`, into a strip of `width`. Returns an empty packing if the height
+/// would exceed `maxSide`.
 Packing skyline(
     std::span<const TexelRectangle> rectangles, std::span<const std::size_t> order, int width, int maxSide) {
     Packing packing;
@@ -81,7 +83,7 @@ bool allAlike(std::span<const TexelRectangle> rectangles) {
     });
 }
 
-/// The rectangles, all of one size, in rows of `columns`.
+/// Packs rectangles of equal size into rows of `columns`.
 Packing grid(std::span<const TexelRectangle> rectangles, int columns, int maxSide) {
     const int count = static_cast<int>(rectangles.size());
     const int rows = (count + columns - 1) / columns;
@@ -122,7 +124,7 @@ std::vector<std::size_t> orderOf(std::span<const TexelRectangle> rectangles, Pac
     return order;
 }
 
-/// The width of the strip in which the first `row` rectangles stand side by side, and every one fits.
+/// Returns the width of a strip that holds the first `row` rectangles side by side, and at least the widest rectangle.
 int stripWidth(std::span<const TexelRectangle> rectangles, std::span<const std::size_t> order, int row) {
     std::int64_t sum = 0;
     int widest = 0;

@@ -11,9 +11,9 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kErrorStep = 1.0005; // how near to the least error the search goes
+constexpr double kErrorStep = 1.0005; // relative precision of the search for the smallest error
 
-/// The whole number of texels that keeps `demand` / texels at most `error`.
+/// Returns the smallest number of texels with `demand` / texels at most `error`, within the limits.
 int sideFor(double demand, double error, const TexelLimits& limits) {
     const int largest = limits.maxSide - 2 * limits.gutter;
     const double wanted = std::ceil(demand / error * (1 - 1e-12)) + limits.margin;
@@ -33,8 +33,9 @@ std::vector<TexelRectangle> sizesFor(std::span<const TexelDemand> demands, doubl
     return sizes;
 }
 
-/// The error at which the areas alone, gutters included but neither rounded nor packed, fill the budget: no split of
-/// rectangles can do better. The positive root of (sum st) x^2 + 2g (sum s + t) x + 4 g^2 k = texels, x = 1 / error.
+/// Returns the error at which the areas of the maps with borders fill the budget, without rounding and packing losses.
+/// No layout of rectangles has a smaller error. The result comes from the positive root of (sum st) x^2 + 2g (sum s +
+/// t) x + 4 g^2 k = texels, with x = 1 / error.
 double errorOfAreas(std::span<const TexelDemand> demands, const TexelLimits& limits) {
     double square = 0;
     double linear = 0;
@@ -45,7 +46,7 @@ double errorOfAreas(std::span<const TexelDemand> demands, const TexelLimits& lim
     const double gutters = 4.0 * limits.gutter * limits.gutter * static_cast<double>(demands.size());
     const double rest = static_cast<double>(limits.texels) - gutters;
     if (!(rest > 0)) return 0;
-    // The form without cancellation, which also holds where `square` is 0.
+    // This form of the root has no cancellation and is also valid if `square` is 0.
     return (linear + std::sqrt(linear * linear + 4 * square * rest)) / (2 * rest);
 }
 
@@ -57,7 +58,8 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
     auto side = static_cast<int>(std::sqrt(static_cast<double>(limits.texels) / static_cast<double>(count)));
     side = std::min(side, limits.maxSide);
     const int least = limits.minSide + 2 * limits.gutter;
-    // A row always holds the squares unless the texture's sides are bounded; then a few sizes have to be tried.
+    // Without a limit on the texture's sides, one row always holds the squares. With a limit, smaller squares may be
+    // needed.
     for (; side >= least; side -= std::max(1, side / 64)) {
         const std::vector<TexelRectangle> squares(count, TexelRectangle{0, 0, side, side, false});
         layout.packing = packed(squares, limits.maxSide, limits.mayTranspose);
@@ -78,10 +80,10 @@ double worstError(const TexelLayout& layout, std::span<const TexelDemand> demand
     return worst;
 }
 
-/// A layout tried, and its area over the budget: at most 1 where it fits.
+/// A tried layout and its area divided by the budget. The layout fits if `excess` is at most 1.
 struct Attempt {
     TexelLayout layout;
-    double excess = 1.1; // where the sides' limit leaves no layout at all
+    double excess = 1.1; // value if the max side permits no layout
 };
 
 Attempt attemptAt(
@@ -108,7 +110,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
     const double bound = errorOfAreas(demands, limits);
     if (!(bound > 0)) return best;
     PackingStrategy strategy = bestStrategy(sizesFor(demands, bound, limits), limits.maxSide, limits.mayTranspose);
-    // Up from the bound in steps that the excess area asks for, then halving what was jumped over.
+    // The search first increases the error from the bound in steps derived from the excess area. Then it bisects the
+    // last step.
     double tooSmall = 0;
     double enough = 0;
     double error = bound;
@@ -117,7 +120,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
         if (attempt.excess > 1) {
             tooSmall = error;
         } else {
-            // Limits on the sides may have spoilt the strategy at the bound: choose again where everything fits.
+            // The limit on the sides can spoil the strategy that was chosen at the bound. Choose again at an error
+            // where all maps fit.
             if (enough == 0)
                 strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide, limits.mayTranspose);
             if (enough == 0) tooSmall = bound;
@@ -129,8 +133,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
         const double next = error * std::max(std::sqrt(attempt.excess), kErrorStep);
         error = enough > 0 ? (tooSmall + enough) / 2 : next;
     }
-    // Texels that no rectangle took refine one axis of a neighbour; its other axis keeps the common error. Snapped maps
-    // have to stay square.
+    // Unused texels refine one axis of an adjacent map; its other axis keeps the common error. Maps that snap must stay
+    // square.
     if (!best.equalSquares && limits.margin == 0) growIntoGaps(best.packing, limits.maxSide);
     return best;
 }
@@ -142,7 +146,7 @@ std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double ali
     const std::uint64_t leastSide = static_cast<std::uint32_t>(limits.minSide + 2 * limits.gutter);
     TexelLimits enough = limits;
     enough.texels = std::max(rectangles.area(), leastSide * leastSide * demands.size());
-    // The search of splitTexels stops a step short of the least error and may settle on another strategy.
+    // The search of splitTexels stops slightly above the smallest error and may choose another strategy.
     for (int attempt = 0; attempt < 64; ++attempt) {
         if (worstError(splitTexels(demands, enough), demands) <= aliasing) return enough.texels;
         enough.texels += enough.texels / 100 + 64;

@@ -1,4 +1,4 @@
-// The split of a texel budget over the maps of a frame that makes the largest error the same everywhere.
+// The distribution of a texel budget over the maps of a frame, such that all maps have the same largest error.
 #pragma once
 
 #include "shadow/texels/packing.h"
@@ -8,31 +8,31 @@
 
 namespace gnomon::shadow {
 
-/// The texels along s and t at which a map's aliasing is 1: the critical resolution of the paper (section 4.2), M_x and
-/// M_z at unit map resolutions times the image's height in pixels and the filter's width in texels.
+/// The texels along s and t at which the aliasing of a map is 1: the critical resolution (Lloyd et al. 2006, section
+/// 4.2). It is M_x and M_z at unit map resolutions, times the image height in pixels, times the filter width in texels.
 struct TexelDemand {
     double s = 0;
     double t = 0;
 };
 
-/// What the split has to keep to.
+/// The limits of the distribution.
 struct TexelLimits {
-    std::uint64_t texels = 4194304; // of all maps together, gutters included
+    std::uint64_t texels = 4194304; // of all maps together, borders included
     int gutter = 1;                 // texels on each side of a map
-    int minSide = 4;                // of a map without its gutters
-    int maxSide = 16384;            // of a map with its gutters, and of the texture
-    int margin = 0;                 // texels along each axis of a map that do not refine it: what snapping takes
-    bool mayTranspose = true;       // maps may lie on their sides
+    int minSide = 4;                // min side of a map without its borders
+    int maxSide = 16384;            // max side of a map with its borders, and of the texture
+    int margin = 0;                 // texels along each axis that add no resolution, because snapping needs them
+    bool mayTranspose = true;       // true: the packing may transpose maps
 };
 
-/// The maps in one texture.
+/// The rectangles of all maps in one texture.
 struct TexelLayout {
-    Packing packing; // rectangles with gutters; its area is at most the budget
+    Packing packing; // rectangles with borders; the area is within the budget
     int gutter = 1;
     int margin = 0;
-    bool equalSquares = false; // nothing better was found than the same square for every map
+    bool equalSquares = false; // true: all maps have equal squares, because no other layout was better
 
-    /// Texels of map `i` along s and along t, without gutters.
+    /// Returns the texels of map `i` along s or t, without borders.
     int texelsS(std::size_t i) const {
         const TexelRectangle& r = packing.rectangles[i];
         return (r.transposed ? r.height : r.width) - 2 * gutter;
@@ -44,17 +44,19 @@ struct TexelLayout {
     }
 };
 
-/// The error of one map with `layout`: the larger of demand over texels (less the margin) along s and t.
+/// Returns the error of one map with `layout`: demand divided by texels (without the margin), the larger value of s and
+/// t.
 double mapError(const TexelLayout& layout, std::size_t map, const TexelDemand& demand);
 
-/// The split that makes mapError equal over all maps, within the rounding to whole texels, and as small as the budget
-/// allows (Lloyd et al. 2006, Eqs 13 and 14, for any number of maps); or equal squares where the rectangles pack so
-/// badly that those do better. The texture's shape is free. Throws gnomon::Error if the budget does not hold maps of
-/// the least size.
+/// Distributes the texel budget such that mapError is equal over all maps, except for rounding to whole texels. The
+/// error is as small as the budget permits (Lloyd et al. 2006, Eqs 13 and 14, for any number of maps). The function
+/// returns equal squares if the packing of unequal rectangles wastes too much area. The texture may have any shape.
+/// Throws gnomon::Error if the budget cannot hold all maps at their min size.
 TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits& limits);
 
-/// The texels, gutters and packing included, with which splitTexels keeps the error at most `aliasing` (> 0); 0 where
-/// the limit on the sides lets no number of them do. limits.texels is ignored.
+/// Returns the number of texels with which splitTexels achieves an error of at most `aliasing` (> 0). The number
+/// includes borders and packing losses. Returns 0 if the max side of the texture makes this error impossible. The
+/// function ignores limits.texels.
 std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits);
 
 } // namespace gnomon::shadow

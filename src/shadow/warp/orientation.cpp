@@ -13,9 +13,10 @@ namespace {
 
 constexpr double kQuarter = kPi / 2;
 constexpr int kCoarse = 24;            // samples over half a revolution
-constexpr double kLowerMinimum = 0.95; // another minimum of S has to be this much lower to be taken instead
+constexpr double kLowerMinimum = 0.95; // another minimum of S is selected only if it is lower by this factor
 
-/// S in the orientation `radians` from the plain one, quick and slightly high: for `auto` the least over four warps.
+/// Returns S for a map rotated by `radians` from the plain orientation. The result is fast to compute and slightly too
+/// large. For the rule Auto it is the smallest S of four warps.
 double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
     const LightFit fit = rolled(plain, radians);
     if (rowsOf(warp.rule) == RowSpacing::Logarithmic) return storageFactor(fit, kappaLog(fit, Search::Rough));
@@ -32,7 +33,7 @@ double exactStorage(const LightFit& plain, const Warp& warp, double radians) {
     return storageFactor(fit, kappaOf(warp, fit));
 }
 
-/// The local minimum of S that is nearest to `start`, within `reach` to both sides.
+/// Returns the local minimum of S that is nearest to `start`, within `reach` on both sides.
 double localMinimum(const LightFit& plain, const Warp& warp, double start, double reach) {
     double best = start;
     double least = roughStorage(plain, warp, start);
@@ -48,14 +49,14 @@ double localMinimum(const LightFit& plain, const Warp& warp, double start, doubl
     return best;
 }
 
-/// The light roll of least S over a quarter of a revolution either way of the plain orientation.
+/// Returns the rotation about the light with the smallest S, within a quarter revolution of the plain orientation.
 double bestLightRoll(const LightFit& plain, const Warp& warp) {
     double best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kCoarse; ++i) {
         const double at = kPi * (static_cast<double>(i) / kCoarse - 0.5);
         const double found = roughStorage(plain, warp, at);
-        // Equal minima, as without a warp, are told apart by the lesser roll and not by rounding.
+        // Without a warp, all minima are equal. The smaller rotation then wins, so that rounding has no influence.
         if (found < least * (1 - 1e-9) || (found < least * (1 + 1e-9) && std::abs(at) < std::abs(best))) {
             least = std::min(least, found);
             best = at;
@@ -65,7 +66,7 @@ double bestLightRoll(const LightFit& plain, const Warp& warp) {
     return exactStorage(plain, warp, refined) <= exactStorage(plain, warp, 0) ? refined : 0.0;
 }
 
-/// `radians` less whole revolutions, in [-pi, pi).
+/// Returns `radians` without whole revolutions, in [-pi, pi).
 double wrapped(double radians) {
     return radians - 2 * kPi * std::floor((radians + kPi) / (2 * kPi));
 }
@@ -76,7 +77,8 @@ glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight
     const glm::dvec3 axis = glm::cross(state.towardsLight, towardsLight);
     const double cosine = glm::dot(state.towardsLight, towardsLight);
     glm::dvec3 z = state.zAxis;
-    // Rodrigues' rotation with sine and cosine taken from the two lights; opposite lights share every axis across them.
+    // This is Rodrigues' rotation, with sine and cosine from the two lights. For opposite lights no rotation is needed,
+    // because each perpendicular axis suits both.
     if (cosine > -0.999999) z += glm::cross(axis, z) + glm::cross(axis, glm::cross(axis, z)) / (1 + cosine);
     z -= towardsLight * glm::dot(z, towardsLight);
     return glm::normalize(z);

@@ -1,5 +1,5 @@
-// The roll of a map about the light (lightRoll). The plain convention spins as the light turns parallel to the view;
-// this one is chosen for the least storage and follows the light no faster than the eye forgives.
+// The rotation of a shadow map about the light direction. With the plain convention (lightFrame), the map spins when
+// the light becomes parallel to the view. The rotation here minimises the storage factor and limits the angular speed.
 #pragma once
 
 #include "shadow/fit/light_fit.h"
@@ -9,22 +9,23 @@
 
 namespace gnomon::shadow {
 
-/// What the choice remembers from frame to frame: the light and the map's t axis, both in camera space.
+/// The state from the previous frame: the light direction and the t axis of the map, both in camera space.
 struct OrientationState {
     glm::dvec3 towardsLight{0, 1, 0};
     glm::dvec3 zAxis{0, 0, 1};
 };
 
-/// How far the orientation may roll for each radian that the light moves in camera space, beyond what carrying it along
-/// takes. Light movements of more than about 6 degrees therefore choose afresh.
+/// Max rotation of the map, in radians per radian of light movement in camera space. The rotation that `carried`
+/// applies is not counted. A light movement of more than 6 degrees therefore permits any orientation.
 constexpr double kOrientationRate = 30;
 
-/// The axis of `state` carried along by the least rotation that takes its light to `towardsLight`.
+/// Returns the axis of `state`, turned by the smallest rotation that maps its light direction to `towardsLight`.
 glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight);
 
-/// The frame for `slice` and `warp`: the light roll of the least S, never more than in the plain orientation.
-/// With a previous state it stays at the local minimum of S that it is at until another is 5% lower, and moves no
-/// faster than kOrientationRate. As the warp fades it is aligned with the camera, since that is where S then is least.
+/// Returns the frame for `slice` and `warp` whose rotation about the light minimises the storage factor S. S is never
+/// larger than in the plain orientation. With a previous state, the rotation follows its current local minimum of S
+/// until another minimum is 5% lower, and turns by at most kOrientationRate. When the warp disappears, the frame
+/// becomes aligned with the camera, because S is then smallest.
 LightFrame chosenFrame(
     const ViewFrustum& slice,
     const glm::dvec3& towardsLight,

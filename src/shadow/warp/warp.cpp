@@ -11,10 +11,10 @@ namespace gnomon::shadow {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kMostWarp = 1e6; // of kappa d: what a rule with a pole may ask for
+constexpr double kMostWarp = 1e6; // max kappa d, for rules whose kappa has a pole
 
-/// The least of `value` on [low, high], where it is unimodal, by golden section down to `tolerance`; the better end
-/// if that is not worse.
+/// Returns the argument of the smallest `value` in [low, high] by golden-section search, to within `tolerance`. The
+/// function must be unimodal. Returns the better end of the interval if it is at least as good.
 template <class Function>
 double leastOf(const Function& value, double low, double high, double tolerance) {
     constexpr double kGolden = 0.6180339887498949;
@@ -54,13 +54,13 @@ double kappaOfLog(const LightFit& fit, double logGrowth) {
     return fit.length > 0 ? std::expm1(logGrowth) / fit.length : 0.0;
 }
 
-/// S by the logarithm of what w grows by over the map.
+/// Returns S as a function of ln(1 + kappa d), the logarithm of the growth of w over the map.
 auto storageOfGrowth(const LightFit& fit) {
     return [&fit](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
 }
 
-/// The growth of least S, from no warp to kMostWarp: the best of so many even steps, then golden sections between its
-/// neighbours.
+/// Returns the growth with the smallest S, between no warp and kMostWarp. The search takes the best of `steps` even
+/// steps and refines it by golden sections between its neighbours.
 double growthOfLeastStorage(const LightFit& fit, int steps, double tolerance) {
     const auto storage = storageOfGrowth(fit);
     const double step = std::log1p(kMostWarp) / steps;
@@ -113,11 +113,12 @@ double kappaMinimax(const LightFit& fit) {
     const double d = fit.length;
     if (d <= 2 * a) return 0;
     const double root = std::sqrt(fit.slice.depthRatio());
-    // root - 1, also where the depth ratio is near 1
+    // This form of root - 1 is also exact for a depth ratio near 1.
     const double rootLessOne = (fit.slice.far - fit.slice.near) / (fit.slice.near * (root + 1));
     const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kNever;
     const double farOvertakes = b > root * a ? rootLessOne / (b - root * a) : kNever;
-    // Where the map covers far more than its slice the far side's error may still fall once it has overtaken.
+    // If the map covers far more than its slice, the error of the far side can still fall after it has become the
+    // larger one.
     const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kNever;
     const double kappa = nearStops < farOvertakes ? nearStops : std::max(farOvertakes, farStops);
     return std::isfinite(kappa) ? std::min(kappa, kMostWarp / d) : 0.0;
@@ -143,7 +144,8 @@ double kappaLog(const LightFit& fit, Search search) {
     if (!(fit.length > 0)) return 0;
     const double sought =
         search == Search::Fine ? growthOfLeastStorage(fit, 32, 1e-5) : growthOfLeastStorage(fit, 10, 0.1);
-    // The least S often lies where two vertices are as bad as each other, a kink that a search only comes near to.
+    // The smallest S often lies at a kink, where two vertices have the same error. The search only comes near to a
+    // kink, so the code tests the eye directly.
     const std::optional<double> atEye = kappaAtEye(fit);
     if (atEye && storageFactor(fit, *atEye) <= storageOfGrowth(fit)(sought)) return *atEye;
     return kappaOfLog(fit, sought);

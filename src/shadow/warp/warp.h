@@ -1,5 +1,5 @@
-// The warp rules: how kappa = 1/n' of a map is chosen. Carried as kappa, which is 0 for an orthogonal map and stays
-// finite and continuous as the light turns parallel to the view, where n' does neither.
+// The warp rules: they choose kappa = 1/n' for each map. The code stores kappa because kappa is 0 for an orthogonal
+// map. Kappa stays finite and continuous when the light becomes parallel to the view, while n' does not.
 #pragma once
 
 #include "core/words.h"
@@ -12,21 +12,21 @@
 
 namespace gnomon::shadow {
 
-/// The rules; docs/shadow_theory.md compares them.
+/// The rules for kappa; docs/shadow_theory.md compares them.
 enum class WarpRule : std::uint8_t {
     None,         // kappa = 0
-    Psm,          // kappa = 1/near (Stamminger and Drettakis 2002, light overhead; elsewhere in the light's frame)
+    Psm,          // kappa = 1/near (Stamminger and Drettakis 2002 for an overhead light; otherwise in light space)
     Lspsm,        // Wimmer et al. 2004 for a tilted light
-    Tsm,          // Martin and Tan 2004: the focus maps to t = 0.8
-    Minimax,      // the least M_z over the vertices
-    Auto,         // the least S with kappa up to the minimax one
-    LeastStorage, // the least S over every kappa >= 0
+    Tsm,          // Martin and Tan 2004: maps the focus to t = 0.8
+    Minimax,      // smallest M_z over the vertices
+    Auto,         // smallest S for kappa up to the minimax value
+    LeastStorage, // smallest S over all kappa >= 0
     Eta,          // n' from eta by Eq 11
-    Given,        // kappa itself
-    Log,          // logarithmic rows (Lloyd 2007), and of kappa the least S with them
+    Given,        // the given kappa
+    Log,          // logarithmic rows (Lloyd 2007), with the kappa of the smallest S
 };
 
-/// Those that are asked for by a word.
+/// The rules that have an option word.
 inline constexpr std::array kWarpRules = {
     Word<WarpRule>{WarpRule::None, "none"},
     Word<WarpRule>{WarpRule::Lspsm, "lspsm"},
@@ -37,7 +37,7 @@ inline constexpr std::array kWarpRules = {
     Word<WarpRule>{WarpRule::Log, "log"},
 };
 
-/// The word for `rule`, also where it is asked for in another way.
+/// Returns the word for `rule`, also for rules without an option word.
 constexpr std::string_view name(WarpRule rule) {
     constexpr std::array kOthers = {
         Word<WarpRule>{WarpRule::LeastStorage, "sopt"},
@@ -48,64 +48,67 @@ constexpr std::string_view name(WarpRule rule) {
     return word.empty() ? wordOf(kOthers, rule) : word;
 }
 
-/// A rule with its parameters.
+/// A warp rule with its parameters.
 struct Warp {
     WarpRule rule = WarpRule::Auto;
-    double eta = 0; // Eta: in [-1, 1]
-    std::optional<double>
-        tsmFocus; // Tsm: view distance of the focus from near, world units, > 0; nothing: tsmFocusDepth
+    double eta = 0; // for Eta: in [-1, 1]
+    /// For Tsm: distance from the near plane to the focus, world units, > 0; default: tsmFocusDepth.
+    std::optional<double> tsmFocus;
     double tsmFraction = 0.8;
-    double kappa = 0; // Given: 1 / world units, >= 0
+    double kappa = 0; // for Given: 1 / world units, >= 0
 
     bool operator==(const Warp&) const = default;
 };
 
-/// Wimmer's rule: n' = (n + sqrt(n (n + d sin gamma))) / sin gamma.
+/// Returns the kappa of LSPSM (Wimmer et al. 2004): n' = (n + sqrt(n (n + d sin gamma))) / sin gamma.
 double kappaLspsm(const LightFit& fit);
 
-/// The kappa that maps `focusZeta` to t = `fraction`; 0 from focusZeta = fraction d on. kappa d is capped at 1e6, which
-/// a focus on the near side would exceed without bound.
+/// Returns the kappa that maps `focusZeta` to t = `fraction`. Returns 0 if focusZeta >= fraction d. kappa d is at most
+/// 1e6, because it would grow without limit for a focus at the near side.
 double kappaTsm(const LightFit& fit, double focusZeta, double fraction);
 
-/// The view depth that a TSM of `slice` takes for its focus where none is given: sqrt(near far), which divides the
-/// slice into two of equal depth ratio.
+/// Returns the default focus of a TSM of `slice`, as view depth: sqrt(near far). This depth divides the slice into two
+/// parts of equal depth ratio.
 double tsmFocusDepth(const ViewFrustum& slice);
 
-/// The part of `warp` that a slice of `whole` gets: the focus lies in the slice where it does in the whole, to scale.
+/// Returns `warp` for one slice of the frustum `whole`. The focus of a TSM is scaled with the slice.
 Warp warpOfSlice(const Warp& warp, const ViewFrustum& whole, const ViewFrustum& slice);
 
-/// The kappa of least M_z over the vertices, in closed form: with a and b the largest zeta of the near and of the far
-/// vertices and r = sqrt(f/n): (d - 2a)/(a d), where the near side's error stops falling, unless the far side's
-/// overtakes it before, at (r - 1)/(b - r a), which then may fall until (d - 2b)/(b d).
+/// Returns the kappa with the smallest M_z over the vertices, in closed form. Let a and b be the largest zeta of the
+/// near and the far vertices, and r = sqrt(f/n). The error of the near side stops falling at (d - 2a)/(a d). The error
+/// of the far side can become the larger one earlier, at (r - 1)/(b - r a). It can then fall further until (d - 2b)/(b
+/// d).
 double kappaMinimax(const LightFit& fit);
 
-/// The kappa in [0, kappaMinimax] of least S, by golden section in log(1 + kappa d); S is unimodal there. Never worse
-/// than no warp nor than minimax.
+/// Returns the kappa in [0, kappaMinimax] with the smallest S, by golden-section search in log(1 + kappa d). S is
+/// unimodal there. The result is never worse than kappa = 0 or kappaMinimax.
 double kappaAuto(const LightFit& fit);
 
-/// The kappa >= 0 of least S, by a scan and golden sections: slow, for comparison only.
+/// Returns the kappa >= 0 with the smallest S, by a scan and golden-section search. The function is slow and serves for
+/// comparison only.
 double kappaLeastStorage(const LightFit& fit);
 
-/// The rows of the maps that `rule` warps.
+/// Returns the row spacing of maps with warp `rule`.
 constexpr RowSpacing rowsOf(WarpRule rule) {
     return rule == WarpRule::Log ? RowSpacing::Logarithmic : RowSpacing::Even;
 }
 
-/// The kappa of a warp about the eye: one over its distance in front of the region's least z; nothing where that is not
-/// in front.
+/// Returns the kappa of a warp whose centre is at the eye: 1 / zMin of the region. Returns nothing if the eye is not in
+/// front of the region.
 std::optional<double> kappaAtEye(const LightFit& fit);
 
-/// The kappa of least S with logarithmic rows. About the eye with the light overhead, where neither `auto` nor minimax
-/// may choose it: S = ln(f/n) / (2 tan theta) there, and 9 times that already with 0.3 of that kappa. Elsewhere it is
-/// sought between no warp and far behind the eye; roughly, where many fits are compared.
+/// Returns the kappa with the smallest S for logarithmic rows. With the light overhead, the best centre of the warp is
+/// the eye, where S = ln(f/n) / (2 tan theta). At 0.3 times that kappa, S is already 9 times as large, and the rules
+/// Auto and Minimax cannot select it. Otherwise the function searches between no warp and a centre far behind the eye.
+/// Search::Rough is faster and serves to compare many fits.
 enum class Search : std::uint8_t { Fine, Rough };
 double kappaLog(const LightFit& fit, Search search = Search::Fine);
 
-/// The kappa that `warp` chooses for `fit`.
+/// Returns the kappa that `warp` chooses for `fit`.
 double kappaOf(const Warp& warp, const LightFit& fit);
 
-/// The kappa that `warp` chooses for the map of `face`: none for a near square, and about the eye for a side face with
-/// logarithmic rows, which then are a rectangle of constant m_x and m_z.
+/// Returns the kappa that `warp` chooses for the map of `face`. The near face gets 0. A side face with logarithmic rows
+/// gets the warp about the eye: m_x and m_z are then constant over the face.
 double kappaOfMap(const Warp& warp, const LightFit& fit, Face face);
 
 } // namespace gnomon::shadow

@@ -1,4 +1,4 @@
-// The map from a point to (s, t, depth), with its Jacobian, and the 4x4 matrix that does the same.
+// The projection from a point to shadow map coordinates (s, t, depth), its Jacobian, and the equivalent 4x4 matrix.
 #pragma once
 
 #include "shadow/fit/light_fit.h"
@@ -7,11 +7,11 @@
 
 namespace gnomon::shadow {
 
-/// Everything that places a point in one shadow map, s, t and depth in [0, 1] over the fitted region:
-/// u = x / w, s = (u - uMin) / width, t = zeta (1 + kappa d) / (d w), depth = (rawDepth - rawMin) / rawRange with
-/// w = 1 + kappa zeta and rawDepth = -y / w: 0 is nearest to the light. With logarithmic rows t = ln w / ln(1 + kappa
-/// d) instead, which no matrix gives: the matrix below then gives the t of even rows, 1 - 1 / w up to a factor, of
-/// which that is a function. What uses a map should use point and Jacobian.
+/// The projection of one shadow map. The coordinates s, t and depth are in [0, 1] over the fitted region:
+/// u = x / w, s = (u - uMin) / width, t = zeta (1 + kappa d) / (d w), depth = (rawDepth - rawMin) / rawRange
+/// with w = 1 + kappa zeta and rawDepth = -y / w. Depth 0 is nearest to the light. With logarithmic rows, t = ln w /
+/// ln(1 + kappa d). No matrix can express this t: `textureFromCamera` then returns the t of even rows. Callers
+/// therefore use mapPoint and mapJacobian.
 struct WarpedMap {
     LightFrame frame;
     RowSpacing rows = RowSpacing::Even;
@@ -24,16 +24,16 @@ struct WarpedMap {
     double rawRange = 1;
 };
 
-/// Whether only a rasteriser that takes rows from an array can draw it.
+/// Returns true if the rows are logarithmic. Such a map needs a rasteriser that reads the row positions from an array.
 inline bool hasLogRows(const WarpedMap& map) {
     return map.rows == RowSpacing::Logarithmic;
 }
 
-/// The map with warp `kappa` of `fit`, whose depth is fitted to its vertices, grown by `bias` (in rawDepth) at both
-/// ends. Extents of zero are widened to 1e-9 of the slice's near depth, so that nothing divides by zero.
+/// Returns the map of `fit` with warp `kappa`. The depth range contains all vertices and grows by `bias` (in rawDepth)
+/// at both ends. Extents of zero are widened to 1e-9 of the slice's near depth, to avoid a division by zero.
 WarpedMap warpedMap(const LightFit& fit, double kappa, double bias = 0);
 
-/// Where `p`, in camera space, lies in the map. Only meaningful where w > 0.
+/// The map coordinates of a point. They are valid only where w > 0.
 struct MapPoint {
     double s = 0;
     double t = 0;
@@ -43,12 +43,13 @@ struct MapPoint {
 
 MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p);
 
-/// The inverse of mapPoint without its depth: where (s, t) lies in light space, x and z; nothing from the warp's
-/// vanishing line on, which logarithmic rows never reach. A grown or shrunk rectangle of a map is the hull of what
-/// its corners come to: even rows are linear over linear, and a step in ln w is linear in (x, w).
+/// Returns the light-space (x, z) of the map coordinates (s, t): the inverse of mapPoint without depth. Returns nothing
+/// on or behind the vanishing line of the warp. Logarithmic rows have no vanishing line. A larger or smaller rectangle
+/// of the map corresponds to the convex hull of its four transformed corners: even rows are a linear function divided
+/// by a linear function, and a step in ln w is linear in (x, w).
 std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t);
 
-/// The derivatives of (s, t, depth) by camera-space position: rows are the gradients of s, t and depth.
+/// The derivatives of (s, t, depth) with respect to the camera-space position. Each row is a gradient.
 struct MapJacobian {
     glm::dvec3 s{0};
     glm::dvec3 t{0};
@@ -57,9 +58,10 @@ struct MapJacobian {
 
 MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p);
 
-/// The widths of a texel's light beam at `p` along x and along z, world units (section 4.1, without the shear term):
-/// w_lx = W w / res_s and w_lz = d w^2 / ((1 + kappa d) res_t), with logarithmic rows w ln(1 + kappa d) / (kappa
-/// res_t); `sheared` is the length of a whole step in t.
+/// The widths of a texel's light beam along x and z, in world units (Lloyd et al. 2006, section 4.1):
+/// w_lx = W w / res_s and w_lz = d w^2 / ((1 + kappa d) res_t).
+/// With logarithmic rows, w_lz = w ln(1 + kappa d) / (kappa res_t). `sheared` is the length of a whole step in t, which
+/// includes the shear.
 struct LightBeam {
     double x = 0;
     double z = 0;
@@ -68,11 +70,11 @@ struct LightBeam {
 
 LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution& resolution);
 
-/// The matrix whose product with (p, 1) is (s w, t w, depth w, w), t of even rows.
+/// Returns the matrix whose product with (p, 1) is (s w, t w, depth w, w). Here t is the t of even rows.
 glm::dmat4 textureFromCamera(const WarpedMap& map);
 
-/// `textureFromCamera` for points given relative to `origin` in camera space. Below a depth ratio of 1.1 or a half
-/// angle of a degree, float positions must be taken relative to a point inside the slice.
+/// Returns `textureFromCamera` for points relative to `origin` in camera space. Views with a depth ratio below 1.1 or a
+/// half angle below one degree need it: there, float positions must be relative to a point inside the slice.
 glm::dmat4 relativeTo(const glm::dmat4& textureFromCamera, const glm::dvec3& origin);
 
 } // namespace gnomon::shadow

@@ -1,4 +1,4 @@
-// The walk through a tree by several convex volumes and one error rule at a time.
+// Traversal of a tree with several convex volumes and an error rule at a time.
 #pragma once
 
 #include "bvh/tree.h"
@@ -9,53 +9,54 @@
 
 namespace gnomon::bvh {
 
-/// At most this many volumes in one walk: a bit each.
+/// Max number of volumes in one traversal: one bit each.
 constexpr std::size_t kMaxVolumes = 64;
 
-/// How a box lies to a set of volumes, one bit each. `inside` is a part of `touching`; conservative as `classify` is.
+/// The relation of a box to a set of volumes, one bit per volume. `inside` is a subset of `touching`. The bits are
+/// conservative, like `classify`.
 struct VolumeMask {
     std::uint64_t touching = 0;
     std::uint64_t inside = 0;
 
-    /// The volumes against which a part of the box must still be tested.
+    /// Returns the volumes against which a part of the box must still be tested.
     std::uint64_t undecided() const { return touching & ~inside; }
 
     bool operator==(const VolumeMask&) const = default;
 };
 
-/// The mask of a box that touches every one of `count` volumes and of which nothing more is known.
+/// Returns the mask of a box that intersects each of `count` volumes, without further knowledge.
 VolumeMask undecidedMask(std::size_t count);
 
-/// `mask` of a box narrowed to a part of it, `part`: only undecided volumes are tested.
+/// Returns the mask of `part`, a part of a box with the mask `mask`. Tests only undecided volumes.
 VolumeMask narrowed(VolumeMask mask, std::span<const ConvexVolume> volumes, const Box& part);
 
 namespace detail {
 
-/// The planes of the volumes in floats with a margin that makes every float test conservative.
+/// The planes of the volumes in floats. A margin makes each float test conservative.
 class PreparedVolumes {
 public:
     PreparedVolumes(std::span<const ConvexVolume> volumes, double reach);
 
-    /// Masks of the eight children of `node`, given the node's own.
+    /// Computes the masks of the eight children of `node` from the mask of the node.
     void classify(const Node& node, VolumeMask mask, std::array<VolumeMask, kWidth>& result) const;
 
 private:
     struct FloatPlane {
         std::array<float, 3> normal{};
-        std::array<float, 3> size{}; // |normal|
+        std::array<float, 3> size{}; // absolute components of `normal`
         float offset = 0;
         float margin = 0;
     };
 
     std::vector<FloatPlane> planes_;
-    std::vector<std::uint32_t> first_; // of each volume; one more at the end
+    std::vector<std::uint32_t> first_; // first plane of each volume, and the end
 };
 
 } // namespace detail
 
-/// Calls `visit(item, mask)` for the items whose box touches at least one of `volumes` and for which
-/// `matters(bounds, error)` holds. `matters` must be monotone: true for a sphere and error wherever it is true for a
-/// sphere within and a smaller error. A few items more than exact tests would let through are visited, never fewer.
+/// Calls `visit(item, mask)` for each item whose box intersects one of `volumes` and for which `matters(bounds, error)`
+/// is true. `matters` must be monotone: if it is true for a sphere and an error, it is also true for a larger sphere
+/// around it and a larger error. The float tests can visit a few more items than exact tests, but never fewer.
 template <class Matters, class Visit>
 void traverse(const Tree& tree, std::span<const ConvexVolume> volumes, const Matters& matters, const Visit& visit) {
     if (tree.isEmpty() || volumes.empty()) return;

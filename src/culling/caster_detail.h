@@ -1,4 +1,4 @@
-// From a fitted shadow map to what the error rule must know of it: volumes and texels in the model's local space.
+// Conversion of a shadow map to the input of the error rule: volumes and texels in the model's local space.
 #pragma once
 
 #include "selection/error_rule.h"
@@ -6,7 +6,7 @@
 
 namespace gnomon::culling {
 
-/// What the casters of `map` must be exact enough for; `view` must be the one whose camera space it is given in.
+/// Returns the required detail of the casters of `map`. `map` must be in the camera space of `view`.
 selection::CasterDetail casterDetail(const selection::DetailView& view, const shadow::ShadowMap& map);
 
 } // namespace gnomon::culling

@@ -1,12 +1,12 @@
-// Whether anything that is seen faces the light: where nothing does, a frame goes without shadows of any kind.
+// A test whether a visible surface faces the light. If none does, the frame needs no shadows.
 #pragma once
 
 #include "selection/cut.h"
 
 namespace gnomon::culling {
 
-/// Whether any triangle of `image` that reaches into the view's pyramid may have its seen side towards `towardsLight`
-/// (unit, local space). Only sure where it says no; stops at the first that may.
+/// Returns false if no triangle of `image` inside the view pyramid has its visible side towards `towardsLight` (unit,
+/// local space). True is not certain: the function stops at the first triangle that may face the light.
 bool mayFaceLight(const selection::CutQuery& query, const selection::DrawList& image, const glm::dvec3& towardsLight);
 
 } // namespace gnomon::culling

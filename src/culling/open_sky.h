@@ -1,4 +1,4 @@
-// Whether anything stands between what is seen and the sky.
+// A test whether geometry can lie between the visible surfaces and the sky.
 #pragma once
 
 #include "selection/cut.h"
@@ -7,14 +7,16 @@
 
 namespace gnomon::culling {
 
-/// Whether a closed solid may be told by its far sides, which are hidden then. Not where it is cut open.
+/// Tells whether the back faces of a closed solid are always hidden. Section planes may cut solids open, and this is
+/// then not certain.
 enum class Solids : std::uint8_t { Whole, MayBeCut };
 
-/// Whether anything of the model, whose bounds in local space are `bounds`, may lie before the plane of a triangle of
-/// `image`, on the side of the eye, by more than two steps of the grid: only sure where it says no. A triangle may be
-/// hidden, and counts, but for the far sides of a closed convex solid that is seen from outside as a whole: of a
-/// surface whose edges all belong to two triangles, and of which nothing lies outside any of them. Of what is not drawn
-/// in `image` only the bounds are known.
+/// Returns false if no geometry of the model can lie in front of the plane of a triangle of `image`, on the side of the
+/// eye, by more than two grid steps. True is not certain. `bounds` are the model's bounds in local space.
+///
+/// Hidden triangles also count, with one exception: back faces of a closed convex solid that is seen from outside as a
+/// whole. In such a solid, each edge belongs to two triangles, and no geometry lies outside the plane of a triangle.
+/// For geometry that is not drawn in `image`, the function knows only `bounds`.
 bool mayHideSky(const selection::CutQuery& query, const selection::DrawList& image, const Box& bounds, Solids solids);
 
 } // namespace gnomon::culling

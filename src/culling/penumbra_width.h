@@ -1,4 +1,4 @@
-// How wide penumbrae can be in a view: what tells a plan where the light's disc shows, if at all.
+// The max width of penumbrae in a view. The plan uses it to find tiles where the light's disc is visible in shadows.
 #pragma once
 
 #include "selection/cut.h"
@@ -9,15 +9,15 @@
 
 namespace gnomon::culling {
 
-/// A light that is seen as a disc.
+/// A light that appears as a disc.
 struct DiscLight {
-    glm::dvec3 towards{0, 1, 0}; // its middle: unit, local space
-    double slope = 0;            // width of a penumbra over the distance from what throws it: 2 tan(angle / 2)
+    glm::dvec3 towards{0, 1, 0}; // direction of its centre: unit, local space
+    double slope = 0;            // width of a penumbra divided by the distance to the caster: 2 tan(angle / 2)
 };
 
-/// An image, its tiles, and what is seen where: at (x, y) from -1 to 1 across it the points p with
-/// dot(right, p - eye) = x half.x d and dot(up, p - eye) = y half.y d, d being their depth, or 1 where lines of sight
-/// are parallel. Nothing is nearer than `nearest`.
+/// An image with its tiles and its projection. The image position (x, y), each from -1 to 1, shows the points p with
+/// dot(right, p - eye) = x half.x d and dot(up, p - eye) = y half.y d. Here d is the depth of p, or 1 for a parallel
+/// projection. No point is nearer than `nearest`.
 struct TiledView {
     shadow::ImageTiles tiles;
     glm::dvec2 half{1};
@@ -25,11 +25,13 @@ struct TiledView {
     double nearest = 0;
 };
 
-/// An upper bound, by tile of the image, of how wide the penumbrae are, in pixels across the beam, that clusters of
-/// `casters` throw on those of `image`: by the distance along the light between the box of a cluster and that of a
-/// triangle that shows the eye a side that the light may reach, where the one may stand in the beams that reach the
-/// other, and by the triangle's least depth; a pixel may be sampled up to half a pixel beside its middle. All lists are
-/// draw lists of `query`. 0 where no box stands before such a triangle.
+/// Returns an upper bound of the width of penumbrae per tile of the image, in pixels perpendicular to the beam.
+/// Clusters of `casters` throw the penumbrae on clusters of `image`; all lists are draw lists of `query`.
+///
+/// The bound uses the distance along the light between the box of a caster and the box of a triangle. The triangle must
+/// show the eye a side that the light can reach, and the caster must intersect the beams to it. The bound also uses the
+/// smallest depth of the triangle. A sample of a pixel can be up to half a pixel from its centre. The result is 0 if no
+/// box lies in front of such a triangle.
 std::vector<double> penumbraWidths(
     const selection::CutQuery& query,
     const selection::DrawList& image,

@@ -1,4 +1,4 @@
-// The receivers: what of the image's draw list lies in a volume, to the triangle, and between which depths.
+// The receivers: triangles of the image's draw list inside a volume, and their depth range.
 #pragma once
 
 #include "core/depth_span.h"
@@ -11,10 +11,10 @@
 
 namespace gnomon::culling {
 
-/// The least and the greatest view depth of anything drawn inside the view's pyramid.
+/// The view depths of all drawn geometry inside the view pyramid.
 struct VisibleDepths {
-    DepthSpan span;                     // near is 0 if something drawn passes the eye's plane
-    std::uint64_t clustersMeasured = 0; // how many had to be looked at triangle by triangle
+    DepthSpan span;                     // near is 0 if drawn geometry crosses the plane through the eye
+    std::uint64_t clustersMeasured = 0; // clusters whose triangles were tested one by one
 };
 
 /// A drawn cluster and the view depths that its box spans.
@@ -23,19 +23,20 @@ struct DepthCandidate {
     double greatest = 0;
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
-    double margin = 0; // the stored error of a refinement that is missing
+    double margin = 0; // stored error of a missing refinement
 };
 
-/// The depth range of `image`, a draw list of `query`: from boxes, exact on the clusters whose box crosses the minimum
-/// or the maximum, and widened by the stored error where a refinement is missing. Nothing if nothing is seen. `scratch`
-/// is overwritten, and is memory to be kept from frame to frame.
+/// Returns the depth range of `image`, a draw list of `query`. It uses boxes, and exact triangles for clusters whose
+/// box contains the min or the max. The stored error widens the range where a refinement is missing. Returns nothing if
+/// nothing is visible. `scratch` is overwritten; reuse it between frames to save allocations.
 std::optional<VisibleDepths> visibleDepthRange(
     const selection::CutQuery& query, const selection::DrawList& image, std::vector<DepthCandidate>& scratch);
 
-/// The same once.
+/// Returns the same range with a temporary `scratch`.
 std::optional<VisibleDepths> visibleDepthRange(const selection::CutQuery& query, const selection::DrawList& image);
 
-/// For each of `volumes` (local space) whether any triangle of `image` has a point in both it and the view's pyramid.
+/// Returns for each of `volumes` (local space) whether a triangle of `image` has a point inside both the volume and the
+/// view pyramid.
 std::vector<bool> receivingVolumes(
     const selection::CutQuery& query, const selection::DrawList& image, std::span<const ConvexVolume> volumes);
 

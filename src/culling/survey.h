@@ -1,5 +1,5 @@
-// What a plan wants to know of the geometry before it says which shadow maps a view calls for: where in depth the
-// surfaces lie that the light could reach, and where the casters are.
+// The survey of the visible geometry before shadow maps are planned: the depth ranges of surfaces that can be lit, and
+// the positions of casters.
 #pragma once
 
 #include "core/depth_span.h"
@@ -10,21 +10,22 @@
 
 namespace gnomon::culling {
 
-/// Depth spans are whole steps of this ratio, or as many even ones where all lies within one of these, as from far
-/// away: the price of not looking at every triangle.
+/// Number of depth steps per octave. Depth spans consist of whole steps of this ratio. If all depths are within one
+/// such step, for example in a distant view, even steps are used. Whole steps avoid a test of each triangle.
 constexpr int kSpansPerOctave = 16;
 
-/// What of an image a light could reach.
+/// The surfaces of an image that a light could reach.
 struct LitSurfaces {
-    /// Depths of drawn surfaces whose seen side faces the light; apart and in order. A span may reach further than its
-    /// surfaces by one step, never less far.
+    /// Depth spans of drawn surfaces whose visible side faces the light, disjoint and in order. A span can extend one
+    /// step beyond its surfaces, but never ends before them.
     std::vector<DepthSpan> spans;
-    /// Whether any of them has a caster in front of it; only sure where it says no.
+    /// False if no such surface has a caster in front of it. True is not certain.
     bool canBeShadowed = false;
 };
 
-/// The parts of `image` that are lit from `towardsLight` (unit, local space) unless something of `casters` (local
-/// space) shadows them; depths under `least` (above 0, world units) count as `least`, those over `greatest` likewise.
+/// Returns the surfaces of `image` that are lit from `towardsLight` (unit, local space) unless a caster within
+/// `casters` (local space) shadows them. Depths below `depths.near` (above 0, world units) count as `depths.near`, and
+/// depths above `depths.far` count as `depths.far`.
 LitSurfaces litSurfaces(
     const selection::CutQuery& query,
     const selection::DrawList& image,
@@ -32,18 +33,19 @@ LitSurfaces litSurfaces(
     const Box& casters,
     const DepthSpan& depths);
 
-/// All that `image` shows, step by step of depth, the steps as for spans: whole clusters that reach into the view's
-/// pyramid, with what any refinement may move them by. Boxes are in the model's axes, relative to the eye.
+/// Returns the visible slabs of `image`, one per depth step. The steps are the same as for depth spans. A slab contains
+/// whole clusters that intersect the view pyramid, extended by the error of any refinement. Boxes are in the model's
+/// axes, relative to the eye.
 std::vector<shadow::SeenPart> seenParts(
     const selection::CutQuery& query, const selection::DrawList& image, const DepthSpan& depths);
 
-/// Neighbouring clusters of a draw list.
+/// Adjacent clusters of a draw list.
 struct CasterBlock {
-    Box box; // local space, with what any refinement may move them by
+    Box box; // local space, extended by the error of any refinement
     std::uint64_t triangles = 0;
 };
 
-/// The clusters of `list` in blocks of at most kClustersPerBlock, in the list's order.
+/// Returns the clusters of `list` in blocks of at most kClustersPerBlock, in list order.
 std::vector<CasterBlock> casterBlocks(const selection::CutQuery& query, const selection::DrawList& list);
 
 constexpr std::uint32_t kClustersPerBlock = 16;

@@ -1,4 +1,4 @@
-// A triangle cut by planes: the part of it that a convex volume holds.
+// Clips a triangle to a convex volume.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -8,13 +8,13 @@
 
 namespace gnomon::culling {
 
-/// Clips triangles against one volume; keeps its buffers between calls.
+/// Clips triangles to one volume and reuses its buffers.
 class TriangleClipper {
 public:
     explicit TriangleClipper(const ConvexVolume& volume) : volume_(&volume) {}
 
-    /// The corners of the part of the triangle inside the volume (Sutherland, Hodgman 1974), empty if there is none.
-    /// Valid until the next call.
+    /// Returns the corners of the part of the triangle inside the volume (Sutherland, Hodgman 1974), or an empty list.
+    /// The result is valid until the next call.
     const std::vector<glm::dvec3>& clipped(const std::array<glm::dvec3, 3>& corners);
 
 private:

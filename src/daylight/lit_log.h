@@ -1,4 +1,4 @@
-// Which receivers the lights of a run reach, on disk, so that a killed run can go on.
+// A log on disk of the receivers that each light reaches, so that an interrupted run can continue.
 #pragma once
 
 #include "core/file.h"
@@ -10,8 +10,8 @@
 
 namespace gnomon::daylight {
 
-/// A file of records. Each light has one record at its place: a bit per receiver and a checksum. A record that a kill
-/// cut short counts as missing.
+/// A log file with one record per light, at a fixed position. A record has one bit per receiver and a checksum. An
+/// incomplete record from a killed process counts as missing.
 class LitLog {
 public:
     /// Begins the log at `path` for `receivers` receivers anew. With `isResumed`, opens the log that is there. `key`
@@ -19,17 +19,17 @@ public:
     /// holds it, if the file is no log, or if it has other names (hard links).
     LitLog(const std::string& path, const std::string& key, std::size_t receivers, bool isResumed);
 
-    /// Opens the log at `path`, which another process writes, for reading. Returns nothing if a kill cut off its head.
-    /// Throws Error if it has another key, or if the file is no log.
+    /// Opens the log at `path`, which another process writes, for reading. Returns nothing if the header is incomplete.
+    /// Throws Error if the log has another key or if the file is not a log.
     static std::optional<LitLog> ofAnother(const std::string& path, const std::string& key, std::size_t receivers);
 
-    /// Writes the record of a light: not 0 where a receiver is lit. Lights come in any order.
+    /// Writes the record of a light. A non-zero element means that the receiver is lit. Lights can come in any order.
     void put(std::size_t light, const std::vector<std::uint8_t>& isLit);
 
-    /// Reads the record of `light` into `isLit`, 0 and 1. Returns false if there is no whole record.
+    /// Reads the record of `light` into `isLit` as 0 and 1. Returns false if there is no complete record.
     bool read(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
-    /// Lets processes that open the log after this call read what was written.
+    /// Makes the written records visible to processes that open the log after this call.
     void handOver() const { file_.handOver(); }
 
 private:
@@ -46,7 +46,7 @@ private:
     File file_;
 };
 
-/// Which lights a process decides: all whose number is `rank` modulo `ranks`.
+/// The lights that a process computes: all lights whose index modulo `ranks` is `rank`.
 struct LightShare {
     std::uint32_t rank = 0;
     std::uint32_t ranks = 1;
@@ -54,34 +54,34 @@ struct LightShare {
     bool owns(std::size_t light) const { return light % ranks == rank; }
 };
 
-/// The logs of one run: one of each rank of this job, and those that an earlier job left. Rank 0 writes STEM.steps,
-/// rank N writes STEM.N.steps. Each rank writes its own log alone and reads all others, so a job of another number of
-/// ranks can resume the run.
+/// The logs of one run: one per rank of this job, and the logs of an earlier job. Rank 0 writes STEM.steps, and rank N
+/// writes STEM.N.steps. Each rank writes only its own log and reads all others. A job with another number of ranks can
+/// therefore resume the run.
 class LitLogs {
 public:
     /// Opens the log of `share.rank`, and with `isResumed` all others that are there. Without `isResumed`, rank 0
     /// removes the logs of ranks that this job lacks. Throws Error as LitLog does.
     LitLogs(std::string stem, std::string key, std::size_t receivers, const LightShare& share, bool isResumed);
 
-    /// As LitLog::put, in the log of this rank.
+    /// Writes a record to the log of this rank (see LitLog::put).
     void put(std::size_t light, const std::vector<std::uint8_t>& isLit) { own_.put(light, isLit); }
 
-    /// As LitLog::read, in any log.
+    /// Reads a record from any log (see LitLog::read).
     bool read(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
-    /// Lets other ranks read what this one wrote.
+    /// Makes the records of this rank visible to other ranks.
     void handOver() const { own_.handOver(); }
 
-    /// Opens all other logs, with what other ranks handed over.
+    /// Opens all other logs, with the records that other ranks handed over.
     void openOthers();
 
-    /// Removes the files of all logs. The run is done.
+    /// Removes all log files after the run is complete.
     void remove() const;
 
 private:
     std::string pathOf(std::uint32_t rank) const;
 
-    /// The files beside STEM that are logs of other ranks, from `firstRank` on.
+    /// Returns the log files of other ranks, from `firstRank` on.
     std::vector<std::string> otherPaths(std::uint32_t firstRank) const;
 
     std::string stem_;

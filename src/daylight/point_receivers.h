@@ -1,4 +1,4 @@
-// Points anywhere in a model as receivers, before one uniform cut of it.
+// Arbitrary points of a model as receivers, tested against one uniform cut.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -10,15 +10,15 @@
 
 namespace gnomon::daylight {
 
-/// A point is lit unless a triangle of the cut stands ahead of it, farther than the tolerance (docs/exact_shadows.md):
-/// it belongs to no surface, so nothing has to face the light. A triangle that holds the point, as do those around a
-/// vertex, meets the ray at distance 0 and casts nothing on it: what darkens the far side of a body is the body's
-/// nearer side.
+/// Points as receivers. A point is lit unless a triangle of the cut is ahead of it, farther than the tolerance
+/// (docs/exact_shadows.md). The point belongs to no surface, so no surface must face the light. A triangle that
+/// contains the point, for example around a vertex, is at distance 0 and casts no shadow on it. The near side of a body
+/// therefore darkens the far side.
 class PointReceivers final : public Receivers {
 public:
-    /// Points in cells of the model's grid, as cellsOf rounds them; of `cut` casts what lies on the inner side of all
-    /// `sections`, which are in cells too. Throws Error if a point is farther than 2^30 cells from the middle of the
-    /// cut.
+    /// Creates receivers at `points`, in cells of the model's grid (rounded by cellsOf). The casters are the parts of
+    /// `cut` on the inner side of all `sections`, which are also in cells. Throws Error if a point is farther than 2^30
+    /// cells from the centre of the cut.
     PointReceivers(
         const exporter::UniformCut& cut, std::vector<glm::i64vec3> points, std::span<const Plane> sections = {});
 
@@ -26,7 +26,8 @@ public:
 
     exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
 
-    /// The same by the plain integer loops, of those that `isAsked` has no 0 for; 0 of the others. To be checked by.
+    /// Computes the same result as `decide` with the plain integer loops, as ground truth for tests. Only points with a
+    /// non-zero entry in `isAsked` are tested; the others get 0.
     void decidePlainly(const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit);
 
 private:
@@ -37,11 +38,11 @@ private:
 
     using Position = std::array<std::uint32_t, 3>;
 
-    std::vector<glm::i64vec3> points_; // from the origin
+    std::vector<glm::i64vec3> points_; // relative to origin_
     glm::i64vec3 origin_{0};
-    std::vector<Position> positions_; // the cut's, and then the points'
+    std::vector<Position> positions_; // positions of the cut, followed by the points
     std::vector<hierarchy::Triangle> triangles_;
-    std::vector<exact::Caster> casters_; // those of the cut; then those that hold the points
+    std::vector<exact::Caster> casters_; // clusters of the cut, followed by receiver-only clusters with the points
     std::size_t castersOfCut_ = 0;
     exact::ExactShadows exact_;
 };

@@ -1,4 +1,4 @@
-// Points of a model of which light after light is asked whether it reaches them.
+// The interface of receivers: points of a model that are tested against one light after another.
 #pragma once
 
 #include "exact/exact_shadows.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::daylight {
 
-/// Receivers are numbered from 0. Which there are, and what stands before them, is the same for all lights.
+/// A set of receivers, numbered from 0. The receivers and the casters are the same for all lights.
 class Receivers {
 public:
     Receivers() = default;
@@ -20,8 +20,8 @@ public:
 
     virtual std::size_t count() const = 0;
 
-    /// Sets `isLit`, of `count()` elements, to 1 where `light` reaches a receiver and 0 elsewhere. What comes out hangs
-    /// on no thread and no light before. Runs in the caller's TBB arena.
+    /// Sets each element of `isLit` (`count()` elements) to 1 if `light` reaches the receiver, else to 0. The result
+    /// does not depend on threads or earlier lights. Runs in the caller's TBB arena.
     virtual exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) = 0;
 };
 

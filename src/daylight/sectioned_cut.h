@@ -1,4 +1,4 @@
-// What section planes leave of a uniform cut.
+// The part of a uniform cut on the inner side of section planes.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -8,9 +8,10 @@
 
 namespace gnomon::daylight {
 
-/// The triangles of `cut` on the inner side of all `planes`, which are in cells of the grid, and the pieces there of
-/// those that a plane goes through, with corners rounded to the grid, alike on both sides of an edge. Clusters that no
-/// plane touches stay as they are; vertices of the others have positions alone.
+/// Returns the triangles of `cut` on the inner side of all `planes` (in cells of the grid). A triangle that intersects
+/// a plane is replaced by its inner piece. The corners of pieces are rounded to the grid, identically for both
+/// triangles at an edge. Clusters that no plane intersects are unchanged. Vertices of the other clusters have only
+/// positions.
 exporter::UniformCut sectionedCut(const exporter::UniformCut& cut, std::span<const Plane> planes);
 
 } // namespace gnomon::daylight

@@ -1,4 +1,4 @@
-// Hours of sun: of each receiver in how many steps the Sun reaches it, when first and when last.
+// Sun hours: the number of steps in which the Sun reaches each receiver, with the first and the last step.
 #pragma once
 
 #include "core/progress.h"
@@ -11,24 +11,24 @@
 
 namespace gnomon::daylight {
 
-/// What came of a period, by receiver: whole numbers, so that neither order nor threads matter.
+/// The result of a period, by receiver. The values are integers, so they do not depend on order or threads.
 struct LitSteps {
     static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
-    std::vector<std::uint32_t> count; // steps in which the Sun reaches it
-    std::vector<std::uint32_t> first; // the first and the last of these, by their place among the period's steps
+    std::vector<std::uint32_t> count; // number of steps with sunlight
+    std::vector<std::uint32_t> first; // index of the first and of the last such step in the period
     std::vector<std::uint32_t> last;
-    std::uint32_t stepsUp = 0;  // in which the Sun is up
-    std::uint64_t samples = 0;  // receivers that faced the Sun, summed over the steps that were decided now
-    std::uint64_t touching = 0; // of these, whose verdict hangs on the tolerance or on the rule for ties
+    std::uint32_t stepsUp = 0;  // steps in which the Sun is up
+    std::uint64_t samples = 0;  // receivers that faced the Sun, summed over the steps that were computed now
+    std::uint64_t touching = 0; // samples whose result depends on the tolerance or on the rule for ties
 };
 
-/// The lights of those steps in which the Sun is up.
+/// Returns the lights of the steps in which the Sun is up.
 std::vector<IntegerLight> lightsOf(const std::vector<SunStep>& steps);
 
-/// Decides `receivers` for the lights of `share`, but for those that `logs` has, and adds each decided light to the
-/// logs. The result counts the lights of `share` only. `progress` advances by one for each of them. If it
-/// throws, the logs hold what was done.
+/// Tests `receivers` for the lights of `share`. Skips lights that `logs` already contains, and adds each computed light
+/// to the logs. The result covers only the lights of `share`. `progress` advances by one per light. If the function
+/// throws, the logs contain the computed lights.
 LitSteps litSteps(
     Receivers& receivers,
     const std::vector<SunStep>& steps,

@@ -1,4 +1,4 @@
-// A period cut into steps, and where the Sun stands in each.
+// A period divided into time steps, with the position of the Sun at each step.
 #pragma once
 
 #include "core/integer_light.h"
@@ -9,15 +9,15 @@
 
 namespace gnomon::daylight {
 
-/// The middle of one step. Each step stands for its whole length, so what begins or ends within it is off by at most
-/// half of it.
+/// The middle of one time step. It represents the whole step, so a start or an end of sunlight is off by at most half a
+/// step.
 struct SunStep {
-    std::string time; // ISO 8601 by the clock of the period's beginning
+    std::string time; // ISO 8601, in the clock of the period's start
     bool isUp = false;
-    IntegerLight light; // where the Sun is up, as the usual air shows it
+    IntegerLight light; // the Sun's direction with standard refraction; valid if the Sun is up
 };
 
-/// The steps of a period: those whose middles lie in it. Throws UsageError where there is none, or too many.
+/// Returns the steps whose middles lie in the period. Throws UsageError if there are none or too many.
 std::vector<SunStep> sunSteps(const settings::SunPeriod& period);
 
 } // namespace gnomon::daylight

@@ -1,4 +1,4 @@
-// The pixels of a view as receivers: one cut, one image, and then light after light by exact shadows.
+// The pixels of a view as receivers: one cut, one image, and exact shadows for one light after another.
 #pragma once
 
 #include "daylight/receivers.h"
@@ -10,49 +10,51 @@
 
 namespace gnomon::daylight {
 
-/// A view is cut and drawn once, whatever the light: its casters are all clusters that may stand between what is in
-/// view and any of the lights, in one cut with the image, so that no surface shadows another version of itself. Detail
-/// is chosen as for a frame; that of casters for up to kDetailLights of the lights, evenly taken.
+/// A view for sun studies. It is cut and drawn once for all lights. The casters are all clusters that may lie between
+/// the visible surfaces and any of the lights. They are in one cut with the image, so no surface is shadowed by another
+/// level of detail of itself. Detail is selected as for a frame. For casters, it uses up to kDetailLights evenly
+/// selected lights.
 class SunView final : public Receivers {
 public:
     static constexpr std::size_t kDetailLights = 64;
 
-    /// `renderer` must outlive it, and prepare no frame meanwhile. At least one light. Throws Error as a frame does.
+    /// Prepares and draws the view. `renderer` must outlive this object and must not prepare another frame meanwhile.
+    /// `lights` must not be empty. Throws the same errors as a frame.
     SunView(
         frame::Renderer& renderer,
         const plan::View& view,
         const plan::Quality& quality,
         std::span<const IntegerLight> lights);
 
-    /// Pixels, rows from top to bottom.
+    /// Returns the number of pixels. Rows are from top to bottom.
     std::size_t count() const override { return picture_.pixels.size(); }
 
     exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
 
-    /// The same by the plain integer loops of exact::plainStatuses, of those pixels that `isAsked` (of `count()`
-    /// elements, not 0): the truth.
+    /// Computes the same result as `decide` with the plain integer loops of exact::plainStatuses: the ground truth.
+    /// Only pixels with a non-zero entry in `isAsked` (`count()` elements) are tested.
     void decidePlainly(const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit);
 
-    /// What is visible, in no order.
+    /// Returns the visible points, in undefined order.
     const exact::VisiblePoints& points() const { return points_; }
 
-    /// Where point `i` of these lies, world space.
+    /// Returns the position of visible point `i`, in world space.
     glm::dvec3 position(std::size_t i) const;
 
-    /// The view without any sun.
+    /// Returns the picture of the view without sunlight.
     const executor::Picture& picture() const { return picture_; }
 
-    /// What casts, at most.
+    /// Returns the number of triangles that may cast shadows.
     std::uint64_t casterTriangles() const { return frame_.cut.lists[1].triangles; }
 
-    /// The view as it is cut and drawn.
+    /// Returns the prepared frame of the view.
     const frame::PreparedFrame& prepared() const { return frame_; }
 
 private:
     void prepare(frame::Renderer& renderer, std::span<const IntegerLight> lights);
     void cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights);
     plan::FramePlan planFor(const IntegerLight& light) const;
-    /// Fills the samples for a light.
+    /// Collects the samples for a light.
     executor::FrameDrawing collect(const plan::FramePlan& plan);
 
     plan::View view_;

@@ -1,20 +1,21 @@
-// Casts the triangles of a cluster over the cells that hold samples, and decides each sample that one may shadow.
+// Rasterises the triangles of a cluster into the sample grid, and resolves each sample that a triangle may shadow.
 #pragma once
 
 #include "exact/cast_context.h"
 
 namespace gnomon::exact {
 
-/// Casts one cluster over the cells of all maps. From any thread.
+/// Rasterises one cluster into the sample grids of all maps. Can run on any thread.
 void castCluster(const CastContext& context, std::size_t caster, CastCounts& counts);
 
-/// The corners of triangle `triangle` of a caster, cells from the origin.
+/// Returns the corners of triangle `triangle` of a caster, in cells from the origin.
 Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t triangle);
 
-/// The corners of the triangle that the sample at `place` in the grid lies on.
+/// Returns the corners of the triangle that contains the sample at `place` in the grid.
 Corners ownCorners(const CastContext& context, std::size_t place);
 
-/// What triangle `triangle` of `caster` does to the sample at `place` in the grid, in integers: bits of its status.
+/// Computes with integers how triangle `triangle` of `caster` affects the sample at `place` in the grid. Returns status
+/// bits.
 std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place);
 
 } // namespace gnomon::exact

@@ -1,5 +1,5 @@
-// One cluster of casters: where its corners lie in the shear of the light or about a point light, and which maps' masks
-// hold anything that it may shadow. Included once for each instruction set.
+// One cluster of casters: its corners in the sheared light space or relative to a point light, and the test against the
+// receiver masks of the maps. Included once per instruction set.
 #if defined(GNOMON_EXACT_CLUSTER_CASTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_CLUSTER_CASTER_INL_H
 #undef GNOMON_EXACT_CLUSTER_CASTER_INL_H
@@ -32,11 +32,11 @@ using Ints = hn::Vec<IntTag>;
 constexpr FloatTag kFloats;
 constexpr IntTag kInts;
 
-constexpr std::size_t kLeastInBlocks = 32; // fewer samples are sooner looked at one by one
+constexpr std::size_t kLeastInBlocks = 32; // spans with fewer samples are faster without blocks
 constexpr std::size_t kMostVertices = raster::kMaxClusterVertices;
 constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
 
-/// One cluster in the shear of the light, and over the cells of one map.
+/// Rasterises one cluster of casters into the sample grid of each map.
 class ClusterCaster {
 public:
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeros first would cost more than most casts
@@ -91,12 +91,12 @@ private:
     const Caster& caster_;
     CastCounts& counts_;
     std::array<std::array<double, 3>, kMostVertices> sheared_; // u, v, h
-    std::array<double, kMostVertices> x_, y_, w_;              // cells of the map; where w is large enough
+    std::array<double, kMostVertices> x_, y_, w_;              // in cells of the map; valid where w is large enough
     alignas(64) std::array<float, kMostVertices> floatX_, floatY_, floatH_;
     alignas(64) std::array<std::int32_t, kMostTriangles> corner_[3];
 };
 
-/// What may be covered from `low` to `high` by something that comes as near to the light as `h`.
+/// Returns true if a caster from `low` to `high` with the largest h `h` may shadow a sample of the map.
 inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, const glm::dvec2& high, double h) const {
     const int side = context_.grid->side();
     if (high.x < -kCellSlack || high.y < -kCellSlack || low.x > side + kCellSlack || low.y > side + kCellSlack)
@@ -109,7 +109,8 @@ inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, co
     return context_.grid->mask(map).mayShadow(box, roundedUp(h));
 }
 
-/// A box that reaches behind the light, or nearly there, may cover any cell.
+/// Tests the cluster's box against the mask for a point light. A box that reaches behind the light or close to it may
+/// cover any cell.
 inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
     const CellMap& cells = context_.grid->maps()[map];
     glm::dvec2 low(std::numeric_limits<double>::infinity());
@@ -135,7 +136,8 @@ inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
     return isUnmasked(map, glm::dvec2(0), glm::dvec2(context_.grid->side()), h + context_.coordinateError);
 }
 
-/// The box's shadow on the light plane, over the cells: its four corners are enough, since w is above 0 in all or none.
+/// Tests the cluster's box against the mask for a directional light. The four corners of the box's shadow on the light
+/// plane suffice, because w is positive at all of them or the test returns true.
 inline bool ClusterCaster::mayShadow(std::size_t map) const {
     if (context_.samples->space().pointLight) return mayShadowFromPoint(map);
     const LightShear& shear = context_.samples->space().shear;
@@ -189,7 +191,7 @@ inline void ClusterCaster::shear() {
             0);
 }
 
-/// Towards a point light that is along the axis of the map's face.
+/// Sets the nearness of each vertex for a point light: the coordinate along the axis of the map's face.
 inline void ClusterCaster::findNearness(const CellMap& cells) {
     const auto axis = static_cast<std::size_t>(cells.nearAxis);
     for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i)

@@ -1,4 +1,4 @@
-// Doubles to floats in a direction that is known.
+// Conversion of doubles to floats with directed rounding.
 #pragma once
 
 #include <cmath>
@@ -6,13 +6,13 @@
 
 namespace gnomon::exact {
 
-/// The greatest float that is not above `value`.
+/// Returns the largest float that is not above `value`.
 inline float roundedDown(double value) {
     const auto nearest = static_cast<float>(value);
     return nearest <= value ? nearest : std::nextafter(nearest, -std::numeric_limits<float>::infinity());
 }
 
-/// The least float that is not below `value`.
+/// Returns the smallest float that is not below `value`.
 inline float roundedUp(double value) {
     return -roundedDown(-value);
 }

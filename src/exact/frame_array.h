@@ -1,4 +1,4 @@
-// An array whose memory is kept from frame to frame, and of which no more is touched than what is written.
+// An array that reuses its memory between frames and touches only the memory that is written.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace gnomon::exact {
 
-/// Values that mean nothing until they are written: room for many of which few come costs addresses, not memory.
+/// An array of values that are undefined until they are written. Unused capacity costs address space, not memory.
 template <class T>
 class FrameArray {
 public:
-    /// Makes room for `count` values; where that takes new memory, what was there is lost.
+    /// Reserves memory for `count` values. A reallocation loses the old values.
     void makeRoom(std::size_t count) {
         if (count <= size_) return;
         values_.reset();
@@ -19,7 +19,7 @@ public:
         size_ = count;
     }
 
-    /// How many there is room for.
+    /// Returns the number of reserved values.
     std::size_t size() const { return size_; }
 
     T& operator[](std::size_t i) { return values_[i]; }

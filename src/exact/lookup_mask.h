@@ -1,5 +1,5 @@
-// What of a frame's shadow maps its image will look up (receiver masks: Bittner, Mattausch, Silvennoinen and Wimmer
-// 2011): in blocks of texels, how deep the deepest lookup is. A caster that lies before none changes no pixel.
+// The lookup mask of a frame's shadow maps: per block of texels, the depth of the deepest lookup (receiver masks:
+// Bittner, Mattausch, Silvennoinen and Wimmer 2011). A caster behind all lookups of its blocks changes no pixel.
 #pragma once
 
 #include "exact/receiver_mask.h"
@@ -10,17 +10,17 @@
 
 namespace gnomon::exact {
 
-/// Bounds of all that triangles with their corners in a box can draw into a map.
+/// Bounds of the texels and depths that a caster's box can draw into a map.
 struct CasterBound {
-    raster::PixelBox texels{}; // of the viewport, those outside left out
-    float nearest = 0;         // no more than any depth that a texel takes of them, from 0 to 1
+    raster::PixelBox texels{}; // within the viewport
+    float nearest = 0;         // lower bound of the depth of its texels, in [0, 1]
 };
 
-/// The bound of `box` (grid positions) in a depth pass with `view`, whatever its vertices are rounded to; the whole
-/// viewport at depth 0 where the box reaches the plane of w = 0.
+/// Returns the bound of `box` (grid positions) in a depth pass with `view`, for any rounding of vertices. If the box
+/// reaches the plane w = 0, the bound is the whole viewport at depth 0.
 CasterBound casterBound(const raster::View& view, const raster::CellBox& box);
 
-/// The texels that a lookup reads, by column and row of the depth texture, both ends included.
+/// The texels that a lookup reads, as columns and rows of the depth texture, both ends included.
 struct LookupTexels {
     std::int32_t firstColumn = 0;
     std::int32_t firstRow = 0;
@@ -30,14 +30,14 @@ struct LookupTexels {
     bool operator==(const LookupTexels&) const = default;
 };
 
-/// The mask of a frame's depth texture; keeps its memory from frame to frame.
+/// The mask of a frame's depth texture. The object reuses its memory between frames.
 class LookupMask {
 public:
-    /// An empty mask of a texture of that size, which is not nothing.
+    /// Resets to an empty mask of a texture of width x height, both above 0.
     void reset(int width, int height);
 
-    /// Lookups that one thread adds. Those of neighbours read the same blocks, so only the deepest of a run is handed
-    /// on.
+    /// The lookups of one thread. Adjacent lookups read the same blocks, so a run passes only its deepest lookup to the
+    /// mask.
     class Run {
     public:
         explicit Run(LookupMask& mask) : mask_(&mask) {}
@@ -49,7 +49,7 @@ public:
 
         ~Run() { flush(); }
 
-        /// Adds a lookup that compares `depth` with what `texels` hold.
+        /// Adds a lookup that compares `depth` with the stored depths of `texels`.
         void add(const LookupTexels& texels, float depth) {
             constexpr int kShift = ReceiverMask::kBlockBits;
             const LookupTexels blocks = {
@@ -59,34 +59,35 @@ public:
                 texels.lastRow >> kShift};
             if (!(blocks == blocks_)) flush();
             blocks_ = blocks;
-            deepest_ = std::max(deepest_, depth); // no number is left out, since it is lit by nothing
+            deepest_ = std::max(deepest_, depth); // max ignores a NaN, and no caster darkens such a lookup
         }
 
     private:
         void flush() {
-            // Stored depths are from 0 to 1: a lookup at 0 or before is lit by all of them.
+            // Stored depths are in [0, 1]: a lookup with depth 0 or less is always lit.
             if (deepest_ > 0) mask_->lower(blocks_, -deepest_);
             deepest_ = 0;
         }
 
         LookupMask* mask_;
-        LookupTexels blocks_; // of those of the run, in blocks
+        LookupTexels blocks_; // blocks of the current run
         float deepest_ = 0;
     };
 
-    /// To be called once all lookups are added, before the mask is asked.
+    /// Completes the mask. Call it after all lookups are added and before the first query.
     void finish() { mask_.finish(); }
 
-    /// Whether no lookup that a caster could darken reads the texels of `box`, or of blocks that it shares.
+    /// Returns true if no lookup that a caster could darken reads the texels of `box` or other texels of the same
+    /// blocks.
     bool isEmpty(const raster::PixelBox& box) const;
 
-    /// Whether what stays within `bound` may change what a lookup answers.
+    /// Returns true if a caster within `bound` may change the result of a lookup.
     bool mayShadow(const CasterBound& bound) const;
 
 private:
     void lower(const LookupTexels& blocks, float to);
 
-    ReceiverMask mask_; // heights towards the light: depths with their signs turned
+    ReceiverMask mask_; // stores heights towards the light: negated depths
 };
 
 } // namespace gnomon::exact

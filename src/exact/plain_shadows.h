@@ -1,5 +1,5 @@
-// Exact shadows without a fast path: each sample against each triangle near its ray, in integers alone. The truth that
-// pictures are held against.
+// Exact shadows without acceleration: tests each sample against each triangle near its ray, with integers only. The
+// results are the ground truth for pictures.
 #pragma once
 
 #include "exact/caster_kernel.h"
@@ -8,17 +8,17 @@
 
 namespace gnomon::exact {
 
-/// The status of each of `samples`, as ExactShadows finds them, by `meet` with every triangle whose box on the light
-/// plane comes near the sample's; where `isAsked` is not empty, of those samples that it has no 0 for, the others are
-/// lit. Takes as much memory as the triangles' boxes, 40 bytes each and more.
+/// Returns the status of each sample, as ExactShadows computes it. The function calls `meet` for each triangle whose
+/// box on the light plane is near the sample. If `isAsked` is not empty, it tests only samples with a non-zero entry,
+/// and the others count as lit. The function needs at least 40 bytes of memory per triangle, for the boxes.
 std::vector<std::uint8_t> plainStatuses(
     const SampleList& samples,
     std::span<const Caster> casters,
     const glm::uvec3& originCell,
     std::span<const std::uint8_t> isAsked = {});
 
-/// The same of samples whose space has a point light: by `meetTowards` with every triangle whose box, seen from the
-/// light through the faces of a cube, comes near the sample's place there.
+/// Returns the status of each sample for a point light. The function calls `meetTowards` for each triangle whose box,
+/// projected onto a face of the cube around the light, is near the sample.
 std::vector<std::uint8_t> plainPointStatuses(
     const SampleList& samples,
     std::span<const Caster> casters,

@@ -1,5 +1,5 @@
-// Whether a triangle stands between a point and a point light, in integers: the rules of predicate.h with rays that
-// meet in one grid point in place of a direction.
+// The shadow predicate for a point light, with integers. It uses the rules of predicate.h, but all rays end at one grid
+// point.
 #pragma once
 
 #include "exact/predicate.h"
@@ -8,14 +8,15 @@
 
 namespace gnomon::exact {
 
-/// A point light may lie so many bits of cells from the frame's origin, along each axis: less than 2^52 cells.
+/// Number of bits for the coordinates of a point light: less than 2^52 cells from the frame's origin, per axis.
 constexpr int kPointLightBits = 52;
 
-/// On which side of the triangle the light at grid point `light` stands: 1, -1, or 0 in its plane.
+/// Returns the side of the triangle that faces the light at grid point `light`: 1, -1, or 0 if the light lies in its
+/// plane.
 int facingPoint(const Corners& corners, const glm::i64vec3& light);
 
-/// The direction from scaledPoint / 2^24 to the light, rounded as that of a light far away, and the tolerance of `meet`
-/// along it: two grid steps. Nothing where the point is the light.
+/// The ray from scaledPoint / 2^24 to a point light: the direction, rounded like that of a directional light, and the
+/// tolerance of two grid steps along it.
 struct PointRay {
     IntegerLight direction;
     std::uint32_t tolerance = 0;
@@ -23,16 +24,18 @@ struct PointRay {
 
 std::optional<PointRay> rayToPoint(const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
 
-/// Decides where `caster` meets the way from scaledPoint / 2^24 to `light`, a grid point below 2^52 cells in size.
+/// Intersects `caster` with the segment from scaledPoint / 2^24 to `light`, a grid point with coordinates below 2^52
+/// cells.
 ///
-/// On which side of an edge AB the way passes is the sign of E . (A - P) with E = (B - A) x (L - A); where that is 0,
-/// minus the sign of the first component of E that is not. It passes through the triangle if all three are the sign of
-/// n . (L - A): were they its opposite, the triangle would lie beyond the light. A triangle whose plane holds the light
-/// meets no ray. It lies ahead if P is on the other side of its plane than L, and farther ahead than the tolerance if
-/// |n . (A - P)| > tolerance |n . G| with G and the tolerance of rayToPoint. Products stay below 2^146.
+/// The sign of E . (A - P) with E = (B - A) x (L - A) tells on which side of edge AB the segment passes. If it is 0,
+/// the code uses minus the sign of the first non-zero component of E. The segment passes through the triangle if all
+/// three signs equal the sign of n . (L - A). If all three are opposite, the triangle lies behind the light. A triangle
+/// whose plane contains the light has no hit. The triangle lies ahead if P and L are on different sides of its plane.
+/// It lies farther ahead than the tolerance if |n . (A - P)| > tolerance |n . G|, with the direction G and the
+/// tolerance of rayToPoint. Products are below 2^146.
 RayMeeting meetTowards(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
 
-/// The same for a ray that is known already.
+/// Intersects `caster` with the segment to `light` for a known `ray`.
 RayMeeting meetTowards(
     const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint, const PointRay& ray);
 

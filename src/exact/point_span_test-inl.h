@@ -1,5 +1,5 @@
-// One triangle against samples that lie side by side, seen from a point light: in doubles where their error bounds
-// allow, else in integers. Included once for each instruction set.
+// The test of one triangle against adjacent samples, for a point light. It uses doubles where their error bounds
+// suffice, and integers otherwise. Included once per instruction set.
 #if defined(GNOMON_EXACT_POINT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
@@ -13,34 +13,39 @@ HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::exact::HWY_NAMESPACE {
 
-/// A triangle and a point light, ready to be held against samples.
+/// A triangle and a point light, prepared for tests against samples.
 ///
-/// With A the first corner from the light, b and c the edges from there, d = sample - corner A and n = b x c: the edge
-/// functions over AB and CA are (A x b) . d and -(A x c) . d, the one over BC is what they leave of n . (A + d), all
-/// turned by the sign of n . A; then n . d above 0 says that the plane lies between.
+/// Let A be the first corner relative to the light, b and c the edges from there, d = sample - corner A, and n = b x c.
+/// The edge functions over AB and CA are (A x b) . d and -(A x c) . d. The edge function over BC is n . (A + d) minus
+/// the other two. All are multiplied by the sign of n . A. If n . d is then positive, the plane lies between the sample
+/// and the light.
 ///
-/// The bounds, for samples that are e off along each axis, corners and the light whole numbers below 2^53, |x| the sum
-/// of the sizes of x's components, R = |A|, s the larger of |b| and |c|, and u = 2^-53: d is e off and rounded once.
-/// - A component of A x b is at most R s and 3 u R s off, so its product with d is R s (3 e + 7 u |d|) off.
-/// - Likewise n . d is s^2 (3 e + 7 u |d|) off, and n . A 7 u s^2 R.
-/// - The third edge function adds those three up, of sizes R s |d|, R s |d|, s^2 |d| and s^2 R, with three roundings:
+/// The error bounds use these terms: samples have an error of e per axis; corners and the light are whole numbers below
+/// 2^53; |x| is the sum of the absolute components of x; R = |A|; s is the larger of |b| and |c|; u = 2^-53. The error
+/// of d is e plus one rounding.
+/// - A component of A x b is at most R s, with an error of 3 u R s. Its product with d has an error of R s (3 e + 7 u
+/// |d|).
+/// - In the same way, n . d has an error of s^2 (3 e + 7 u |d|), and n . A has an error of 7 u s^2 R.
+/// - The third edge function sums these three terms, with sizes R s |d|, R s |d|, s^2 |d| and s^2 R, and three
+/// roundings:
 ///   e (6 R s + 3 s^2) + u |d| (20 R s + 10 s^2) + 10 u s^2 R.
-/// All is doubled: that pays for R, s, |d| and the bounds being rounded themselves.
+/// The code doubles all bounds. This covers the rounding of R, s, |d| and of the bounds.
 struct PointTriangleTest {
-    double a[3] = {};         // corner A, as samples count
-    double fromLight[3] = {}; // the same from the light
-    double ab[3] = {};        // A x b, turned
-    double ca[3] = {};        // -(A x c), turned
-    double normal[3] = {};    // n, turned
-    double volume = 0;        // n . A, turned: above 0
-    double size = 0;          // of n
+    double a[3] = {};         // corner A, in the coordinates of the samples
+    double fromLight[3] = {}; // corner A relative to the light
+    double ab[3] = {};        // A x b, times the sign
+    double ca[3] = {};        // -(A x c), times the sign
+    double normal[3] = {};    // n, times the sign
+    double volume = 0;        // n . A, times the sign: positive
+    double size = 0;          // |n|
     double edgeError[2] = {};
-    double heightError[2] = {}; // of n . d
-    bool isWhole = false;       // all sums that make up n are below 2^53, so that it is exact
-    int flat = -1;              // the axis along which all corners are alike
+    double heightError[2] = {}; // error of n . d
+    bool isWhole = false;       // true: all sums in n are below 2^53, so n is exact
+    int flat = -1;              // the axis along which all corners are equal, or -1
     std::uint32_t name = 0;
 
-    /// False where the triangle's plane holds the light: it casts nothing. `orientation` gives the exact sign of n . A.
+    /// Prepares the test. Returns false if the light lies in the triangle's plane: the triangle then casts no shadow.
+    /// `orientation` returns the exact sign of n . A.
     template <class Orientation>
     HWY_INLINE bool set(
         const double* pa,
@@ -50,9 +55,9 @@ struct PointTriangleTest {
         double error,
         const Orientation& orientation);
 
-    /// Whether doubles are sure that all of the triangle of `corners`, as samples count, lies in this one's plane, as
-    /// do doubled ones and what overlaps on a floor: both are flat along an axis, or all that is added up is whole and
-    /// below 2^53.
+    /// Returns true if doubles prove that the triangle `corners` (in the coordinates of the samples) lies in the plane
+    /// of this triangle. This holds for duplicate triangles and overlapping floors. The proof needs triangles that are
+    /// flat along the same axis, or whole-number sums below 2^53.
     HWY_INLINE bool surelyHolds(const Corners& corners) const;
 };
 
@@ -74,7 +79,7 @@ HWY_INLINE bool PointTriangleTest::set(
     const glm::dvec3& light,
     double error,
     const Orientation& orientation) {
-    constexpr double kRounding = 0x1p-52; // twice a double's
+    constexpr double kRounding = 0x1p-52; // twice the rounding unit of a double
     double b[3];
     double c[3];
     for (int i = 0; i < 3; ++i) {
@@ -129,9 +134,9 @@ HWY_INLINE Doubles dotLanes(const double* a, Doubles x, Doubles y, Doubles z) {
     return hn::MulAdd(constant(a[0]), x, hn::MulAdd(constant(a[1]), y, hn::Mul(constant(a[2]), z)));
 }
 
-/// The height at which a plane is just a cell ahead, along the ways to the light from samples `d` beyond corner A that
-/// it is `height` ahead of. Less sure than `slack` of the normal's size by the rounding of directions; where the light
-/// is near, as much as it can be at all.
+/// Bounds of the height at which the plane is one cell ahead, along the rays to the light. The rays start at samples
+/// `d` from corner A, and the plane is `height` ahead of them. The rounding of directions adds an uncertainty of
+/// `slack` times the size of the normal. Near the light, the bounds are the widest possible interval.
 struct CellAheadLanes {
     Doubles least, most;
 
@@ -150,8 +155,8 @@ struct CellAheadLanes {
     }
 };
 
-/// As the other testSamples: marks what is sure and calls `decide(place, mayCast)` for what only integers can decide. A
-/// tolerance of two steps, in whole 2^-24 of a direction, is one to two cells.
+/// Tests samples like testSamples for a directional light: it marks certain results and calls `decide(place, mayCast)`
+/// for samples that need integers. A tolerance of two steps, in whole 2^-24 of a direction, is one to two cells.
 template <class Decide>
 HWY_INLINE void testSamples(
     const PointTriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {

@@ -1,4 +1,5 @@
-// Whether a triangle stands between a point and the light, in integers: what is true of a shadow, whoever finds it.
+// The shadow predicate: computes with integers whether a triangle lies between a point and the light. The result does
+// not depend on the way the triangle was found.
 #pragma once
 
 #include "core/integer_light.h"
@@ -8,10 +9,10 @@
 
 namespace gnomon::exact {
 
-/// The bits of the weights of a point within its triangle.
+/// Number of bits in the weights of a point within its triangle.
 constexpr int kWeightBits = 24;
 
-/// Corners of a triangle: grid cells from the frame's origin, each coordinate below 2^31 in size and each edge below
+/// The corners of a triangle, in grid cells from the frame's origin. Absolute coordinates are below 2^31, edges below
 /// 2^32.
 using Corners = std::array<glm::i64vec3, 3>;
 
@@ -23,41 +24,45 @@ struct PointOnTriangle {
     std::uint32_t third = 1;
 };
 
-/// The point times 2^24: whole numbers.
+/// Returns the point times 2^24, as integers.
 glm::i64vec3 scaledPoint(const PointOnTriangle& point);
 
-/// The sign of n . direction with n = (B - A) x (C - A): on which side of the triangle the light stands; 0 in its
-/// plane.
+/// Returns the sign of n . direction with n = (B - A) x (C - A): the side of the triangle that faces the light. The
+/// result is 0 if the light lies in the triangle's plane.
 int facing(const Corners& corners, const IntegerLight& light);
 
-/// How far ahead along `light` a triangle may lie and still only touch: two grid steps, as `meet` takes it.
+/// Returns the tolerance of two grid steps along `light`, as an argument of `meet`. A triangle within the tolerance
+/// casts no shadow.
 std::uint32_t twoSteps(const IntegerLight& light);
 
-/// The sign of n . (eye - A) for the eye in 2^-24 cells: which side is seen; 0 from within the plane.
+/// Returns the sign of n . (eye - A), with the eye in 2^-24 cells: the visible side of the triangle. The result is 0 if
+/// the eye lies in the plane.
 int seenSide(const Corners& corners, const glm::i64vec3& scaledEye);
 
-/// Whether scaledPoint / 2^24 lies in the plane of the triangle, which no ray from there meets ahead.
+/// Returns true if scaledPoint / 2^24 lies in the plane of the triangle. No ray from there has a hit ahead.
 bool isInPlane(const Corners& corners, const glm::i64vec3& scaledPoint);
 
-/// Where a triangle meets the ray from a point towards the light.
+/// The intersection of a triangle with the ray from a point towards the light.
 enum class Meeting : std::uint8_t {
-    None,     // beside the ray, behind the point or in its very plane
-    Touching, // ahead, but no farther than the tolerance
-    Ahead,    // farther than that: it casts its shadow on the point
+    None,     // the triangle is beside the ray, behind the point, or contains the point in its plane
+    Touching, // ahead, but within the tolerance
+    Ahead,    // ahead, farther than the tolerance: the triangle casts a shadow on the point
 };
 
 struct RayMeeting {
     Meeting meeting = Meeting::None;
-    bool isOnEdge = false; // the ray meets an edge or a corner, and the rule for ties decided that it is the triangle's
+    /// True: the ray hits an edge or a corner, and the rule for ties assigned the hit to the triangle.
+    bool isOnEdge = false;
 };
 
-/// Decides where `caster` meets the ray from scaledPoint / 2^24 along the light. `tolerance`, in 2^-24 of the light's
-/// direction and below 2^31, is how far ahead a triangle may lie and still only touch.
+/// Intersects `caster` with the ray from scaledPoint / 2^24 along the light. `tolerance` is in 2^-24 of the light's
+/// direction and below 2^31. A triangle ahead within the tolerance has the result Touching.
 ///
-/// On which side of an edge AB the ray passes is the sign of E . (A - P) with E = (B - A) x L; where that is 0, minus
-/// the sign of the first component of E that is not: as if P were moved by (e, e^2, e^3) (simulation of simplicity,
-/// Edelsbrunner and Mücke 1990). Triangles that share an edge see it with opposite signs, so a ray through it meets
-/// just one of them. A triangle whose plane holds the light meets no ray. All products stay below 2^121.
+/// The sign of E . (A - P) with E = (B - A) x L tells on which side of edge AB the ray passes. If it is 0, the code
+/// uses minus the sign of the first non-zero component of E. This corresponds to moving P by (e, e^2, e^3) (simulation
+/// of simplicity, Edelsbrunner and Mücke 1990). Triangles that share an edge see it with opposite signs, so a ray
+/// through the edge hits exactly one of them. A triangle whose plane is parallel to the light has no hit. All products
+/// are below 2^121.
 RayMeeting meet(
     const Corners& caster, const IntegerLight& light, const glm::i64vec3& scaledPoint, std::uint32_t tolerance);
 

@@ -1,4 +1,5 @@
-// What of a triangle lies before a map's cells where a part of it lies beside or behind the point light.
+// Clips a triangle to the pyramid of a map for a point light. This serves triangles that are partly beside or behind
+// the light.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,7 +9,7 @@
 
 namespace gnomon::exact {
 
-/// Cells along both axes, not yet whole.
+/// A range of cells along both axes, in fractions of cells.
 struct CellReach {
     double leastX = 0;
     double leastY = 0;
@@ -16,9 +17,9 @@ struct CellReach {
     double mostY = 0;
 };
 
-/// The cells of [0, side] x [0, side] and `slack` around them that a triangle covers as its light sees it, or more;
-/// nothing where it covers none. Corners are (x, y, 1) w, with w of any sign. Where what is left comes nearer to the
-/// light than `leastW`, whose x / w nobody knows, all cells.
+/// Returns a range that contains the cells of [0, side] x [0, side] that a triangle covers as seen from the light,
+/// extended by `slack`. Returns nothing if it covers no cell. Corners are (x, y, 1) w, with w of any sign. If the
+/// clipped triangle comes nearer to the light than `leastW`, x / w is unreliable, and the function returns all cells.
 std::optional<CellReach> reachOfPyramid(
     const std::array<glm::dvec3, 3>& corners, double side, double slack, double leastW);
 

@@ -1,5 +1,6 @@
-// Which cells hold samples, and how far from the light the farthest of them lies (receiver masks: Bittner, Mattausch,
-// Silvennoinen and Wimmer 2011): what is nowhere in front of one casts no shadow that is seen.
+// The receiver mask: which blocks of cells contain samples, and the depth of the farthest sample from the light
+// (receiver masks: Bittner, Mattausch, Silvennoinen and Wimmer 2011). Casters behind all samples cast no visible
+// shadow.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 
 namespace gnomon::exact {
 
-/// Cells, both ends included.
+/// A range of cells, both ends included.
 struct CellBox {
     int x0 = 0;
     int y0 = 0;
@@ -24,10 +25,11 @@ public:
     static constexpr int kBlockBits = 3; // a block has 8 x 8 cells
     static constexpr float kNone = std::numeric_limits<float>::infinity();
 
-    /// A mask over width x height cells in which nothing is; keeps its memory.
+    /// Resets to an empty mask over width x height cells. Reuses the memory.
     void reset(int width, int height);
 
-    /// The least h of the samples of block (x, y), rounded down; kNone if it has none. Call `finish` once all are set.
+    /// Returns the smallest h of the samples in block (x, y), rounded down, or kNone without samples. Call `finish`
+    /// after all blocks are set.
     float& lowest(int x, int y) { return levels_[0].lowest[index(0, x, y)]; }
 
     float lowest(int x, int y) const { return levels_[0].lowest[index(0, x, y)]; }
@@ -38,11 +40,11 @@ public:
 
     void finish();
 
-    /// Whether no block has a sample.
+    /// Returns true if no block contains a sample.
     bool isEmpty() const { return levels_.back().lowest[0] == kNone; }
 
-    /// Whether a sample in the cells of `box` and those around them may lie below `highest`, the greatest h of
-    /// something that covers them.
+    /// Returns true if a caster over the cells of `box` may shadow a sample. `highest` is the largest h of the caster.
+    /// The test includes the cells around `box`.
     bool mayShadow(const CellBox& box, float highest) const;
 
 private:

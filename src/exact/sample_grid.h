@@ -1,5 +1,6 @@
-// The samples of a frame, sorted into the cells of a warped grid over the light plane: those that a triangle may shadow
-// lie side by side (the irregular z-buffer of Johnson et al. 2005; alias-free shadow maps of Aila and Laine 2004).
+// The sample grid: the samples of a frame, sorted into the cells of a warped grid on the light plane. Samples that a
+// triangle may shadow are adjacent in memory (irregular z-buffer: Johnson et al. 2005; alias-free shadow maps: Aila and
+// Laine 2004).
 #pragma once
 
 #include "exact/blocks/sample_blocks.h"
@@ -13,34 +14,37 @@
 
 namespace gnomon::exact {
 
-/// The cells of one map: of the light plane, (u, v, 1) -> (x, y, 1) w, or of what a point light sees through a face of
-/// a cube, (u, v, h, 1) -> (x, y, 1) w. Which one only changes the time.
+/// The projection to the cells of one map. For a directional light it maps the light plane: (u, v, 1) -> (x, y, 1) w.
+/// For a point light it maps the view through a face of a cube: (u, v, h, 1) -> (x, y, 1) w. The projection affects
+/// only the speed, not the result.
 struct CellMap {
     glm::dmat4x3 cellsFromLight{0}; // columns of u, v, h and 1
-    double leastW = 0;              // corners with less are too near or behind; of a direction samples have twice that
+    /// Corners with a smaller w are too near or behind; samples of a directional light have at least twice this w.
+    double leastW = 0;
     bool isEmpty = true;
-    int nearAxis = 2;    // of u, v and h that which, times `nearSign`, grows towards the light
+    int nearAxis = 2;    // the axis of u, v and h that grows towards the light when multiplied by `nearSign`
     double nearSign = 1; // 1 or -1
 };
 
-/// Cells by which a triangle's box has to grow: more than x and y of corners and samples can be off together.
+/// The margin of a triangle's box, in cells. It is larger than the errors of x and y of corners and samples together.
 constexpr double kCellSlack = 2e-3;
 
-/// The samples by map, row and column of their cells.
+/// The samples, sorted by map, row and column of their cells.
 class SampleGrid {
 public:
-    /// Sorts `samples` into side x side cells a map, side at most 16384. `planes` holds a homography a map of the
-    /// samples, to any coordinates: they are stretched so that the samples fill the cells. A map is used without its
-    /// warp where w is not above 0 at each of its samples, varies by more than 2^20 among them, or where coordinates
-    /// that are `coordinateError` off (see coordinateErrorFor) could move a point by more than a share of kCellSlack;
-    /// without a warp cells stay so large that they cannot. Puts `samples`' u, v and h in the order of the cells; what
-    /// else they have stays where it is, and `source` says where. Of a point light it takes the faces of its cube for
-    /// `planes`.
+    /// Sorts `samples` into side x side cells per map; side is at most 16384. `planes` has one homography per map to
+    /// arbitrary coordinates. The function scales them so that the samples fill the cells. The arrays u, v and h of
+    /// `samples` get the order of the cells. The other arrays keep their order, and `source` refers to them. For a
+    /// point light, the function uses the faces of the cube in place of `planes`.
+    ///
+    /// A map loses its warp in three cases: w is not positive at all samples, w varies by more than 2^20, or the error
+    /// of coordinates (`coordinateError`, see coordinateErrorFor) could move a point by more than a fraction of
+    /// kCellSlack. Without a warp, cells are so large that this error is harmless.
     void sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
-    /// Takes out the samples that `leaves(place)` names and makes the masks anew; the others keep their order, and so
-    /// do their `statuses`, which lie by place. Calls `leave(place)` for each that goes, from any thread. `samples` as
-    /// `sort` left them. Runs in the caller's TBB arena.
+    /// Removes the samples for which `leaves(place)` is true, and updates the masks. The other samples and their
+    /// `statuses` keep their order. Calls `leave(place)` for each removed sample, from any thread. `samples` must be in
+    /// the order of `sort`. Runs in the caller's TBB arena.
     template <class Leaves, class Leave>
     void remove(SampleList& samples, FrameArray<std::uint8_t>& statuses, const Leaves& leaves, const Leave& leave);
 
@@ -50,22 +54,22 @@ public:
 
     const ReceiverMask& mask(std::size_t map) const { return masks_[map]; }
 
-    /// The first sample of cell (x, y) of `map`; its last is before the next cell's first.
+    /// Returns the first sample of cell (x, y) of `map`. The range ends at the first sample of the next cell.
     std::uint32_t first(std::size_t map, int x, int y) const { return first_[cell(map, x, y)]; }
 
-    /// Boxes of samples side by side, but about a point light.
+    /// Returns the boxes of adjacent samples. They do not exist for a point light.
     const SampleBlocks& blocks() const { return blocks_; }
 
-    /// Of each sample: its triangle and its place in the list.
+    /// The triangle of each sample, and its index in the list.
     FrameArray<std::uint32_t> triangle, source;
 
     std::size_t size() const { return size_; }
 
-    /// What the arrays take of memory a sample.
+    /// The memory of the arrays per sample, in bytes.
     static constexpr std::uint64_t kBytesPerSample =
         2 * sizeof(std::uint32_t) + sizeof(double) + SampleBlocks::kBytesPerSample;
 
-    /// What the cells take of memory, without the masks.
+    /// Returns the memory of the cells in bytes, without the masks.
     std::uint64_t cellBytes() const { return first_.size() * sizeof(std::uint32_t); }
 
 private:
@@ -74,12 +78,12 @@ private:
         return (map * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x);
     }
 
-    /// A run of samples that one thread takes care of.
+    /// A range of samples for one thread.
     struct Piece {
         std::size_t begin = 0;
         std::size_t end = 0;
-        std::size_t firstCell = 0; // that begins within it
-        std::size_t kept = 0;      // samples: its first
+        std::size_t firstCell = 0; // the first cell that begins in the range
+        std::size_t kept = 0;      // remaining samples, at the start of the range
     };
 
     void forPieces(const std::function<void(Piece&)>& visit);
@@ -94,10 +98,10 @@ private:
     std::size_t size_ = 0;
     std::vector<CellMap> maps_;
     std::vector<ReceiverMask> masks_;
-    std::vector<std::uint32_t> first_; // by cell, and the end
-    std::vector<Piece> pieces_;        // of what is being removed
+    std::vector<std::uint32_t> first_; // by cell, followed by the end
+    std::vector<Piece> pieces_;        // pieces of the current removal
     SampleBlocks blocks_;
-    FrameArray<double> spare_; // of a sample its cell and its rank there, and then the next array to be sorted
+    FrameArray<double> spare_; // first the cell of a sample and its rank there, then the next array to sort
 };
 
 template <class Leaves, class Leave>

@@ -1,5 +1,5 @@
-// One triangle against samples that lie side by side, several at once: in doubles where their error bounds allow, else
-// in integers. Included once for each instruction set.
+// The test of one triangle against adjacent samples, several at once. It uses doubles where their error bounds suffice,
+// and integers otherwise. Included once per instruction set.
 #if defined(GNOMON_EXACT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_SPAN_TEST_INL_H
@@ -29,32 +29,35 @@ HWY_INLINE Doubles constant(double value) {
     return hn::Set(kDoubles, value);
 }
 
-/// A triangle in the shear of the light, ready to be held against samples.
+/// A triangle in the sheared light space, prepared for tests against samples.
 ///
-/// With d = sample - A and N = (B - A) x (C - A): `ab` and `ca` make the edge functions over AB and CA, the one over BC
-/// is what they leave of the area, and the plane lies -N . d / area above the sample.
+/// Let d = sample - A and N = (B - A) x (C - A). `ab` and `ca` define the edge functions over AB and CA. The edge
+/// function over BC is the area minus the other two. The plane is -N . d / area above the sample.
 ///
-/// The bounds, for coordinates that are e off, |x| the sum of the sizes of x's components, s the larger of |B - A| and
-/// |C - A|, and u = 2^-53: a difference is 2 e off and rounded once, so a 2 x 2 determinant of differences p and q is
-/// 2 e (|p| + |q|) + 8 e^2 + 4 u |p| |q| off.
-/// - The area thus is 4 e s + 8 e^2 + 4 u s^2 off, the edge functions over AB and CA 2 e (s + |d|) + 8 e^2 + 4 u s |d|;
-///   the third one's two differences add 2 u s^2 + 3 u s |d|: 8 e s + 24 e^2 + 6 u s^2 + (4 e + 11 u s) |d| at most.
-/// - |N| is at most s^2: N . d is 2 e s^2 + (4 e s + 8 e^2 + 8 u s^2) |d| off, but for terms of e^2 s, which are small
-///   against e s^2 as corners are whole cells apart and e is less than 2^-17; area * tolerance is as much off as a |d|.
-/// kRounding is 2 u and all is doubled once more: that pays for s, |d| and the bounds being rounded themselves.
+/// The error bounds use these terms: coordinates have an error of e; |x| is the sum of the absolute components of x; s
+/// is the larger of |B - A| and |C - A|; u = 2^-53. A difference has an error of 2 e plus one rounding. A 2 x 2
+/// determinant of differences p and q has an error of 2 e (|p| + |q|) + 8 e^2 + 4 u |p| |q|.
+/// - The area therefore has an error of 4 e s + 8 e^2 + 4 u s^2. The edge functions over AB and CA have an error of
+///   2 e (s + |d|) + 8 e^2 + 4 u s |d|. The two differences of the third one add 2 u s^2 + 3 u s |d|. The bound is
+///   8 e s + 24 e^2 + 6 u s^2 + (4 e + 11 u s) |d|.
+/// - |N| is at most s^2. N . d has an error of 2 e s^2 + (4 e s + 8 e^2 + 8 u s^2) |d|. Terms of e^2 s are omitted.
+/// They
+///   are small against e s^2, because corners are whole cells apart and e is below 2^-17. The error of area * tolerance
+///   is the same as for a |d| of this size.
+/// kRounding is 2 u, and the code doubles all bounds again. This covers the rounding of s, |d| and of the bounds.
 struct TriangleTest {
     double a[3] = {};  // corner A: u, v, h
-    double ab[2] = {}; // u, v, turned so that the area is above 0
+    double ab[2] = {}; // u, v, with the sign that makes the area positive
     double ca[2] = {};
     double area = 0;
-    double normal[2] = {};      // N's u and v; its h is the area
+    double normal[2] = {};      // u and v of N; the h of N is the area
     double size = 0;            // s
-    double edgeError[2] = {};   // of an edge function: [0] + [1] * |d|
-    double heightError[2] = {}; // of N . d - area * a tolerance: [0] + [1] * (|d| + the largest tolerance)
-    std::uint32_t name = 0;     // samples of this triangle itself are left alone: it holds them
+    double edgeError[2] = {};   // error of an edge function: [0] + [1] * |d|
+    double heightError[2] = {}; // error of N . d - area * tolerance: [0] + [1] * (|d| + the largest tolerance)
+    std::uint32_t name = 0;     // samples of this triangle are skipped, because they lie on it
 
-    /// False where the triangle's plane holds the light: it casts nothing. `orientation` gives the area's exact sign
-    /// where rounding may hide it.
+    /// Prepares the test. Returns false if the plane of the triangle is parallel to the light: the triangle then casts
+    /// no shadow. `orientation` returns the exact sign of the area if rounding may hide it.
     template <class Orientation>
     HWY_INLINE bool set(
         const double* pa, const double* pb, const double* pc, double error, const Orientation& orientation);
@@ -63,7 +66,7 @@ struct TriangleTest {
 template <class Orientation>
 HWY_INLINE bool TriangleTest::set(
     const double* pa, const double* pb, const double* pc, double error, const Orientation& orientation) {
-    constexpr double kRounding = 0x1p-52; // twice a double's
+    constexpr double kRounding = 0x1p-52; // twice the rounding unit of a double
     double b[3];
     double c[3];
     for (int i = 0; i < 3; ++i) {
@@ -100,7 +103,7 @@ HWY_INLINE void mark(std::uint8_t& status, std::uint8_t bits) {
     if ((shared.load(std::memory_order_relaxed) & bits) != bits) shared.fetch_or(bits, std::memory_order_relaxed);
 }
 
-/// With kDark no other bit means anything, so none need be kept.
+/// Marks a sample as dark. The other bits have no meaning for a dark sample, so a plain store suffices.
 HWY_INLINE void markDark(std::uint8_t& status) {
     std::atomic_ref<std::uint8_t> shared(status);
     if ((shared.load(std::memory_order_relaxed) & kDark) == 0) shared.store(kDark, std::memory_order_relaxed);
@@ -115,7 +118,7 @@ HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
         visit(static_cast<std::size_t>(__builtin_ctz(bits)));
 }
 
-/// The lanes of samples from `place` on that lie on the triangle of that name.
+/// Returns the lanes of samples, from `place` on, that lie on the triangle with this name.
 HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t place, std::uint32_t name) {
     const hn::Rebind<std::uint32_t, DoubleTag> names;
     const auto own = hn::Eq(hn::LoadU(names, &grid.triangle[place]), hn::Set(names, name));
@@ -123,14 +126,14 @@ HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t plac
         hn::BitCast(kDoubles, hn::PromoteTo(kWides, hn::BitCast(kNarrows, hn::VecFromMask(names, own)))));
 }
 
-/// Lanes of samples that a triangle may cover, ahead of them: what only their own tolerances decide.
+/// Lanes of samples that the triangle may cover from ahead. Their results depend on the tolerance of each sample.
 struct NearLanes {
-    alignas(64) double least[hn::MaxLanes(kDoubles)]; // of the edge functions
+    alignas(64) double least[hn::MaxLanes(kDoubles)]; // smallest edge function
     alignas(64) double edgeError[hn::MaxLanes(kDoubles)];
-    alignas(64) double height[hn::MaxLanes(kDoubles)]; // of the plane over the sample, times the area
+    alignas(64) double height[hn::MaxLanes(kDoubles)]; // height of the plane above the sample, times the area
     alignas(64) double heightError[hn::MaxLanes(kDoubles)];
 
-    /// Decides lane `lane`, the sample at `place`. Calls `decide(place, mayCast)` if only integers can.
+    /// Resolves lane `lane`, the sample at `place`. Calls `decide(place, mayCast)` if the lane needs integers.
     template <class Decide>
     HWY_INLINE void decideLane(
         const TriangleTest& t, const CastContext& context, std::size_t lane, std::size_t place, const Decide& decide)
@@ -149,9 +152,9 @@ struct NearLanes {
     }
 };
 
-/// Holds the triangle against the samples at [begin, end) of the grid. Calls `decide(place, mayCast)` for those that
-/// only integers can decide; `mayCast` is false where it can touch at most. What is ahead of the largest tolerance is
-/// dark whatever the sample's own tolerance is, which so is looked up for few.
+/// Tests the triangle against the samples [begin, end) of the grid. Calls `decide(place, mayCast)` for samples that
+/// need integers; `mayCast` is false if the triangle is at most within tolerance. A triangle beyond the largest
+/// tolerance of all samples makes a sample dark at once. Few samples therefore need their own tolerance.
 template <class Decide>
 HWY_INLINE void testSamples(
     const TriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
@@ -178,8 +181,8 @@ HWY_INLINE void testSamples(
         const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
         const auto beyond = hn::NegMulAdd(constant(t.area), tolerance, height);
-        // The triangle that holds a sample meets it just there, whatever doubles say; and a piece of what a section cut
-        // may lie off the triangle that it is of.
+        // A sample must not be tested against its own triangle: doubles may report a hit at the sample. In a section, a
+        // cut piece may also lie outside its triangle.
         const auto mayCast = hn::AndNot(ownLanes(*context.grid, i, t.name), mayBeAhead);
         const auto isDark = hn::And(mayCast, hn::And(hn::Gt(least, edgeError), hn::Gt(beyond, heightError)));
         forLanes(isDark, [&](std::size_t lane) { markDark(context.statuses[i + lane]); });

@@ -1,32 +1,33 @@
-// The visible points of one image, kept so that light after light can be asked which of them it reaches.
+// The visible points of one image, stored so that several lights can be tested one after another.
 #pragma once
 
 #include "exact/sample_list.h"
 
 namespace gnomon::exact {
 
-/// Points as an image pass finds them, whether they face a light or not. Their order means nothing: each has its pixel.
+/// The visible points of an image pass, whether they face a light or not. The order is undefined; each point has its
+/// pixel.
 class VisiblePoints {
 public:
-    /// Empties the list and makes room for `most` points.
+    /// Empties the list and reserves memory for `most` points.
     void reset(std::size_t most);
 
-    /// Adds all points of a batch, without their maps, tolerances and colours. From any thread.
+    /// Adds all points of a batch, without their maps, tolerances and colours. Can run on any thread.
     void add(const PointBatch& batch);
 
     std::size_t size() const { return size_.load(std::memory_order_relaxed); }
 
-    /// The pixel of point `i`.
+    /// Returns the pixel of point `i`.
     std::uint32_t pixel(std::size_t i) const { return pixel_[i]; }
 
-    /// Where point `i` lies, cells from the frame's origin, as its weights in floats have it.
+    /// Returns the position of point `i`, in cells from the frame's origin, computed from its float weights.
     glm::dvec3 position(std::size_t i) const;
 
-    /// Adds to `samples`, which was reset for a light and has room for all points, those that face the light, with
-    /// `tolerance` as `meet` takes it. On all cores of the caller's TBB arena.
+    /// Adds the points that face the light to `samples`, with `tolerance` as an argument of `meet`. `samples` must be
+    /// reset for the light and have memory for all points. Runs on all cores of the caller's TBB arena.
     void addTo(SampleList& samples, std::uint32_t tolerance) const;
 
-    /// What the arrays take of memory a point.
+    /// The memory of the arrays per point, in bytes.
     static constexpr std::uint64_t kBytesPerPoint = 13 * sizeof(std::uint32_t);
 
 private:

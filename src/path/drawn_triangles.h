@@ -11,16 +11,16 @@ namespace gnomon::path {
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
 
-/// Calls `visit` for each triangle of the cut that refines what `isRefined(error, bounds)` says (bounds in local space;
-/// monotone along refinements), in world space: pages that it does not reach stay unread, so that it takes as long for
-/// a model of any size.
+/// Calls `visit` with each triangle of a cut, in world space. The cut refines groups for which `isRefined(error,
+/// bounds)` is true. Bounds are in local space, and the rule must be monotone along refinements. Pages that the cut
+/// does not reach are not read, so the time does not depend on the size of the model.
 template <class IsRefined, class Visit>
 void forEachTriangle(const hierarchy::ModelFile& model, const IsRefined& isRefined, const Visit& visit) {
     const hierarchy::Grid& grid = model.summary().grid;
     for (std::uint32_t id = 0; id < model.pages().size(); ++id) {
         const hierarchy::PageInfo& info = model.pages()[id];
         const bool holdsRoot = info.maxError == std::numeric_limits<double>::infinity();
-        if (!holdsRoot && !isRefined(info.maxError, info.bounds)) continue; // none of its groups is drawn
+        if (!holdsRoot && !isRefined(info.maxError, info.bounds)) continue; // the cut draws none of its groups
         const hierarchy::Page page = model.readPage(id);
         hierarchy::forEachDrawn(page, isRefined, [&](const hierarchy::Group&, const hierarchy::Cluster& cluster) {
             for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {

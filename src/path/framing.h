@@ -1,4 +1,4 @@
-// From where a model is looked at where nobody says so, so that it fills the picture.
+// The default view of a model: the camera from which the model fills the picture.
 #pragma once
 
 #include "core/camera.h"
@@ -11,7 +11,7 @@
 
 namespace gnomon::path {
 
-/// The side from which a model is seen; Iso looks along the diagonal of a cube from the front, right and above.
+/// The side from which a model is seen. Iso looks along the diagonal of a cube, from the front, the right and above.
 enum class ViewSide : std::uint8_t { Front, Back, Left, Right, Top, Bottom, Iso };
 inline constexpr std::array kViewSides = {
     Word<ViewSide>{ViewSide::Front, "front"},
@@ -23,31 +23,30 @@ inline constexpr std::array kViewSides = {
     Word<ViewSide>{ViewSide::Iso, "iso"},
 };
 
-/// Two directions of unit length, world space.
+/// Two unit directions, in world space.
 struct Vantage {
     glm::dvec3 from{0, 0, 1}; // towards the eye
-    glm::dvec3 up{0, 1, 0};   // in the picture; across `from`, or the world's
+    glm::dvec3 up{0, 1, 0};   // up in the picture: perpendicular to `from`, or the world's up direction
 };
 
-/// The vantage of a side of a world in which `up` is up; of none a three-quarter view of the front from a little above,
-/// on the side where the usual light comes from.
+/// Returns the vantage of a side, in a world with the given up direction. Without a side, returns a three-quarter view
+/// of the front from slightly above, on the side of the default light.
 Vantage vantageOf(const std::optional<ViewSide>& side, const glm::dvec3& up);
 
-/// The direction towards the light where nobody says so: from above, the right and the front of a world in which `up`
-/// is up; 0.4,1,0.3 where this is y.
+/// Returns the direction towards the default light: from above, the right and the front. It is 0.4,1,0.3 if `up` is y.
 glm::dvec3 usualLight(const glm::dvec3& up);
 
-/// What part of the picture's width or height a framed model fills, of that which it fills more.
+/// The part of the picture's width or height that a framed model fills, whichever is larger.
 inline constexpr double kFramedPart = 0.875;
 
-/// The perspective camera at `vantage` in whose picture `points` (at least one) fill that part and lie in the middle,
-/// both ways; less where the eye would come nearer to them than a fiftieth of their size. Its target lies where the
-/// line of sight passes the points' vertical middle, so that one can turn about it. `aspect` is width by height,
-/// `fovYRadians` in (0, pi).
+/// Returns the perspective camera at `vantage` whose picture shows `points` (at least one) centred, with the size
+/// kFramedPart. The model is smaller if the eye would be nearer to the points than a fiftieth of their extent. The
+/// target is the point of the view axis at the points' vertical middle, so that orbits look natural. `aspect` is width
+/// / height, `fovYRadians` is in (0, pi).
 Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians);
 
-/// Likewise by parallel lines of sight, which fill that part always. The points lie before the eye, and the target is
-/// their middle.
+/// Returns the orthographic camera at `vantage` whose picture shows `points` with the size kFramedPart. The points lie
+/// in front of the eye, and the target is their middle.
 Camera orthographicFraming(
     std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians);
 

@@ -1,4 +1,4 @@
-// Points of a model's surface from which its outline can be told, whichever side it is seen from.
+// Points on a model's surface that represent its outline from each direction.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -8,20 +8,20 @@
 
 namespace gnomon::path {
 
-/// The vertices of a coarse cut of the main part of `model`, world space: a cut whose error is 1/400 of the diagonal of
-/// the main part, or as much more as it takes to read 16 MiB of pages at most. Every vertex of a cut lies on the
-/// source's surface, and the surface no further beyond them than that error. Of a page that is damaged it takes the
-/// corners of its box.
+/// Returns the vertices of a coarse cut of the main part of `model`, in world space. The error of the cut is 1/400 of
+/// the diagonal of the main part, or larger if the cut would read more than 16 MiB of pages. Each vertex of a cut lies
+/// on the source's surface, and the surface extends beyond the vertices by at most the error. For a damaged page, the
+/// function returns the corners of its box.
 std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model);
 
-/// Which way is up in `model` by its place and its shape, as a build that is told nothing guesses it. Throws Error for
-/// a page that is damaged.
+/// Returns the estimated up direction of `model`, from its position and shape. A build without given up direction makes
+/// the same estimate. Throws Error for a damaged page.
 hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model);
 
-/// The corners of a box, of any if it is empty.
+/// Returns the corners of a box, also of an empty box.
 std::vector<glm::dvec3> cornersOf(const Box& box);
 
-/// `outline` as it is swept when its world turns about the axis along `up` through `center`.
+/// Returns `outline` swept about the axis along `up` through `center`.
 std::vector<glm::dvec3> sweptOutline(
     const std::vector<glm::dvec3>& outline, const glm::dvec3& center, const glm::dvec3& up);
 

@@ -1,4 +1,4 @@
-// The storeys of a model: heights at which there is much floor under a ceiling.
+// The storeys of a model: heights with a large area of floor below a ceiling.
 #pragma once
 
 #include "path/model_floor.h"
@@ -7,20 +7,21 @@
 
 namespace gnomon::path {
 
-/// A storey: its floor's height and how much of it can be walked under a ceiling; world units.
+/// A storey: the height of its floor and the walkable area below a ceiling, in world units.
 struct Storey {
     double height = 0;
     double area = 0;
 };
 
-/// The storeys of `floor`, from below, no two nearer to each other than a body is high; that with the most floor, and
-/// all others of 100 square metres (of a body of 1.7) or a quarter of the largest.
+/// Returns the storeys of `floor` from below, at least a body height apart. They are the storey with the largest area,
+/// and all storeys with 100 square metres (for a body of 1.7) or a quarter of the largest area.
 std::vector<Storey> findStoreys(const WalkableFloor& floor);
 
-/// Which heights count as those of storey `index`: down by two steps and up by half a body, as far as the next one.
+/// Returns the range of heights of storey `index`: from two steps below to half a body above its floor, limited by the
+/// next storey.
 HeightBand bandOf(const std::vector<Storey>& storeys, std::size_t index, const WalkBody& body);
 
-/// "0 (at 0.02), 1 (at 4.6)" for an error; "none" where there are none.
+/// Returns a list for error messages, for example "0 (at 0.02), 1 (at 4.6)", or "none".
 std::string listOf(const std::vector<Storey>& storeys);
 
 } // namespace gnomon::path

@@ -1,4 +1,4 @@
-// Camera paths that suit a model, found from its bounds or its surface.
+// Default camera paths for a model, derived from its bounds or its surface.
 #pragma once
 
 #include "path/walk.h"
@@ -8,12 +8,13 @@
 
 namespace gnomon::path {
 
-/// A path of kind "walk", "orbit", "flyby" or "approach"; what is up in the model is up, twelve seconds but for a walk.
-/// An approach ends a thousandth of the way before the surface. A walk goes over the model's floors as `walk` says,
-/// and throws Error where there are none.
+/// Returns a path of kind "walk", "orbit", "flyby" or "approach". The model's up direction is up. The path takes twelve
+/// seconds, except for a walk. An approach ends at a thousandth of the distance to the surface. A walk follows the
+/// model's floors (see `walk`) and throws Error if there are none.
 CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind, const WalkOptions& walkOptions = {});
 
-/// Returns a path with the cameras, at least one and all of one projection, at seconds 0, 1, 2, ...
+/// Returns a path through `cameras` at seconds 0, 1, 2, ... The list must not be empty, and all cameras must have the
+/// same projection.
 CameraPath pathThrough(const std::vector<Camera>& cameras);
 
 } // namespace gnomon::path

@@ -1,4 +1,4 @@
-// A walk through a model: over its floors, from room to room, with the eye at eye height and clear of everything.
+// A walk through a model: over its floors, from room to room, with the eye at eye height and clear of obstacles.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -8,18 +8,21 @@
 
 namespace gnomon::path {
 
-/// What is asked of a walk.
+/// The options of a walk.
 struct WalkOptions {
-    std::optional<int> storey;       // only there, counted from the lowest, 0; everywhere where not said
-    std::optional<double> eyeHeight; // over the floor, world units, above 0; else 1.7 where metres fit, or a guess
+    std::optional<int> storey; // only this storey, counted from the lowest (0); default: all storeys
+    /// Above the floor, world units, above 0; default: 1.7 if the unit is metres, else an estimate.
+    std::optional<double> eyeHeight;
 };
 
-/// A walk on the floors of `model`, in upright space (hierarchy/upright_frame.h) and in its unit, at 1.4 m/s (of an eye
-/// at 1.7) for at most a minute, looking ahead along the way. Floors are found in voxels (Mononen 2009); all stays
-/// clear of the eye by 0.15 m and the body passes below ceilings, between walls and over steps as people do. Of a model
-/// larger than 80 m it takes the part that has the most floor under ceilings and beside things. A model that is too
-/// small for metres and has no floor is a thing that stands on a ground: the walk leads around it there. Throws Error
-/// where there is no floor, or no such storey.
+/// Returns a walk on the floors of `model`, in upright space (hierarchy/upright_frame.h) and in the model's unit. The
+/// walk takes at most one minute at 1.4 m/s (for an eye at 1.7) and looks ahead along the way. Floors are found with
+/// voxels (Mononen 2009). The eye stays 0.15 m clear of all geometry. The body passes below ceilings, between walls and
+/// over steps like a person.
+///
+/// In a model larger than 80 m, the walk uses the part with the most floor below ceilings and beside objects. A model
+/// that is too small for metres and has no floor counts as an object on a ground: the walk leads around it. Throws
+/// Error if there is no floor or no such storey.
 CameraPath walk(const hierarchy::ModelFile& model, const WalkOptions& options);
 
 } // namespace gnomon::path

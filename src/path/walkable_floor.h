@@ -1,5 +1,5 @@
-// Where a body can stand and to where it can step from there: the open spans above solid ones, as navigation meshes
-// find them (Recast, Mononen 2009).
+// The walkable floor of a model: positions where a body can stand, and the steps between them. They are the open spans
+// above solid spans, as in navigation meshes (Recast, Mononen 2009).
 #pragma once
 
 #include "path/solid_spans.h"
@@ -9,36 +9,37 @@
 
 namespace gnomon::path {
 
-/// Who walks: world units, in proportion to the height of the eye.
+/// The dimensions of the walking body, in world units, in proportion to its eye height.
 struct WalkBody {
     double eyeHeight = 1.7;
-    double headroom = 1.9;  // what must be free above a floor
-    double radius = 0.2;    // what stays free around the body, between step and headroom
-    double step = 0.3;      // the highest step, up or down
-    double longStep = 0.6;  // the widest gap in a floor that is stepped over
-    double barStep = 1.1;   // the same beside a bar, which is narrower than a foot is long: a coarsely made grating
-    double stepSlope = 0.9; // rise over run beyond one step: stairs of 42 degrees, ramps of 45
-    double pace = 1.4;      // per second
+    double headroom = 1.9;  // required free height above a floor
+    double radius = 0.2;    // free radius around the body, at heights from step to headroom
+    double step = 0.3;      // max height of a step, up or down
+    double longStep = 0.6;  // max width of a gap in the floor that the body steps over
+    double barStep = 1.1;   // the same beside a bar narrower than a foot, for example in a coarse grating
+    double stepSlope = 0.9; // max rise over run for more than one step: stairs of 42 degrees, ramps of 45
+    double pace = 1.4;      // units per second
 
-    /// The body whose eye is `eyeHeight` above its floor: that of an adult at 1.7.
+    /// Returns the body with this eye height. An adult has 1.7.
     static WalkBody ofEyeHeight(double eyeHeight);
 };
 
-/// One place of a floor: the top of a column's solid, with headroom above it.
+/// A cell of the floor: the top of a solid span in a column, with headroom above it.
 struct FloorCell {
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     static constexpr std::int32_t kSky = std::numeric_limits<std::int32_t>::max();
 
     std::uint32_t column = 0;
-    std::int32_t floor = 0;      // steps of the grid
-    std::int32_t ceiling = kSky; // the next solid above it; kSky where there is none
-    std::uint16_t clearance = 0; // halves of a column's side to the nearest cell without a way on, at most kMost
-    std::array<std::uint32_t, 4> next{kNone, kNone, kNone, kNone}; // to where one steps towards -x, -z, +x, +z
+    std::int32_t floor = 0;      // height, in steps of the grid
+    std::int32_t ceiling = kSky; // next solid above it, or kSky
+    std::uint16_t clearance = 0; // distance to the nearest border cell, in half columns, at most kMostClearance
+    /// The neighbouring cells towards -x, -z, +x, +z, or kNone.
+    std::array<std::uint32_t, 4> next{kNone, kNone, kNone, kNone};
 
     static constexpr std::uint16_t kMostClearance = 0x7FFF;
 };
 
-/// All floor of a grid, in the order of its columns and from below.
+/// All floor cells of a grid, by column and from below.
 class WalkableFloor {
 public:
     WalkableFloor(const SolidSpans& solid, const WalkBody& body);
@@ -49,28 +50,29 @@ public:
 
     const std::vector<FloorCell>& cells() const { return cells_; }
 
-    /// Whether the body keeps its radius there.
+    /// Returns true if the body keeps its radius at `cell`.
     bool isWalkable(std::uint32_t cell) const { return cells_[cell].clearance >= bodyClearance_; }
 
-    /// Whether there is a ceiling: what is no more than a high hall above.
+    /// Returns true if the cell has a ceiling at most as high as a high hall.
     bool isInside(std::uint32_t cell) const;
 
-    /// The middle of a cell at the height of its floor, world space.
+    /// Returns the centre of a cell at floor height, in world space.
     glm::dvec3 position(std::uint32_t cell) const;
 
-    /// The height of a floor of so many steps, world space.
+    /// Returns the height of a floor at `steps`, in world space.
     double height(std::int32_t steps) const { return grid_.origin.y + (steps - 0.5) * grid_.rise - margin_; }
 
-    /// The distance from a cell to the nearest one without a way on, world units.
+    /// Returns the distance from a cell to the nearest border cell, in world units.
     double clearance(std::uint32_t cell) const { return 0.5 * cells_[cell].clearance * grid_.cell; }
 
-    /// Column (x, z) of an index of columns.
+    /// Returns the column (x, z) of a column index.
     glm::ivec2 placeOf(std::uint32_t column) const;
 
-    /// To where the two steps lead that go around the corner towards `first` and then `second`; kNone if one cannot.
+    /// Returns the cell after two steps around a corner, first in direction `first` and then in direction `second`;
+    /// kNone if a step is impossible.
     std::uint32_t around(std::uint32_t cell, std::size_t first, std::size_t second) const;
 
-    /// The cell of column (x, z) whose floor is nearest to `floor`, at most `most` steps off it; or kNone.
+    /// Returns the cell of column (x, z) whose floor is nearest to `floor`, within `most` steps; or kNone.
     std::uint32_t nearest(std::int32_t x, std::int32_t z, std::int32_t floor, std::int32_t most) const;
 
 private:
@@ -89,10 +91,10 @@ private:
 
     ColumnGrid grid_;
     WalkBody body_;
-    double margin_ = 0; // by which the solid is larger than what is there
+    double margin_ = 0; // extra size of the solid around the geometry
     std::uint16_t bodyClearance_ = 0;
     std::vector<FloorCell> cells_;
-    std::vector<std::uint32_t> firstOfColumn_; // one more than there are columns
+    std::vector<std::uint32_t> firstOfColumn_; // one element per column, and the end
 };
 
 } // namespace gnomon::path

@@ -1,4 +1,4 @@
-// The way of a walk over a floor: from where to where there is most to see, and the cells in between.
+// The search for a walk over a floor: the start, the end, and the cells in between, with the most interesting views.
 #pragma once
 
 #include "path/walkable_floor.h"
@@ -7,29 +7,29 @@
 
 namespace gnomon::path {
 
-/// What of a floor a walk may use, and how far it may go; world units.
+/// The limits of a walk: the usable floor heights and the max length, in world units.
 struct WayBounds {
-    double low = -std::numeric_limits<double>::infinity(); // of the floor's height
+    double low = -std::numeric_limits<double>::infinity(); // min height of the floor
     double high = std::numeric_limits<double>::infinity();
     double longest = 84;
 };
 
-/// Cells that follow each other, and what their way is like.
+/// A sequence of adjacent cells, with the properties of their way.
 struct FoundWay {
     std::vector<std::uint32_t> cells;
     double length = 0;   // world units
-    double interest = 0; // the longer, the more inside, the more beside things, and over stairs: the more
+    double interest = 0; // a score: higher for longer ways, indoors, near objects and over stairs
 };
 
-/// How much farther a way through a cell counts as than it is: 1 at ease, 5 where the body just fits, so that ways keep
-/// to the middle of corridors and doors; twice as much under the sky, and a third more far from things.
+/// Returns the cost factor of a way through a cell. It is 1 in open space and 5 where the body just fits, so that ways
+/// stay in the middle of corridors and doors. It is twice as large outdoors, and a third larger far from objects.
 double wayWeight(const WalkableFloor& floor, std::uint32_t cell);
 
-/// The way with the most to see (but for an end that has less than half as much) among those that begin at a few seeded
-/// places of the largest connected floors (those inside count more) and lead, as short as can be (Dijkstra 1959 with
-/// the buckets of Dial 1969), to where they collect the most within `bounds.longest`; and from there once more, as one
-/// finds the two ends of a tree. Further legs go on from its end, without coming back, as long as they have half as
-/// much to see. None where no floor can be walked.
+/// Returns the way with the most interest, without ends that have less than half of its interest per length. The search
+/// begins at a few seeded positions on the largest connected floors, where indoor floor counts more. Shortest paths
+/// (Dijkstra 1959, with the buckets of Dial 1969) lead to the cell with the most interest within `bounds.longest`. The
+/// search repeats from there, like the search for the two ends of a tree. More legs continue from the end without a
+/// return, if they have half as much interest. Returns nothing if no floor is walkable.
 std::optional<FoundWay> findWay(const WalkableFloor& floor, const WayBounds& bounds);
 
 } // namespace gnomon::path

@@ -1,4 +1,5 @@
-// Which clusters touch which tile: tiles of a viewport, split where many triangles meet so that threads share the work.
+// Binning: assigns clusters to tiles of the viewport. Tiles with many triangles are split, so that threads share the
+// work.
 #pragma once
 
 #include "raster/raster.h"
@@ -9,7 +10,7 @@ namespace gnomon::raster {
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b);
 
-/// What binning needs to know of a cluster.
+/// The pixel box and the cost of a cluster.
 struct BinItem {
     PixelBox box;
     std::uint32_t cost = 0; // triangles
@@ -24,23 +25,25 @@ struct TileBin {
 };
 
 struct Bins {
-    std::vector<TileBin> tiles; // disjoint, together the viewport or what of it is wanted; dearest first
+    std::vector<TileBin> tiles; // disjoint; together they cover the viewport or its wanted part; most expensive first
     std::vector<std::uint32_t> indices;
 
-    /// The items of a tile, in their order.
+    /// Returns the items of `tile`, in input order.
     std::span<const std::uint32_t> of(const TileBin& tile) const {
         return std::span(indices).subspan(tile.first, tile.count);
     }
 };
 
-/// Tiles are squares of `side` pixels (cut off by the viewport), split down to `leastSide` while one holds more than
-/// 1/32 of all cost. Depends on nothing but the arguments. `bins` is overwritten and keeps its memory.
+/// Assigns items to tiles. Tiles are squares of `side` pixels, cut at the viewport. A tile is split, down to
+/// `leastSide`, while it holds more than 1/32 of the total cost. The result depends only on the arguments. The function
+/// overwrites `bins` and reuses its memory.
 void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int leastSide, Bins& bins);
 
-/// The sides of a tile that is still split where a part of it is not wanted: below, what is shared costs more.
+/// Min side of a tile that is split because a part of it is not wanted. Below this side, the cost of shared clusters is
+/// larger than the gain.
 constexpr int kLeastUnwantedSide = 64;
 
-/// The same without the tiles that hold nothing `isWanted`, which are split to find them.
+/// Assigns items to tiles and omits tiles without a wanted pixel. It splits tiles to find such parts.
 void binWanted(
     std::span<const BinItem> items,
     const PixelBox& viewport,

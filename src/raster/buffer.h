@@ -1,4 +1,4 @@
-// Memory that is overwritten pass by pass.
+// A buffer that each pass overwrites.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,11 @@
 
 namespace gnomon::raster {
 
-/// Grows without keeping or clearing what it held.
+/// A growing array. It neither preserves nor clears its content.
 template <class T>
 class Buffer {
 public:
-    /// Room for `count`, their values arbitrary.
+    /// Returns memory for `count` elements with undefined values.
     T* reserve(std::size_t count) {
         if (count > capacity_) {
             memory_ = std::make_unique_for_overwrite<T[]>(count);

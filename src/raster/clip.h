@@ -1,19 +1,20 @@
-// Cutting one triangle in homogeneous space, for those that cannot be divided as they are.
+// Clipping of one triangle in homogeneous space, for triangles that cannot be projected directly.
 #pragma once
 
 #include "raster/projection.h"
 
 namespace gnomon::raster {
 
-/// A triangle cut by six planes has at most nine corners; where rounding makes it wavy, each plane adds at most half.
+/// A clipped triangle. Six planes give at most nine corners. If rounding makes the polygon non-convex, a plane adds at
+/// most half as many corners again.
 struct ClippedPolygon {
     std::array<SnappedVertex, 32> corners{};
-    std::size_t count = 0; // less than 3: nothing is left
+    std::size_t count = 0; // less than 3: the polygon is empty
 };
 
-/// What is left of a triangle inside the guard band (which lies in w >= 0) and, where depth is cut, between the planes.
-/// Corners that need no cut keep the very bits of `snapped`, and an edge is cut the same way from both of its sides, so
-/// that neighbours still meet exactly.
+/// Clips a triangle to the guard band (which lies in w >= 0) and, if depth is clipped, to the depth range. Corners that
+/// need no clipping have exactly the bits of `snapped`. Both triangles at an edge clip it identically, so neighbours
+/// still match exactly.
 ClippedPolygon clipTriangle(const Projection& projection, const std::array<ClipPosition, 3>& triangle);
 
 } // namespace gnomon::raster

@@ -1,4 +1,4 @@
-// The hierarchical depth of a tile: its pixels, and for each block of them a depth that none is behind.
+// Hierarchical depth of a tile: the pixels, and the farthest depth of each block of pixels.
 #pragma once
 
 #include "raster/tile_work.h"
@@ -10,59 +10,63 @@
 
 namespace gnomon::raster {
 
-/// How near a depth from 0 to 1 is: orders as they do where depths are reversed, and is 0 for what is farthest.
+/// Returns the nearness of a depth in [0, 1] with reversed depth. Nearness is an integer with the same order as depth;
+/// 0 is farthest.
 constexpr std::uint32_t reversedNearness(float depth) {
     return std::bit_cast<std::uint32_t>(depth);
 }
 
-/// The same where 0 is nearest, as in shadow maps.
+/// Returns the nearness of a depth in [0, 1] where 0 is nearest, as in shadow maps.
 constexpr std::uint32_t plainNearness(float depth) {
     return std::bit_cast<std::uint32_t>(1.0F) - std::bit_cast<std::uint32_t>(depth);
 }
 
-/// Words of a visibility buffer.
+/// The words of a visibility buffer.
 struct WordDepths {
     using Pixel = std::uint64_t;
 
     static constexpr std::uint32_t nearness(Pixel word) { return static_cast<std::uint32_t>(word >> 32U); }
 
-    /// What hides all that is `nearest` or less is nearer than that: a tie goes to the lesser name.
+    /// Returns true if pixels at `farthest` or nearer hide a triangle of nearness `nearest`. Equal depths do not hide,
+    /// because the smaller triangle id wins.
     static constexpr bool isHiddenBy(std::uint32_t farthest, std::uint32_t nearest) { return farthest > nearest; }
 
     static constexpr Pixel farther(Pixel a, Pixel b) { return std::min(a, b); }
 };
 
-/// Depths of a shadow map.
+/// The depths of a shadow map.
 struct MapDepths {
     using Pixel = float;
 
     static constexpr std::uint32_t nearness(Pixel depth) { return plainNearness(depth); }
 
-    /// A depth that is there already changes nothing.
+    /// Returns true if pixels at `farthest` or nearer hide a triangle. Equal depths hide, because drawing the same
+    /// depth changes nothing.
     static constexpr bool isHiddenBy(std::uint32_t farthest, std::uint32_t nearest) { return farthest >= nearest; }
 
     static constexpr Pixel farther(Pixel a, Pixel b) { return std::max(a, b); }
 };
 
-/// Farthest depths of blocks of a tile, brought up to date where they are asked for. All boxes are of pixels of the
-/// tile, from its lowest left one, and not empty.
+/// The farthest depths of the blocks of a tile, updated when they are needed. All boxes are non-empty pixel ranges
+/// relative to the lower left pixel of the tile.
 template <class Depths>
 class FarthestDepths {
 public:
     using Pixel = typename Depths::Pixel;
     static constexpr int kBlockSide = 8;
 
-    /// Of a tile of `width` x `height` pixels (rows kTileStride apart) in which nothing is drawn yet.
+    /// Starts with a tile of `width` x `height` pixels (rows are kTileStride apart) without drawn pixels.
     FarthestDepths(const Pixel* pixels, int width, int height);
 
-    /// Whether what is drawn at `nearest` or less near would change no pixel of `box`, to the pixel.
+    /// Returns true if a triangle of nearness `nearest` or less cannot change a pixel of `box`. The test is exact per
+    /// pixel.
     bool hides(const PixelBox& box, std::uint32_t nearest);
 
-    /// Says that something was drawn in `box`.
+    /// Marks the blocks of `box` as changed by drawing.
     void noteDrawn(const PixelBox& box);
 
 private:
-    static constexpr std::size_t kBlocks = kTileSide / kBlockSide; // along a side of the largest tile
+    static constexpr std::size_t kBlocks = kTileSide / kBlockSide; // blocks along a side of the largest tile
 
     static constexpr std::size_t blockOf(int pixel) { return static_cast<std::size_t>(pixel) / kBlockSide; }
 
@@ -71,8 +75,9 @@ private:
     const Pixel* pixels_;
     int width_;
     int height_;
-    std::array<std::array<std::uint32_t, kBlocks>, kBlocks> farthest_; // filled as far as the tile reaches
-    std::array<std::uint32_t, kBlocks> stale_{}; // rows of bits: more was drawn since, so that it may be nearer
+    std::array<std::array<std::uint32_t, kBlocks>, kBlocks> farthest_; // valid within the tile
+    /// One bit per block, row by row: drawing may have made the block's farthest depth nearer.
+    std::array<std::uint32_t, kBlocks> stale_{};
 };
 
 extern template class FarthestDepths<WordDepths>;

@@ -1,5 +1,5 @@
-// Which triangles of a cluster what a tile holds already hides, before they are set up: a triangle in each vector lane.
-// Included once for each instruction set.
+// Occlusion test of triangles against the pixels of a tile, before triangle setup, with one triangle per vector lane.
+// Included once per instruction set.
 #if defined(GNOMON_RASTER_HIDDEN_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_HIDDEN_LANES_INL_H
 #undef GNOMON_RASTER_HIDDEN_LANES_INL_H
@@ -20,12 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The pixels of the tile between the extremes of each lane's triangle, the last included.
+/// The pixels of the tile between the extremes of each lane's triangle, inclusive.
 struct PixelLanes {
     Ints x0, y0, x1, y1;
 };
 
-/// The most that a pixel of each lane's triangle can be near: depth never leaves the range of the corners, nor 0 to 1.
+/// Returns an upper bound of the nearness of each lane's triangle. Pixel depths stay within the range of the corners
+/// and within [0, 1].
 HWY_INLINE Ints nearnessLanes(const SnappedCluster& cluster, Ints corners) {
     const auto depthAtCorner = [&](Ints index) HWY_ATTR { return hn::GatherIndex(kFloats, cluster.vertices.z, index); };
     const auto nearest = hn::Max(
@@ -34,7 +35,8 @@ HWY_INLINE Ints nearnessLanes(const SnappedCluster& cluster, Ints corners) {
     return hn::BitCast(kInts, withinUnit(nearest));
 }
 
-/// Which of the triangles `asked`, of at most `side` x `side` pixels, have something nearer at all of these.
+/// Returns the triangles of `asked` whose pixels all hold a nearer word. Each triangle covers at most `side` x `side`
+/// pixels.
 HWY_INLINE IntMask
 isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest, const VisibilityTile& target) {
     const auto zero = hn::Zero(kInts);
@@ -50,7 +52,8 @@ isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest
     return asked;
 }
 
-/// The same for triangles of any size, one after another.
+/// Returns the triangles of `asked` whose pixels all hold a nearer word, for triangles of any size. Tests one triangle
+/// after another with the farthest depths of blocks.
 HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Ints nearest, VisibilityTile& target) {
     using Lanes = std::array<std::int32_t, kMostLanes>;
     Lanes x0;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
@@ -72,8 +75,8 @@ HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Int
     return hn::MaskFromVec(hn::LoadU(kInts, hidden.data()));
 }
 
-/// Whether some of a cluster's vertices, sixteen at most, have something nearer at their pixels, or none of these is in
-/// the tile: where not, its triangles are not held against what is drawn, since few would prove to be hidden.
+/// Returns true if the occlusion test is worthwhile for a cluster. It probes at most sixteen vertices: one must be
+/// hidden at its pixel, or none is in the tile. Otherwise few triangles would be hidden.
 template <bool isCompact>
 HWY_INLINE bool mayHideSome(const SnappedCluster& cluster, const PixelBox& tile, const VisibilityTile& target) {
     constexpr int kProbeBits = 4;
@@ -98,10 +101,10 @@ HWY_INLINE bool mayHideSome(const SnappedCluster& cluster, const PixelBox& tile,
     return !isAnyInTile;
 }
 
-/// How many pixels a triangle in each lane may cover, and where.
+/// The extent of each lane's triangle in pixels.
 struct ExtentLanes {
     PixelLanes within;
-    IntMask overlaps; // a pixel centre of the tile
+    IntMask overlaps; // true: the extent contains a pixel centre of the tile
     IntMask isTiny;
     IntMask isSmall;
     IntMask isNarrow;
@@ -136,7 +139,7 @@ extentLanes(const PointLanes& a, const PointLanes& b, const PointLanes& c, const
     return result;
 }
 
-/// Which of the triangles that overlap the tile are hidden by what it holds.
+/// Returns the triangles that overlap the tile and that its pixels hide.
 HWY_INLINE IntMask
 isHidden(const SnappedCluster& cluster, Ints corners, const ExtentLanes& extent, VisibilityTile& target) {
     const auto nearest = nearnessLanes(cluster, corners);

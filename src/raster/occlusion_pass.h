@@ -1,4 +1,4 @@
-// A pass that draws from the front to the back and leaves out the clusters that what is drawn hides.
+// A pass that draws clusters from front to back and skips clusters hidden by drawn triangles (occlusion culling).
 #pragma once
 
 #include "raster/binning.h"
@@ -13,19 +13,19 @@
 
 namespace gnomon::raster {
 
-/// Sorts `keys` by their upper halves, and leaves those with the same in their order (a radix sort, least digit first);
-/// the upper halves are at most the bits of 1.0F. `scratch` is overwritten.
+/// Sorts `keys` by their upper halves with a stable radix sort. The upper halves must be at most the bits of 1.0F. The
+/// function overwrites `scratch`.
 void sortByUpperHalf(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scratch);
 
-/// Which depths are near: the large ones of a visibility pass, or the small ones of a shadow map.
+/// The depth order: large depths are near in a visibility pass, small depths are near in a shadow map.
 enum class DepthOrder : std::uint8_t { Reversed, Plain };
 
-/// One pass at a time; keeps its memory from pass to pass. Each tile decides by its own pixels, in an order of its own,
-/// what it leaves out, so this depends on nothing but the clusters.
+/// A front-to-back pass. One object draws one pass at a time and reuses its memory. Each tile tests only its own
+/// pixels, in its own order. The skipped clusters therefore depend only on the input.
 class OcclusionPass {
 public:
-    /// Orders the clusters of a pass over `viewport`. Those whose boxes have no bounds are snapped into `snapped`, the
-    /// others when they are drawn. `input` and `snapped` must outlive the pass.
+    /// Sorts the clusters of a pass over `viewport`. Clusters whose boxes have no bounds are snapped into `snapped` at
+    /// once; other clusters are snapped when they are drawn. `input` and `snapped` must outlive the pass.
     void prepare(
         std::span<const Cluster> input,
         std::span<const CellBox> boxes,
@@ -34,25 +34,26 @@ public:
         DepthOrder order,
         SnappedClusters& snapped);
 
-    /// What is to be binned, nearest first.
+    /// Returns the items for binning, nearest first.
     std::span<const BinItem> items() const { return items_; }
 
-    /// Draws the items of a tile, the indices in order, into its empty `words`; from any thread.
+    /// Draws the items with `indices` (in order) into the empty `words` of a tile. Can run on any thread.
     void drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words);
 
-    /// The same into the empty `depths` of a tile of a map; how many pixels the drawn triangles cover.
+    /// Draws the items with `indices` into the empty `depths` of a shadow map's tile. Returns the number of pixels that
+    /// the drawn triangles cover, summed over triangles.
     std::uint64_t drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, float* depths);
 
-    /// What was left out, once all tiles are drawn.
+    /// Returns the counts of skipped clusters and triangles. Call it after all tiles are drawn.
     OcclusionCounts counts() const;
 
 private:
     enum class Stage : std::uint8_t { Waiting, InWork, Snapped };
 
-    /// What an item draws.
+    /// The cluster of an item and its nearest possible depth.
     struct Drawn {
         std::uint32_t cluster = 0; // in SnappedClusters::all
-        std::uint32_t nearest = 0; // nothing of it is nearer
+        std::uint32_t nearest = 0; // an upper bound of its nearness
     };
 
     bool isBounded(std::size_t i) const { return i < input_.size() && bounds_[i].isWhole; }
@@ -70,14 +71,14 @@ private:
     Projection projection_;
     SnappedClusters* snapped_ = nullptr;
     DepthOrder order_ = DepthOrder::Reversed;
-    std::vector<BoxBound> bounds_; // of each cluster of the pass
+    std::vector<BoxBound> bounds_; // by cluster of the pass
     Buffer<std::atomic<Stage>> stageBuffer_;
-    std::atomic<Stage>* stages_ = nullptr; // likewise
-    std::vector<std::uint64_t> keys_;      // above how far behind the near plane, below the cluster
+    std::atomic<Stage>* stages_ = nullptr; // points to stageBuffer_
+    std::vector<std::uint64_t> keys_;      // upper half: distance behind the near plane; lower half: cluster
     std::vector<std::uint64_t> scratch_;
     std::vector<BinItem> items_;
-    std::vector<Drawn> drawn_;                 // of each item
-    Buffer<std::atomic<std::uint64_t>> setUp_; // TriangleBits of each of snapped_'s clusters
+    std::vector<Drawn> drawn_;                 // by item
+    Buffer<std::atomic<std::uint64_t>> setUp_; // TriangleBits of each cluster in snapped_
     std::atomic<std::uint64_t>* setUpBits_ = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// Asking for memory before it is needed: clusters lie scattered, so the hardware does not guess the next.
+// Software prefetch. Clusters are scattered in memory, so the hardware cannot predict the next one.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace gnomon::raster {
 
-/// Starts loading a range of bytes into the cache.
+/// Starts to load a range of bytes into the cache.
 inline void prefetch(const void* memory, std::size_t bytes) {
     constexpr std::size_t kLine = 64;
     const auto* first = static_cast<const std::byte*>(memory);

@@ -1,5 +1,5 @@
-// From a grid position to a pixel: the vertex stage, one vertex at a time. The vector kernels repeat these operations
-// in this order, to the bit.
+// The vertex stage for one vertex: from a grid position to a pixel. The vector kernels repeat these operations in the
+// same order, so their results are identical to the last bit.
 #pragma once
 
 #include "raster/raster.h"
@@ -8,35 +8,36 @@ namespace gnomon::raster {
 
 class RowBands;
 
-/// Subpixels of a pixel. Snapped coordinates are multiples of 1/256 pixel, with pixel centres at whole pixels.
+/// Subpixels per pixel. Snapped coordinates are multiples of 1/256 pixel, and pixel centres have integer coordinates.
 constexpr int kSubpixelBits = 8;
 constexpr int kSubpixels = 1 << kSubpixelBits;
 
-/// A vertex is left whole up to about this many pixels from the middle of the viewport; triangles beyond are cut.
+/// Size of the guard band, in pixels from the centre of the viewport. Triangles that reach outside are clipped.
 constexpr float kGuardPixels = 32768;
 
-/// Below this w a vertex is not divided.
+/// The smallest w that permits the division by w.
 constexpr float kLeastW = 0x1p-100F;
 
-/// Depths of vertices are held within this, so that differences stay finite; pixels are clamped much closer.
+/// Max absolute depth of a vertex, so that differences stay finite. Each pixel's depth is clamped further.
 constexpr float kDepthLimit = 0x1p30F;
 
-/// What a pass does to each vertex.
+/// The parameters of a pass for the vertex stage.
 struct Projection {
-    std::array<float, 16> clipFromCell{}; // columns
+    std::array<float, 16> clipFromCell{}; // column by column
     std::array<std::uint32_t, 3> eyeCell{};
-    float guardX = 1; // |x| <= guardX w; powers of two, so that the product is exact
+    float guardX = 1; // guard band: |x| <= guardX w; a power of two, so the product is exact
     float guardY = 1;
     float scaleX = 0; // pixels = scale * ndc + translate
     float scaleY = 0;
     float translateX = 0;
     float translateY = 0;
-    bool cutsDepth = false; // at 0 and at w
-    float lowX = -1;        // what is left of lowX w or right of highX w is outside
+    bool cutsDepth = false; // true: clip at depth 0 and at depth w
+    float lowX = -1;        // points left of lowX w or right of highX w are outside
     float highX = 1;
     float lowY = -1; // likewise
     float highY = 1;
-    const RowBands* rows = nullptr; // where rows lie unevenly; y of snapped vertices then holds the bits of y / w
+    const RowBands* rows =
+        nullptr; // the rows, if their spacing is uneven; y of snapped vertices then stores the bits of y / w
 };
 
 struct ClipPosition {
@@ -46,42 +47,44 @@ struct ClipPosition {
     float w = 0;
 };
 
-/// Snapping decides what is covered; depth keeps what it cut off, so that a slope does not move with the corners.
+/// Number of bits for the rest of a snapped position. Snapping determines the covered pixels. The depth plane also uses
+/// the rest, so that the slope of a plane does not change with the snapped corners.
 constexpr int kRestBits = 16;
 
-/// A vertex in the plane of the target: 1/256 pixels (pixel centres at multiples of 256), and depth.
+/// A vertex snapped to the target: x and y in 1/256 pixel (pixel centres at multiples of 256), and depth.
 struct SnappedVertex {
     std::int32_t x = 0;
     std::int32_t y = 0;
     float z = 0;
-    std::int16_t restX = 0; // unsnapped less snapped, in 2^-16 of 1/256 pixel
+    std::int16_t restX = 0; // unsnapped minus snapped x, in 2^-16 of 1/256 pixel
     std::int16_t restY = 0;
 };
 
-/// Where snapping left less than this share of a triangle's area, its plane of depth is that of the snapped corners.
+/// Min ratio of the unsnapped to the snapped area of a triangle. Below it, the depth plane goes through the snapped
+/// corners.
 constexpr float kLeastTrueArea = 0.25F;
 
-/// A rest in 1/256 pixel, exact.
+/// Returns a rest in units of 1/256 pixel, exactly.
 constexpr float restOf(std::int16_t rest) {
     return static_cast<float>(rest) * (1.0F / (1 << kRestBits));
 }
 
-/// `rows` are those of `view` where they lie unevenly.
+/// Returns the projection of `view`. `rows` are the rows of the view if their spacing is uneven.
 Projection projection(const View& view, bool cutsDepth, const RowBands* rows = nullptr);
 
 ClipPosition clipPosition(const Projection& projection, const std::uint32_t* position);
 
-/// For vertices inside the guard.
+/// Returns the snapped vertex of `p`, which must be inside the guard band.
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p);
 
-/// The vertex at (x, y) in 1/256 pixel.
+/// Returns the vertex at (x, y), in 1/256 pixel.
 SnappedVertex snappedTo(double x, double y, float z);
 
-/// The vertex at x in 1/256 pixel where rows lie unevenly.
+/// Returns the vertex at `x` (1/256 pixel) and `yOverW`, for uneven rows.
 SnappedVertex unevenTo(double x, float yOverW, float z);
 
-/// Bits of the frustum's planes that a vertex is outside of: left, right, lower, upper, and where depth is cut near,
-/// far.
+/// Returns one bit per frustum plane that the vertex is outside of: left, right, lower, upper, and near and far if
+/// depth is clipped.
 std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p);
 
 } // namespace gnomon::raster

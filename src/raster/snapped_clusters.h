@@ -1,4 +1,4 @@
-// The vertex stage of a pass: its clusters snapped to the plane of the target, those cut that must be.
+// The vertex stage of a pass: snaps all clusters to the target and clips the triangles that need it.
 #pragma once
 
 #include "raster/buffer.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::raster {
 
-/// Triangles that were cut, or lie in one cluster with some that were: three vertices of its own for each.
+/// The triangles of a cluster with clipped triangles. Each triangle has three vertices of its own.
 struct CutCluster {
     static constexpr std::size_t kMostTriangles = kMaxClusterVertices / 3;
     std::array<std::int32_t, kMaxClusterVertices> x{};
@@ -20,28 +20,29 @@ struct CutCluster {
     std::array<float, kMaxClusterVertices> z{};
     std::array<std::uint32_t, kMaxClusterVertices> rests{};
     std::array<std::uint32_t, kMostTriangles> ids{};
-    std::size_t count = 0; // of triangles
+    std::size_t count = 0; // number of triangles
     PixelBox box{kMaxTargetSide, kMaxTargetSide, 0, 0};
 };
 
-/// The clusters of one pass at a time; keeps its memory from pass to pass.
+/// The snapped clusters of one pass at a time. The object reuses its memory.
 class SnappedClusters {
 public:
-    /// Makes room for the clusters of a pass; none of them is snapped yet, and each counts as outside until it is.
+    /// Reserves memory for the clusters of a pass. Each cluster counts as outside until it is snapped.
     void reset(std::span<const Cluster> input);
 
-    /// Snaps cluster `i` of `input`, which `reset` was told of; from any thread, each at most once. What is to be cut
-    /// is kept for `addCuts`.
+    /// Snaps cluster `i` of `input`, the clusters given to `reset`. Can run on any thread, at most once per cluster.
+    /// Clipped triangles are stored until `addCuts`.
     ClusterPlace snap(std::span<const Cluster> input, std::size_t i, const Projection& projection);
 
-    /// Adds what was cut, behind the clusters of the pass, in no particular order.
+    /// Appends the clipped triangles behind the clusters of the pass, in no particular order.
     void addCuts();
 
-    /// As the pass has them, those outside and those cut empty; then what was cut.
+    /// Returns the clusters of the pass, followed by the clipped triangles. Outside clusters and clipped clusters are
+    /// empty.
     std::span<const SnappedCluster> all() const { return clusters_; }
 
 private:
-    /// Cut clusters that one thread makes; addresses stay.
+    /// Clipped clusters from one thread. Their addresses stay valid.
     struct Cuts {
         std::deque<CutCluster> clusters;
         std::size_t count = 0;
@@ -57,7 +58,7 @@ private:
     Buffer<std::uint32_t> rests_;
     SnappedArrays arrays_;
     std::vector<std::size_t> firstVertices_;
-    std::vector<SnappedCluster> clusters_; // one for each of the pass, then those of cut triangles
+    std::vector<SnappedCluster> clusters_; // one per cluster of the pass, followed by clipped triangles
     tbb::enumerable_thread_specific<Cuts> cuts_;
 };
 

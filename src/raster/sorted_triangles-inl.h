@@ -1,4 +1,4 @@
-// The triangles of a cluster, packed in words and sorted by how they are drawn. Included once for each instruction set.
+// The triangles of a cluster, packed into words and sorted by size class. Included once per instruction set.
 #if defined(GNOMON_RASTER_SORTED_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_SORTED_TRIANGLES_INL_H
 #undef GNOMON_RASTER_SORTED_TRIANGLES_INL_H
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Triangles of a cluster sorted by how they are drawn: corner indices in three bytes, the triangle's place above.
+/// Packed triangles of one size class: corner indices in three bytes, the triangle's index in the upper byte.
 struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
     std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMostLanes> packed;
     std::uint32_t count = 0;
@@ -31,19 +31,19 @@ struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to 
 
     HWY_INLINE Ints at(std::uint32_t i) const { return hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + i)); }
 
-    /// Fills up the last vector with triangles of no area.
+    /// Fills the last vector with triangles without area.
     HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMostLanes, 0U); }
 };
 
 struct SortedCluster {
-    Sorted tiny;   // at most 2 x 2 pixel centres between its extremes
+    Sorted tiny;   // at most 2 x 2 pixel centres between the extremes
     Sorted small;  // at most 4 x 4
     Sorted narrow; // less than kNarrowExtent
     Sorted wide;
 
     HWY_INLINE void clear() { tiny.count = small.count = narrow.count = wide.count = 0; }
 
-    /// Of those that are set up in vectors.
+    /// Pads the classes that are set up in vectors.
     HWY_INLINE void pad() {
         tiny.pad();
         small.pad();
@@ -51,14 +51,14 @@ struct SortedCluster {
     }
 };
 
-/// Corner indices and place of each triangle, padded with triangles of no area.
+/// The packed triangles of a cluster, padded with triangles without area.
 using PackedTriangles = std::array<std::uint32_t, kMaxClusterTriangles + kMostLanes>;
 
 HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangles& packed) {
     const std::size_t count = triangles.size();
     std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
-    // Four triangles are twelve bytes; a load of sixteen must end inside the array.
+    // Four triangles have twelve bytes, but the load reads sixteen. It must end inside the array.
     constexpr hn::FixedTag<std::uint8_t, 16> kBytes;
     constexpr hn::FixedTag<std::uint32_t, 4> kFour;
     constexpr std::uint8_t kZero = 0x80;

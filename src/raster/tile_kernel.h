@@ -1,4 +1,4 @@
-// Rasterising the triangles of one tile into the tile's own memory.
+// Rasterisation of the triangles of one tile into the memory of the tile.
 #pragma once
 
 #include "raster/farthest_depths.h"
@@ -6,16 +6,16 @@
 
 namespace gnomon::raster {
 
-/// Lowers `depths` (kTilePixels, row r of the tile at r * kTileStride) where a triangle is nearer to the light; how
-/// many pixels of the tile the triangles cover, each one's counted.
+/// Draws the triangles of `work` into the depth map tile `depths` and keeps the smaller depth per pixel. `depths` has
+/// kTilePixels elements; row r begins at r * kTileStride. Returns the number of covered pixels, summed over triangles.
 std::uint64_t drawDepthTile(const TileWork& work, float* depths);
 
-/// The same where the clusters' y is that of uneven `rows`, of the pass's viewport.
+/// Draws the triangles of `work` into `depths` for a pass with the uneven `rows`.
 std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, float* depths);
 
-/// Raises `words` likewise where a triangle is nearer to the eye. With `farthest`, of these words, triangles are passed
-/// by of which every pixel between their extremes holds something nearer than all of them before their cluster is
-/// drawn. Answers which triangles of the last cluster were set up: given edge functions.
+/// Draws the triangles of `work` into the visibility tile `words` and keeps the larger word per pixel. With `farthest`,
+/// which belongs to `words`, it skips a triangle if all pixels between its extremes are nearer than the triangle before
+/// its cluster is drawn. Returns the triangles of the last cluster that passed setup.
 TriangleBits drawVisibilityTile(
     const TileWork& work, std::uint64_t* words, FarthestDepths<WordDepths>* farthest = nullptr);
 

@@ -1,5 +1,5 @@
-// The pixels that triangles cover, and the memory of a tile that takes them: of a depth map or of a visibility buffer.
-// Included once for each instruction set.
+// The covered pixels of triangles, and the memory of a tile of a depth map or a visibility buffer. Included once per
+// instruction set.
 #if defined(GNOMON_RASTER_TILE_TARGET_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_TILE_TARGET_INL_H
 #undef GNOMON_RASTER_TILE_TARGET_INL_H
@@ -23,10 +23,9 @@ using WordTag = hn::ScalableTag<std::uint64_t>;
 using WordTag = hn::Repartition<std::uint64_t, UintTag>;
 #endif
 
-/// Pixels that triangles of a vector cover: place in the tile, depth, and name.
+/// The covered pixels of a vector of triangles: address in the tile, depth, and triangle id.
 struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
-    static constexpr std::size_t kMost =
-        std::size_t{17} * kMostLanes; // 4 x 4 pixels of every lane, and a vector's overrun
+    static constexpr std::size_t kMost = std::size_t{17} * kMostLanes; // 4 x 4 pixels per lane, and one more vector
     std::array<std::int32_t, kMost> addresses;
     std::array<float, kMost> depths;
     std::array<std::uint32_t, kMost> ids;
@@ -41,10 +40,10 @@ struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to it
     }
 };
 
-/// The memory of a tile of a depth map: the least depth stays.
+/// A tile of a depth map. Each pixel stores the smallest depth.
 struct DepthTile {
     static constexpr bool kHasIds = false;
-    static constexpr bool kCounts = true; // pixels covered within the tile, each triangle's
+    static constexpr bool kCounts = true; // true: counts the covered pixels in the tile, per triangle
     float* depths = nullptr;
     std::uint64_t covered = 0;
 
@@ -66,15 +65,16 @@ struct DepthTile {
     }
 };
 
-/// The memory of a tile of a visibility buffer: the largest word stays.
+/// A tile of a visibility buffer. Each pixel stores the largest word.
 struct VisibilityTile {
     static constexpr bool kHasIds = true;
     static constexpr bool kCounts = false;
     std::uint64_t* words = nullptr;
-    FarthestDepths<WordDepths>* farthest = nullptr; // of the words, where triangles are held against them
-    TriangleBits setUp{};                           // of the cluster that was drawn last
+    FarthestDepths<WordDepths>* farthest =
+        nullptr;          // farthest depths of the words, if triangles are tested against them
+    TriangleBits setUp{}; // triangles of the last drawn cluster that passed setup
 
-    /// The nearness of what each lane's pixel holds; a float's bits order as it does.
+    /// Returns the nearness at each lane's pixel. The bits of a non-negative float have the same order as its value.
     HWY_INLINE Ints nearness(Ints address) const {
         constexpr int kUpperHalf = std::endian::native == std::endian::little ? 1 : 0;
         const auto* halves = reinterpret_cast<const std::int32_t*>(words);
@@ -89,7 +89,7 @@ struct VisibilityTile {
     }
 
     HWY_INLINE void takeRow(int address, IntMask inside, Floats depth, std::uint32_t id) const {
-        // A word of 0 is less than any, so it stands for the pixels outside.
+        // The word 0 is smaller than each other word, so it changes nothing at pixels outside.
         const auto mask = hn::RebindMask(kUints, inside);
         const auto high = hn::IfThenElseZero(mask, hn::BitCast(kUints, depth));
         const auto low = hn::IfThenElseZero(mask, hn::Set(kUints, ~id));

@@ -1,4 +1,4 @@
-// A tile of a map or of a picture: its size, the layout of its memory, and the clusters that touch it.
+// A tile of a map or an image: its size, its memory layout, and its clusters.
 #pragma once
 
 #include "raster/vertex_kernel.h"
@@ -8,34 +8,35 @@
 
 namespace gnomon::raster {
 
-/// Tiles are squares of at most this many pixels.
+/// Max side of a tile, in pixels.
 constexpr int kTileSide = 256;
 
-/// A row of a tile's memory. What vectors write past the tile's right and upper edge lands in the margin.
+/// Elements per row of a tile's memory. Vectors can write beyond the right and upper edge of the tile, into this
+/// margin.
 constexpr int kTileStride = kTileSide + 16;
 constexpr int kTileRows = kTileSide + 4;
 constexpr std::size_t kTilePixels = std::size_t{kTileStride} * kTileRows;
 
-/// A cluster whose vertices are snapped and that needs no cutting any more.
+/// A cluster with snapped vertices that needs no clipping.
 struct SnappedCluster {
     SnappedArrays vertices;
-    bool isCompact = false; // vertices.x holds both coordinates, see `compacted`
+    bool isCompact = false; // true: vertices.x stores both coordinates, see `compacted`
     std::span<const Triangle> triangles;
     std::uint32_t vertexCount = 0;
     std::uint32_t firstTriangleId = 0;
-    const std::uint32_t* triangleIds = nullptr; // instead of firstTriangleId + i where given
-    PixelBox box;                               // holds every pixel that it can cover
-    float mostZ = 0;                            // of its vertices
+    const std::uint32_t* triangleIds = nullptr; // if not null, replaces firstTriangleId + i
+    PixelBox box;                               // contains each pixel that the cluster can cover
+    float mostZ = 0;                            // max z of its vertices
 };
 
-/// Triangles of a cluster by their places, a bit each.
+/// A set of triangles of a cluster, one bit per triangle.
 using TriangleBits = std::array<std::uint64_t, kMaxClusterTriangles / 64>;
 
 /// A tile and the clusters that touch it.
 struct TileWork {
     PixelBox box;
-    std::span<const SnappedCluster> clusters; // of the whole pass
-    std::span<const std::uint32_t> indices;   // those of this tile
+    std::span<const SnappedCluster> clusters; // all clusters of the pass
+    std::span<const std::uint32_t> indices;   // the clusters of this tile
 };
 
 } // namespace gnomon::raster

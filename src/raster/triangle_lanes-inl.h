@@ -1,4 +1,4 @@
-// A triangle in each vector lane: its edge functions and its plane of depth. Included once for each instruction set.
+// Edge functions and depth plane of one triangle per vector lane. Included once per instruction set.
 #if defined(GNOMON_RASTER_TRIANGLE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_TRIANGLE_LANES_INL_H
 #undef GNOMON_RASTER_TRIANGLE_LANES_INL_H
@@ -35,7 +35,7 @@ HWY_INLINE Ints largest(Ints a, Ints b, Ints c) {
     return hn::Max(hn::Max(a, b), c);
 }
 
-/// The index of corner `i` in a packed triangle.
+/// Returns the vertex index of corner `i` in a packed triangle.
 template <int i>
 HWY_INLINE Ints cornerIndex(Ints packed) {
     const auto shifted = hn::ShiftRight<8 * i>(hn::BitCast(kUints, packed));
@@ -49,10 +49,11 @@ HWY_INLINE Ints triangleIds(const SnappedCluster& cluster, Ints packed) {
     return hn::Add(place, hn::Set(kInts, static_cast<std::int32_t>(cluster.firstTriangleId)));
 }
 
-/// Edge functions at a pixel centre: twice the signed area of the pixel with each edge, in squared subpixels, less one
-/// where the edge is neither left nor lowest, so that inside is where none is negative.
+/// Edge functions at a pixel centre: twice the signed area of the triangle of edge and pixel, in squared subpixels. The
+/// value is reduced by one if the edge is neither a left edge nor the lowest edge. A pixel is inside if no edge
+/// function is negative.
 struct Edges {
-    Ints e0, e1, e2; // opposite to corner 0, 1, 2
+    Ints e0, e1, e2; // e0 is opposite to corner 0, and so on
 };
 
 HWY_INLINE void step(Edges& edges, const Edges& by) {
@@ -65,15 +66,15 @@ HWY_INLINE IntMask isInside(const Edges& e) {
     return hn::Gt(hn::Or(hn::Or(e.e0, e.e1), e.e2), hn::Set(kInts, -1));
 }
 
-/// The plane of depth, through the corners as they were before snapping; a pixel inside never leaves the range of the
-/// corners, nor 0 to 1. The reference is the pixel of corner 0, which depends on nothing but the triangle.
+/// The depth plane through the corners before snapping. The depth of a covered pixel is clamped to the range of the
+/// corners and to [0, 1]. The reference is the pixel of corner 0; it depends only on the triangle.
 struct DepthLanes {
     Floats atReference, perX, perY; // per pixel
     Floats least, largest;
-    Floats fromX, fromY; // the first pixel, from the reference
+    Floats fromX, fromY; // from the reference to the first pixel
 };
 
-/// Of a row `fromY` pixels above the reference, before `depthAt` adds what lies along it.
+/// Returns the depth at the start of a row `fromY` pixels above the reference. `depthAt` adds the change along the row.
 HWY_INLINE Floats depthOfRow(const DepthLanes& d, Floats fromY) {
     return hn::Add(d.atReference, hn::Mul(d.perY, fromY));
 }
@@ -87,7 +88,7 @@ struct TriangleLanes {
     Edges perX;
     Edges perY;
     DepthLanes depth;
-    Ints firstX, firstY; // of the pixels between the extremes, in the tile
+    Ints firstX, firstY; // first and last pixel between the extremes, in the tile
     Ints lastX, lastY;
     IntMask hasArea;
 };
@@ -96,7 +97,7 @@ struct PointLanes {
     Ints x, y;
 };
 
-/// The edge from a to b at the pixel centre p.
+/// Sets the edge function from a to b at the pixel centre p, and its increments per column and row.
 HWY_INLINE void setEdge(
     const PointLanes& a, const PointLanes& b, const PointLanes& p, Ints& e, Ints& perX, Ints& perY) {
     const auto dx = hn::Sub(b.x, a.x);
@@ -109,7 +110,7 @@ HWY_INLINE void setEdge(
     perY = hn::ShiftLeft<kSubpixelBits>(dx);
 }
 
-/// What snapping cut off each corner, in 1/256 pixel.
+/// The rests of the corners: unsnapped minus snapped position, in 1/256 pixel.
 struct RestLanes {
     Floats x, y;
 };
@@ -125,7 +126,7 @@ HWY_INLINE RestLanes restLanes(const SnappedCluster& cluster, Ints index) {
     return unpackedRests(hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(cluster.vertices.rests), index));
 }
 
-/// An edge from corner 0, unsnapped where `isTrue`.
+/// An edge from corner 0, without rests where `isTrue` is false.
 struct SideLanes {
     Floats snappedX, snappedY;
     Floats restX, restY;
@@ -150,7 +151,7 @@ HWY_INLINE Floats withinUnit(Floats z) {
     return hn::Min(hn::Max(z, hn::Zero(kFloats)), hn::Set(kFloats, 1.0F));
 }
 
-/// Loads corners of a cluster's triangles, relative to the lower left pixel centre of a tile.
+/// Loads corners of a cluster's triangles, relative to the centre of the tile's lower left pixel.
 template <bool isCompact>
 class CornerSource {
 public:
@@ -179,7 +180,7 @@ private:
     Ints originY_;
 };
 
-/// Twice the area of each lane's triangle; corners 1 and 2 of those that turn clockwise change places.
+/// Returns twice the area of each lane's triangle. It swaps corners 1 and 2 of clockwise triangles.
 HWY_INLINE Ints turnedArea(const PointLanes& a, PointLanes& b, PointLanes& c, Ints& i1, Ints& i2) {
     const auto area =
         hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
@@ -204,7 +205,7 @@ HWY_INLINE CornerDepths cornerDepths(const SnappedCluster& cluster, Ints i0, Int
     return {hn::GatherIndex(kFloats, z, i0), hn::GatherIndex(kFloats, z, i1), hn::GatherIndex(kFloats, z, i2)};
 }
 
-/// Sets the plane of depth of `t`, whose first pixel is set, from corner 0 and the sides to the others.
+/// Sets the depth plane of `t` from corner 0 and the edges to the other corners. The first pixel of `t` must be set.
 // NOLINTNEXTLINE(readability-function-size): a struct of these would be put together once and taken apart at once.
 HWY_INLINE void setDepth(
     const PointLanes& a,
@@ -217,7 +218,7 @@ HWY_INLINE void setDepth(
     const auto change = hn::Add(
         hn::Sub(hn::Mul(side1.snappedX, side2.restY), hn::Mul(side2.snappedX, side1.restY)),
         hn::Sub(hn::Mul(side1.restX, side2.y()), hn::Mul(side2.restX, side1.y())));
-    // A sliver that snapping made: without it there would be no plane.
+    // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
     const auto isTrue = hn::Gt(hn::Add(area, change), hn::Mul(area, hn::Set(kFloats, kLeastTrueArea)));
     side1.keepRestWhere(isTrue);
     side2.keepRestWhere(isTrue);
@@ -246,8 +247,8 @@ HWY_INLINE void setDepth(
     depth.fromY = hn::ConvertTo(kFloats, hn::Sub(t.firstY, referenceY));
 }
 
-/// Sets up a narrow triangle in each lane, turned counter-clockwise. Every pixel between its extremes and a vector
-/// further fits an int32 edge function.
+/// Sets up a narrow triangle in each lane, with counter-clockwise corners. Edge functions fit an int32 at each pixel
+/// between the extremes and one vector beyond.
 template <bool isCompact>
 HWY_INLINE TriangleLanes triangleLanes(const SnappedCluster& cluster, Ints packed, const PixelBox& tile) {
     const CornerSource<isCompact> cornerAt(cluster, tile);

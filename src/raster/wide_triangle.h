@@ -1,4 +1,4 @@
-// Triangles of 64 pixels and more: which pixels of a row are inside, in 64-bit integers, and the plane of their depth.
+// Triangles with an extent of 64 pixels or more: the covered pixels of a row, in 64-bit integers, and the depth plane.
 #pragma once
 
 #include "raster/projection.h"
@@ -9,32 +9,33 @@
 
 namespace gnomon::raster {
 
-/// Triangles less wide and high than this many subpixels have edge functions that fit an int32.
+/// Max extent of a narrow triangle, in subpixels, exclusive. Narrow triangles have edge functions that fit an int32.
 constexpr std::int32_t kNarrowExtent = 64 * kSubpixels;
 
-/// An edge's side of the plane: inside where atZero + perRow * y + perPixel * x >= 0, for pixels (x, y).
+/// An edge function. Pixel (x, y) is inside if atZero + perRow * y + perPixel * x >= 0.
 struct WideEdge {
     std::int64_t atZero = 0;
     std::int64_t perRow = 0;
     std::int64_t perPixel = 0;
-    double inverse = 0; // 1 / |perPixel|, where that is not 0
+    double inverse = 0; // 1 / |perPixel| if perPixel is not 0
 };
 
-/// A triangle turned counter-clockwise (y up), with its plane of depth.
+/// A triangle with counter-clockwise corners (y up) and its depth plane.
 struct WideTriangle {
     std::array<SnappedVertex, 3> corners;
     std::array<WideEdge, 3> edges;
-    PixelBox box;         // pixel centres between the corners' extremes
+    PixelBox box;         // pixel centres between the extremes of the corners
     double depthPerX = 0; // per pixel
     double depthPerY = 0;
-    float leastDepth = 0; // of the corners, within 0 to 1
+    float leastDepth = 0; // smallest depth of the corners, clamped to [0, 1]
     float largestDepth = 0;
 };
 
-/// Where a row leaves an edge, row by row: floor(value / divisor) for a value that grows by the same from row to row.
+/// The quotient floor(value / divisor), updated from row to row without a division. The value grows by a constant per
+/// row. The quotient tells where a row crosses an edge.
 struct QuotientWalk {
     std::int64_t quotient = 0;
-    std::int64_t rest = 0; // from 0 to divisor - 1
+    std::int64_t rest = 0; // in [0, divisor - 1]
     std::int64_t quotientPerRow = 0;
     std::int64_t restPerRow = 0;
     std::int64_t divisor = 1;
@@ -48,8 +49,8 @@ struct QuotientWalk {
     }
 };
 
-/// The pixels of a row whose centres are inside, and depth: depthAtReference + depthPerX * (x - referenceX), held
-/// between the triangle's extremes.
+/// The covered pixels of a row, x0 to x1 - 1. The depth is depthAtReference + depthPerX * (x - referenceX), clamped to
+/// the range of the corners.
 struct WideRow {
     int y = 0;
     int x0 = 0;
@@ -57,14 +58,14 @@ struct WideRow {
     float depthAtReference = 0;
 };
 
-/// The rows of a triangle in a tile, from the lowest up; some may be empty.
+/// Iterates over the rows of a triangle in a tile, from the lowest row up. Some rows can be empty.
 class WideRows {
 public:
     WideRows(const WideTriangle& triangle, const PixelBox& tile);
 
     bool atEnd() const { return y_ >= yEnd_; }
 
-    /// The row here; then goes on.
+    /// Returns the current row and advances to the next row.
     WideRow next() {
         std::int64_t first = x0_;
         std::int64_t end = x1_;
@@ -78,7 +79,7 @@ public:
         }
         WideRow row;
         row.y = y_;
-        row.x0 = static_cast<int>(std::min<std::int64_t>(first, x1_)); // an int even where nothing is inside
+        row.x0 = static_cast<int>(std::min<std::int64_t>(first, x1_)); // fits an int even if the row is empty
         row.x1 = static_cast<int>(std::max<std::int64_t>(end, x0_));
         row.depthAtReference = static_cast<float>(depthAtReference_ + depthPerY_ * (y_ - depthRow_));
         ++y_;
@@ -102,15 +103,15 @@ private:
     std::size_t rightCount_ = 0;
     int referenceX_ = 0;
     float depthPerX_ = 0;
-    double depthAtReference_ = 0; // at the reference and depthRow_
+    double depthAtReference_ = 0; // depth at the reference column and at row depthRow_
     double depthRow_ = 0;
     double depthPerY_ = 0;
 };
 
-/// Twice the area is not zero. Corners may be in either order.
+/// Returns the set-up triangle of `corners`, in either order. Twice its area must not be 0.
 WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners);
 
-/// Twice the signed area in squared subpixels; positive is counter-clockwise with y up.
+/// Returns twice the signed area in squared subpixels. Counter-clockwise triangles (y up) have a positive area.
 std::int64_t doubleArea(const std::array<SnappedVertex, 3>& corners);
 
 } // namespace gnomon::raster

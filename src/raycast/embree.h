@@ -1,4 +1,4 @@
-// What all who ask Embree share: a device, its errors, its triangles, its rays.
+// Common helpers for Embree: the device, error checks, triangle geometries and rays.
 #pragma once
 
 #include "core/error.h"
@@ -12,21 +12,21 @@
 
 namespace gnomon::raycast {
 
-/// A device of its own, to be released. Throws Error if there is none.
+/// Returns a new device, which the caller releases. Throws Error if Embree returns none.
 inline RTCDevice newDevice() {
     RTCDevice device = rtcNewDevice(nullptr);
     if (device == nullptr) throw Error("ray tracing: Embree gives no device");
     return device;
 }
 
-/// Throws Error if Embree has failed at `what`.
+/// Throws Error if Embree reports an error. `what` names the failed operation.
 inline void requireNoError(RTCDevice device, const char* what) {
     const RTCError error = rtcGetDeviceError(device);
     if (error != RTC_ERROR_NONE)
         throw Error(std::string("ray tracing: ") + what + ": Embree error " + std::to_string(error));
 }
 
-/// `ray` as Embree takes it.
+/// Returns `ray` in Embree's format.
 inline RTCRay embreeRay(const Ray& ray) {
     RTCRay result{};
     result.org_x = ray.origin.x;
@@ -41,14 +41,14 @@ inline RTCRay embreeRay(const Ray& ray) {
     return result;
 }
 
-/// A geometry of triangles that is to be filled and committed, and its room.
+/// A triangle geometry with its buffers. The caller fills the buffers and then attaches the geometry.
 struct TriangleGeometry {
     RTCGeometry geometry = nullptr;
-    float* positions = nullptr;       // 3 a vertex
-    std::uint32_t* indices = nullptr; // 3 a triangle
+    float* positions = nullptr;       // 3 per vertex
+    std::uint32_t* indices = nullptr; // 3 per triangle
 };
 
-/// Room for so many vertices and triangles. Throws Error if there is none.
+/// Returns a new geometry with buffers for the given numbers of vertices and triangles. Throws Error if Embree fails.
 inline TriangleGeometry newTriangles(RTCDevice device, std::size_t vertices, std::size_t triangles) {
     TriangleGeometry result{rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)};
     result.positions = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -59,7 +59,7 @@ inline TriangleGeometry newTriangles(RTCDevice device, std::size_t vertices, std
     return result;
 }
 
-/// Commits what was filled and hands it to `scene`.
+/// Commits the filled geometry and attaches it to `scene`.
 inline void attachTriangles(RTCScene scene, const TriangleGeometry& filled) {
     rtcCommitGeometry(filled.geometry);
     rtcAttachGeometry(scene, filled.geometry);

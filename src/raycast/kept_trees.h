@@ -1,5 +1,5 @@
-// Trees of rays that are kept from frame to frame: one over each run of a page's clusters that cuts draw together, made
-// when a frame first draws it, and a tree over the runs that a frame draws.
+// Ray tracing trees that are reused between frames. Each run of clusters of a page that cuts draw together has a tree,
+// built when a frame first draws it. Each frame builds a tree over its runs.
 #pragma once
 
 #include "core/units.h"
@@ -12,23 +12,24 @@
 
 namespace gnomon::raycast {
 
-/// Neighbouring clusters of a resident page.
+/// Adjacent clusters of a resident page.
 struct PageClusters {
-    std::uint32_t page = 0; // its id
+    std::uint32_t page = 0; // page id
     ClusterSpan span;
 };
 
-/// A triangle of a resident page: the cluster's index there, the triangle's in the cluster.
+/// A triangle of a resident page: the index of the cluster in the page, and of the triangle in the cluster.
 struct PageTriangle {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     std::uint32_t triangle = 0;
 };
 
-/// What the trees of a page take, about: no less on models of many kinds, at most a third more.
+/// Returns the approximate memory of a page's trees. On models of many kinds the estimate is never too small, and at
+/// most a third too large.
 Bytes keptTreeBytes(const hierarchy::PageInfo& page);
 
-/// The trees of a model's pages. One thread at a time.
+/// The trees of a model's pages. Only one thread at a time may use them.
 class KeptTrees {
 public:
     KeptTrees();
@@ -38,13 +39,13 @@ public:
     KeptTrees(KeptTrees&&) = delete;
     KeptTrees& operator=(KeptTrees&&) = delete;
 
-    /// Forgets what was made of `page`; no CutScene that holds clusters of it may be asked any more.
+    /// Removes the trees of `page`. Afterwards, no CutScene that contains clusters of the page may be queried.
     void drop(std::uint32_t page);
 
-    /// Forgets all pages.
+    /// Removes the trees of all pages.
     void dropAll();
 
-    /// What Embree holds for the trees.
+    /// Returns the memory that Embree uses for the trees.
     Bytes bytes() const;
 
 private:
@@ -53,7 +54,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// What a ray does about a triangle on it.
+/// The rule for a ray that hits a triangle.
 class HitRule {
 public:
     HitRule() = default;
@@ -63,17 +64,17 @@ public:
     HitRule(HitRule&&) = delete;
     HitRule& operator=(HitRule&&) = delete;
 
-    /// Whether `triangle`, as floats see it on ray `ray`, stops that. From any thread.
+    /// Returns true if `triangle`, a hit of ray `ray` in float arithmetic, stops the ray. Can run on any thread.
     virtual bool stops(std::uint32_t ray, const PageTriangle& triangle) const = 0;
 };
 
-/// The clusters of a frame's cut, as rays see them. Its queries may come from many threads at once, as long as its
-/// pages' trees are kept.
+/// The clusters of a frame's cut as a scene for rays. Many threads may query it at once while the trees of its pages
+/// exist.
 class CutScene final : public Occluders {
 public:
-    /// Over `clusters`, which may overlap, relative to `origin`; makes the trees that are not there yet, on all cores:
-    /// 0.2 microseconds and 90 to 145 bytes a triangle. Within a run, corners are on the grid to the bit; runs lie
-    /// where they are as well as floats know it. Throws Error if Embree fails.
+    /// Builds a scene of `clusters`, which may overlap, relative to `origin`. It builds missing trees on all cores: 0.2
+    /// microseconds and 90 to 145 bytes per triangle. Corners within a run are exactly on the grid. The position of a
+    /// run has float precision. Throws Error if Embree fails.
     CutScene(
         KeptTrees& trees,
         std::span<const PageClusters> clusters,
@@ -85,10 +86,11 @@ public:
     CutScene(const CutScene&) = delete;
     CutScene& operator=(const CutScene&) = delete;
 
-    /// Of a ray in world units from the grid point that the scene is relative to.
+    /// Returns true if a triangle is on `ray`. The ray is in world units, relative to the scene's origin.
     bool isOccluded(const Ray& ray) const override;
 
-    /// Of a ray in cells from there: whether a triangle is on it that stops it by `rule`, which knows it as `name`.
+    /// Returns true if a triangle stops `ray` according to `rule`. The ray is in cells relative to the scene's origin,
+    /// and `name` identifies it to the rule.
     bool isStopped(const Ray& ray, std::uint32_t name, const HitRule& rule) const;
 
 private:

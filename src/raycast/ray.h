@@ -1,4 +1,4 @@
-// A ray, and what may be asked whether anything is on it.
+// A ray, and the interface of a scene for occlusion queries.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,15 +7,15 @@
 
 namespace gnomon::raycast {
 
-/// A ray; points are relative to the eye or an origin near it, so that floats lose nothing there.
+/// A ray. Points are relative to the eye or a nearby origin, so that floats are precise there.
 struct Ray {
     glm::vec3 origin{0};
     glm::vec3 direction{0, 0, 1};
-    float least = 0; // of the parameter along `direction`
+    float least = 0; // min parameter along `direction`
     float greatest = std::numeric_limits<float>::infinity();
 };
 
-/// Triangles that rays in world orientation and units may be asked about, from many threads at once.
+/// Triangles for occlusion queries, in world orientation and units. Many threads may query them at once.
 class Occluders {
 public:
     Occluders() = default;

@@ -1,4 +1,5 @@
-// The shadow oracle: which points the light reaches, by exact rays, and how far a picture's shadows are from that.
+// The shadow oracle: computes by rays which points are lit (the ground truth), and measures the difference to a
+// picture's shadows.
 #pragma once
 
 #include "raycast/scene.h"
@@ -12,72 +13,78 @@
 
 namespace gnomon::raycast {
 
-/// What the image shows at one pixel, relative to the eye.
+/// The visible surface at one pixel, relative to the eye.
 struct SurfacePoint {
     glm::vec3 position{0};
-    glm::vec3 normal{0}; // geometric, unit length, towards the eye; zero where the pixel shows nothing
-    float offset = 0;    // how far from the surface the ray may begin, world units: the stored error, say
+    glm::vec3 normal{0}; // geometric, unit length, towards the eye; zero without a surface
+    /// Max distance of the ray's origin from the surface, world units, for example the stored error.
+    float offset = 0;
 };
 
-/// A pixel of the reference.
+/// The ground truth at a pixel.
 enum class Light : std::uint8_t {
-    Nothing, // the pixel shows no surface
-    Turned,  // the surface is turned from the light: dark without asking anyone
-    Dark,    // something is in the way
+    Nothing, // no surface is visible
+    Turned,  // the surface faces away from the light: dark without a ray
+    Dark,    // a triangle blocks the ray
     Lit
 };
 
-/// Where light comes from: a direction, or a point, in which rays end.
+/// A light source: a direction, or a point at which rays end.
 struct LightSource {
-    glm::vec3 at{0, 1, 0}; // of a direction that, of unit length
+    glm::vec3 at{0, 1, 0}; // position, or direction of unit length
     bool isPoint = false;
 
-    /// The direction from `position` to the light, of unit length.
+    /// Returns the unit direction from `position` to the light.
     glm::vec3 from(const glm::vec3& position) const { return isPoint ? glm::normalize(at - position) : at; }
 
-    /// How far from `position` that is.
+    /// Returns the distance from `position` to the light, or infinity for a direction.
     float distance(const glm::vec3& position) const {
         return isPoint ? glm::length(at - position) : std::numeric_limits<float>::infinity();
     }
 };
 
-/// Whether the light reaches one point.
+/// Returns whether the light reaches one point.
 Light litByRay(const Occluders& scene, const SurfacePoint& point, const LightSource& source);
 
-/// What the light reaches, point by point, on all cores.
+/// Returns whether the light reaches each point. Runs on all cores.
 std::vector<Light> litByRays(const Occluders& scene, std::span<const SurfacePoint> points, const LightSource& source);
 
-/// How far a picture's shadows are from the reference, over its lit-side pixels: those that show a surface turned
-/// towards the light.
+/// The difference between a picture's shadows and the ground truth. It covers the lit-side pixels: pixels whose surface
+/// faces the light.
 struct ShadowComparison {
     std::uint64_t litSidePixels = 0;
     std::uint64_t wrongPixels = 0;
-    std::uint64_t edgePixels = 0;      // of both pictures, whose distances are in the figures below
-    std::uint64_t edgePixelsApart = 0; // of the reference alone, which are not
-    double wrongFraction = 0;          // of the lit-side pixels; 0 if there are none
-    double edgeMedianPixels = 0;       // from each shadow edge of either picture to the nearest of the other
+    std::uint64_t edgePixels = 0;      // of both pictures, with distances in the statistics below
+    std::uint64_t edgePixelsApart = 0; // of the ground truth only, without distances, because of `apart`
+    double wrongFraction = 0;          // of the lit-side pixels; 0 without such pixels
+    /// Distance from each shadow edge of either picture to the nearest edge of the other picture.
+    double edgeMedianPixels = 0;
     double edgeP99Pixels = 0;
     double edgeWorstPixels = 0;
-    double worstWrongPixels = 0;       // the furthest wrong pixel from an edge of the reference
-    std::vector<float> wrongDistances; // per pixel: 0 if right, else the distance from the reference's nearest edge
+    double worstWrongPixels = 0; // max distance of a wrong pixel from an edge of the ground truth
+    /// Per pixel: 0 if correct, else the distance to the nearest edge of the ground truth.
+    std::vector<float> wrongDistances;
 };
 
-/// The pixels of a picture of `width` columns that have a lit-side neighbour (of four) with another answer: 1, else 0.
+/// Returns 1 for each edge pixel of a picture with `width` columns, else 0. An edge pixel has a lit-side neighbour (of
+/// four) with a different result.
 std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::size_t width);
 
-/// Compares two pictures of `width` columns. `isLit` is the picture's answer where the reference is Dark or Lit. An
-/// edge is a pixel that has a lit-side neighbour (of four) with another answer; distances are between pixel centres,
-/// and the picture's diagonal where the other has no edge at all. `apart` (a mark a pixel, or nothing) names what the
-/// picture need not show: between a pixel of it and another the reference's edge is not held against the picture, and a
-/// dark one of it that the picture has lit is not wrong. An edge that the picture shows is still near to it.
+/// Compares a picture with the ground truth; both have `width` columns. `isLit` is the result of the picture, valid
+/// where `reference` is Dark or Lit. An edge pixel has a lit-side neighbour (of four) with a different result.
+/// Distances are between pixel centres. If the other picture has no edge, the distance is the diagonal of the picture.
+///
+/// `apart` (one mark per pixel, or empty) marks shadows that the picture may omit. An edge of the ground truth between
+/// a marked and an unmarked pixel is not required in the picture. A marked dark pixel that the picture shows as lit is
+/// not wrong. If the picture shows such an edge, the edge still counts as near.
 ShadowComparison compareShadows(
     std::span<const Light> reference,
     std::span<const std::uint8_t> isLit,
     std::size_t width,
     std::span<const std::uint8_t> apart = {});
 
-/// The exact Euclidean distance of each pixel centre from the nearest marked one (Felzenszwalb and Huttenlocher 2012);
-/// the picture's diagonal if none is marked.
+/// Returns the exact Euclidean distance of each pixel centre to the nearest marked pixel centre (Felzenszwalb and
+/// Huttenlocher 2012). Without marked pixels, returns the diagonal of the picture.
 std::vector<float> distanceTransform(std::span<const std::uint8_t> marked, std::size_t width);
 
 } // namespace gnomon::raycast

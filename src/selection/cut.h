@@ -1,4 +1,5 @@
-// The LOD cut of a view: one decision per group, limited to what is resident, and the pages that would sharpen it.
+// The LOD cut of a view: one decision per group, limited to resident pages, and the pages that would increase the
+// detail.
 #pragma once
 
 #include "bvh/traversal.h"
@@ -11,7 +12,7 @@
 
 namespace gnomon::selection {
 
-/// Clusters of one page, to be drawn; neighbours in the page.
+/// Adjacent clusters of one page that are drawn.
 struct ClusterRange {
     std::uint32_t page = 0;
     std::uint32_t firstCluster = 0;
@@ -19,32 +20,32 @@ struct ClusterRange {
     auto operator<=>(const ClusterRange&) const = default;
 };
 
-/// The drawn clusters whose boxes touch one volume.
+/// The drawn clusters whose boxes intersect one volume.
 struct DrawList {
     std::vector<ClusterRange> ranges; // each cluster at most once
     std::uint64_t clusters = 0;
     std::uint64_t triangles = 0;
 };
 
-/// The trees over a model's pages, one per level, since mixing levels spoils the pruning by error.
+/// The trees over a model's pages, one per level. A tree with mixed levels would prune badly by error.
 class PageTrees {
 public:
-    /// Needs the page table alone; milliseconds for tens of thousands of pages.
+    /// Builds the trees from the page table. This takes milliseconds for tens of thousands of pages.
     PageTrees(std::span<const hierarchy::PageInfo> pages, const hierarchy::Grid& grid);
 
     struct PageItem {
         std::uint32_t page = 0;
         Sphere bounds;
-        double error = 0; // the largest of its groups
+        double error = 0; // max over its groups
         bool holdsRoot = false;
     };
 
     struct Level {
         bvh::Tree tree;
-        std::vector<PageItem> items; // as the tree names them
+        std::vector<PageItem> items; // in the order of the tree's item indices
     };
 
-    /// Coarsest first.
+    /// Returns the levels, coarsest first.
     std::span<const Level> levels() const { return levels_; }
 
     const hierarchy::Grid& grid() const { return grid_; }
@@ -54,7 +55,7 @@ private:
     hierarchy::Grid grid_;
 };
 
-/// What is to be cut. The spans must outlive the call.
+/// The input of a cut. The spans must outlive the call.
 struct CutQuery {
     const PageTrees* trees = nullptr;
     hierarchy::ResidentPages resident;
@@ -67,33 +68,34 @@ struct CutQuery {
     std::span<const hierarchy::PageInfo> passable = {};
 };
 
-/// The result: one list per volume, and what it took. Along every chain of refinement that a volume reaches, exactly
-/// one cluster is drawn, whatever is resident, as long as that is closed upwards. `used` and `wanted` together name the
-/// pages that hold a group with more than `errorPixels`, as far as resident pages know of them: they depend neither on
-/// boxes nor on the past, so a cut of the same view wants the same pages wherever it comes from.
+/// A cut: one draw list per volume, and the cost. It draws exactly one cluster along each chain of refinement that
+/// intersects a volume. This holds for each set of resident pages that is ancestor-complete. `used` and `wanted`
+/// together are the pages that contain a group with more than `errorPixels`, as far as the resident pages tell. They
+/// depend neither on boxes nor on earlier frames, so each cut of the same view wants the same pages.
 struct Cut {
-    std::vector<DrawList> lists;               // as the query's volumes
+    std::vector<DrawList> lists;               // in the order of the query's volumes
     std::vector<hierarchy::PageDemand> used;   // resident pages that the cut refines into, each once, by id
-    std::vector<hierarchy::PageDemand> wanted; // pages that it would refine into were they resident, each once, by id
-    std::vector<std::uint32_t> passed;         // pages that it refines through and that are not resident, by id
-    double errorPixels = 0;                    // the threshold that it was made with
-    double achievedErrorPixels = 0;            // the most on the screen of anything in the first list
+    std::vector<hierarchy::PageDemand> wanted; // missing pages that the cut would refine into, each once, by id
+    std::vector<std::uint32_t> passed;         // pages that are not resident and that the cut refines through, by id
+    double errorPixels = 0;                    // the threshold of the cut
+    double achievedErrorPixels = 0;            // max screen-space error of the first list
     std::uint64_t groupsTested = 0;
-    std::uint64_t clustersTested = 0; // drawn clusters that the walk came to, once for each volume but the first
+    std::uint64_t clustersTested = 0; // drawn clusters that the traversal reached, once per volume except the first
 };
 
-/// A resident page that the walk reached, and how it lies to the query's volumes: it may touch none, and is visited for
-/// the pages that refine it.
+/// A resident page that the traversal reached, and its relation to the query's volumes. The page may intersect no
+/// volume; it is then visited for the pages that refine it.
 struct PageVisit {
     std::uint32_t page = 0;
     bvh::VolumeMask mask;
     bool holdsRoot = false;
 };
 
-/// The resident pages that may hold a refined group; root pages that are not resident go to `missingRoots`.
+/// Returns the resident pages that may contain a refined group. Root pages that are not resident are added to
+/// `missingRoots`.
 std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint32_t>& missingRoots);
 
-/// The part of a cut that some of the visited pages make; parts of disjoint visits can be made on different threads.
+/// The part of a cut from some of the visited pages. Different threads can compute parts of disjoint pages.
 class CutPart {
 public:
     explicit CutPart(const CutQuery& query);
@@ -101,25 +103,25 @@ public:
     /// Adds the drawn clusters of one page.
     void add(const PageVisit& visit);
 
-    /// Appends the parts, in this order, into one cut.
+    /// Joins the parts, in this order, into one cut.
     static Cut joined(
         const CutQuery& query, std::span<const CutPart> parts, std::span<const std::uint32_t> missingRoots);
 
 private:
-    /// What is known of a refinement of the current page.
+    /// The result for a refinement of the current page.
     struct RefinementState {
         double viewPixels = 0;
         bool isRefined = false;
     };
 
-    /// A plane of a volume that a box has parts on both sides of.
+    /// A plane of a volume that intersects a box.
     struct CutPlane {
         glm::dvec3 normal{0};
         double offset = 0;
-        std::uint64_t volume = 0; // its bit
+        std::uint64_t volume = 0; // the bit of its volume
     };
 
-    /// Neighbouring drawn clusters that touch the same volumes.
+    /// Adjacent drawn clusters that intersect the same volumes.
     struct Run {
         ClusterRange range;
         std::uint64_t touching = 0;
@@ -145,7 +147,7 @@ private:
     std::vector<hierarchy::PageDemand> used_;
     std::vector<hierarchy::PageDemand> wanted_;
     std::vector<RefinementState> refinements_;
-    std::uint32_t asked_ = hierarchy::kNone; // whether this page is passed through was asked for last
+    std::uint32_t asked_ = hierarchy::kNone; // the last page passed to isPassed
     bool isAskedPassed_ = false;
     std::vector<CutPlane> pagePlanes_;
     std::vector<CutPlane> groupPlanes_;
@@ -156,27 +158,28 @@ private:
     std::uint64_t clustersTested_ = 0;
 };
 
-/// The pages that a cut of `query` would use or want, without making it: for prefetching. Volumes do not matter.
+/// Returns the pages that a cut of `query` would use or want, without the cut itself. This serves prefetching. The
+/// result does not depend on the volumes.
 std::vector<hierarchy::PageDemand> demand(const CutQuery& query);
 
-/// The pages below those that `cut` (of `query`) wants that it may come to want once they are there, as far as their
-/// rows in the page table tell; never fewer than it will, each once, by id. All levels at once, so loading need not
-/// wait level by level. Where nothing is wanted nothing is foreseen: what is resident says all.
+/// Returns the prefetch set: the finer pages that `cut` may want after its wanted pages are loaded, according to the
+/// page table. The set is never too small and contains each page once, by id. It covers all levels at once, so loading
+/// does not wait for one level after another. The set is empty if the cut wants no pages.
 std::vector<hierarchy::PageDemand> foreseenPages(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages);
 
-/// Whether a cut of `query` refines all that refines `page`, by the page table alone, so that it draws nothing of it,
-/// whatever it holds; never so of pages with root groups.
+/// Returns true if `page` is skippable: the page table proves that a cut of `query` refines all groups of the page and
+/// thus draws none of its clusters. A page with root groups is never skippable.
 bool isPassedThrough(const CutQuery& query, std::uint32_t page);
 
-/// Has `cut` of `query` want, or use, in place of pages that it passes through those that refine them.
+/// Replaces the skippable pages in `cut` by the pages that refine them, as wanted or used pages.
 void replacePassed(const CutQuery& query, Cut& cut);
 
-/// The cut, on one thread. culling::cutFrame does the same on all.
+/// Returns the cut, computed on one thread. culling::cutFrame computes the same cut on all cores.
 Cut cut(const CutQuery& query);
 
-/// The least threshold, not below the query's, at which the clusters in the first volume have at most `maxTriangles`
-/// triangles (as far as that is possible at all): so a cap raises the error evenly.
+/// Returns the smallest threshold, not below the query's threshold, at which the clusters of the first volume have at
+/// most `maxTriangles` triangles, if this is possible. The cap thus increases the error evenly.
 double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles);
 
 } // namespace gnomon::selection

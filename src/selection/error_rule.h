@@ -1,4 +1,4 @@
-// The error rule: how many pixels of error it would remove to refine a group, on the screen or at a shadow's edge.
+// The error rule: the error in pixels that the refinement of a group would remove, on the screen or at a shadow edge.
 #pragma once
 
 #include "core/camera.h"
@@ -12,112 +12,116 @@
 
 namespace gnomon::selection {
 
-/// The view for which detail is chosen. Positions are LOCAL to the model (world minus the grid's origin).
+/// The view that determines the detail. Positions are LOCAL to the model (world minus the grid's origin).
 struct DetailView {
     glm::dvec3 eye{0};
     CameraBasis basis;
-    double tanHalfX = 0.5773502691896257; // tan of half the horizontal and half the vertical angle, both above 0
+    /// Tangents of half the horizontal and half the vertical angle, both above 0.
+    double tanHalfX = 0.5773502691896257;
     double tanHalfY = 0.5773502691896257;
     double heightPixels = 800;
-    double nearestDepth = 1e-6; // nothing counts as nearer than this, world units, above 0
+    double nearestDepth = 1e-6; // min depth of geometry, world units, above 0; nearer geometry counts as this depth
 
-    /// Pixels that a unit length across the view axis covers at view depth 1.
+    /// Returns the pixels per unit length perpendicular to the view axis, at view depth 1.
     double pixelsPerUnit() const { return heightPixels / (2 * tanHalfY); }
 
-    /// Pixels that a shadow's edge at view depth 1 is charged for a unit length that what casts it may be off.
+    /// Returns the pixels per unit of a caster's error that the rule counts for its shadow edge, at view depth 1.
     double edgePixelsPerUnit() const { return kEdgeMargin * pixelsPerUnit(); }
 
-    /// An edge moves as what casts it does, but what it falls on is drawn with an error, too, and lies at any angle to
-    /// the light. Found by measuring: with 1.2 the edges of five models are 1.41 pixels off at the 99th percentile for
-    /// an error of 1 pixel, with 1 they are 1.75 (bench/shadow_edges).
+    /// The factor for the displacement of a shadow edge. The edge moves with the caster, but the receiver also has an
+    /// error and lies at any angle to the light. The factor was measured on five models: with 1.2 and an error of 1
+    /// pixel, the edges are off by 1.41 pixels at the 99th percentile, and with 1 by 1.75 pixels (bench/shadow_edges).
     static constexpr double kEdgeMargin = 1.2;
 };
 
-/// The pyramid of what the image of `view` can show: the sides, and the plane of the eye.
+/// Returns the view pyramid of `view`: the four side planes, and the plane through the eye.
 ConvexVolume viewPyramid(const DetailView& view);
 
-/// The width of a shadow map's texel, as an affine warp of `zeta` gives it (theory: w_lx and w_lz, without shear).
-/// `zeta` is dot(axis, point) - origin, clamped to [0, depth]. All zero is a map without texels: rays.
+/// The size of a shadow map's texel as a function of `zeta`, for a perspective warp (w_lx and w_lz of the theory,
+/// without shear). `zeta` is dot(axis, point) - origin, clamped to [0, depth]. If all members are 0, the map has no
+/// texels: shadows by rays.
 struct TexelWidth {
-    glm::dvec3 axis{0, 0, 1}; // unit, local space: z_l of the light frame
-    double origin = 0;        // dot(axis, point) where zeta is 0
+    glm::dvec3 axis{0, 0, 1}; // unit, local space: z axis of the light frame
+    double origin = 0;        // dot(axis, point) at zeta = 0
     double depth = 0;         // d
     double kappa = 0;         // of the warp
-    double width = 0;         // W / res_s: across, at zeta 0
-    double length = 0;        // along: d / res_t, without a warp; of logarithmic rows at zeta 0
-    bool isLog = false;       // logarithmic rows: the length grows as the width does, else with its square
+    double width = 0;         // W / res_s: width at zeta = 0
+    double length = 0;        // d / res_t: length without a warp; with logarithmic rows the length at zeta = 0
+    bool isLog = false;       // logarithmic rows: the length grows like the width; otherwise with its square
 
-    /// The smaller side of the texel at `zeta`, world units. It grows with zeta.
+    /// Returns the smaller side of the texel at `zeta`, in world units. It grows with zeta.
     double smallerSide(double zeta) const;
 };
 
-/// A point light in place of a direction, and the distance of the farthest receiver from it.
+/// A point light, and the distance of the farthest receiver from it.
 struct PointReach {
     glm::dvec3 at{0}; // local space
     double farthest = 0;
 };
 
-/// What a caster of one partition must be exact enough for.
+/// The required detail of the casters of one partition.
 struct CasterDetail {
-    ConvexVolume casters;             // all that can throw a shadow into the partition; unit normals, local space
-    ConvexVolume receivers;           // the partition's frustum, or what of it the model reaches; local space
-    double receiverNear = 1e-6;       // the least view depth in `receivers`, above 0
+    ConvexVolume casters;             // volume of all casters of the partition; unit normals, local space
+    ConvexVolume receivers;           // the partition's frustum, or the part that the model reaches; local space
+    double receiverNear = 1e-6;       // min view depth in `receivers`, above 0
     glm::dvec3 towardsLight{0, 1, 0}; // unit, local space
     TexelWidth texel;
-    std::optional<PointReach> point; // in place of towardsLight
+    std::optional<PointReach> point; // replaces towardsLight
 };
 
-/// Pixels of error as a monotone function of (bounds, error): a sphere within another, with an error no larger, never
-/// gets more pixels. So along every chain of refinement pixels never decrease towards the root, and
-/// "refined where pixels > threshold" is a valid cut for any threshold.
+/// The error in pixels, a monotone function of (bounds, error): a sphere inside another sphere, with an error that is
+/// not larger, never has more pixels. Along each chain of refinement, pixels therefore never decrease towards the root.
+/// The rule "refine if pixels > threshold" is thus a valid cut for each threshold.
 ///
-/// In view (the sphere touches the pyramid): a displacement e at view depth z, seen phi off the view axis, moves its
-/// image by at most e pixelsPerUnit / (z cos phi), which is the radial stretch 1/cos^2 phi over the distance z / cos
-/// phi. The rule takes the least z and the largest phi that the sphere reaches, each no further than the image's
-/// corner, so corners are not under-reported and the centre is not charged for them.
+/// In view (the sphere intersects the view pyramid): let e be a displacement at view depth z, seen at the angle phi to
+/// the view axis. It moves the image by at most e pixelsPerUnit / (z cos phi). This is the radial stretch 1/cos^2 phi
+/// over the distance z / cos phi. The rule uses the smallest z and the largest phi of the sphere. phi is limited to the
+/// angle of the image corner.
 ///
-/// As a caster, in view or not, for each partition whose caster volume it touches: nothing if the error is at most half
-/// a texel where the sphere's shadow falls, else e edgePixelsPerUnit / z at the least view depth z of the partition's
-/// receivers on the light rays through the sphere; from a point light what that is where all receivers are as near as
-/// the nearest and as far from the light as the farthest, whose shadows the light throws so much larger. Where the
-/// light meets these at an angle a, the edge moves by 1 / sin a of that over DetailView::kEdgeMargin.
+/// As a caster, in view or not, for each partition whose caster volume it intersects: the result is 0 if the error is
+/// at most half a texel at the sphere's shadow. Otherwise it is e edgePixelsPerUnit / z, where z is the smallest view
+/// depth of the partition's receivers on the light rays through the sphere. For a point light, the rule assumes
+/// receivers at the smallest view depth and at the largest distance from the light, and includes the magnification of
+/// the shadow. If the light meets the receivers at an angle a, the actual displacement of the edge is 1 / sin a of this
+/// value, divided by DetailView::kEdgeMargin.
 class ErrorRule {
 public:
-    /// The rule of a view that casts no shadows.
+    /// Creates the rule of a view without shadows.
     explicit ErrorRule(const DetailView& view);
 
-    /// The rule of a view and of the casters of its partitions.
+    /// Creates the rule of a view and of the casters of its partitions.
     ErrorRule(const DetailView& view, std::vector<CasterDetail> casters);
 
     const DetailView& view() const { return view_; }
 
     std::span<const CasterDetail> casters() const { return casters_; }
 
-    /// The larger of both; 0 where refining would be seen nowhere, infinite for an infinite error (a root group).
+    /// Returns the larger of viewPixels and casterPixels. Returns 0 if a refinement would not be visible, and infinity
+    /// for an infinite error (a root group).
     double pixels(const Sphere& bounds, double error) const {
         if (error == std::numeric_limits<double>::infinity()) return error;
         return std::max(viewPixels(bounds, error), casterPixels(bounds, error));
     }
 
-    /// Whether `pixels` is above `threshold`, found with less work.
+    /// Returns true if `pixels` is above `threshold`. It is faster than `pixels`.
     bool exceeds(const Sphere& bounds, double error, double threshold) const {
         return error == std::numeric_limits<double>::infinity() || viewPixels(bounds, error) > threshold ||
                casterPixels(bounds, error, threshold) > threshold;
     }
 
-    /// The part that the screen shows.
+    /// Returns the error in view, in pixels.
     double viewPixels(const Sphere& bounds, double error) const;
 
-    /// No more than `viewPixels` gives any sphere that encloses something in `box` (local space), with `error` or more;
-    /// 0 where `box` does not lie in view as a whole.
+    /// Returns a lower bound of `viewPixels` for each sphere that contains a point of `box` (local space), with at
+    /// least `error`. Returns 0 if `box` is not completely in view.
     double leastViewPixels(const Box& box, double error) const;
 
-    /// What `viewPixels` bounds by a sphere, of what lies in `box` (local space): no less than the image of anything
-    /// there moves with a displacement of `error`, 0 where that shows nothing. No image moves further than across the
-    /// picture.
+    /// Returns an upper bound of the image displacement of geometry in `box` (local space) that moves by `error`.
+    /// Returns 0 if the geometry is not visible. The displacement is limited to the size of the image.
     double mostViewPixels(const Box& box, double error) const;
 
-    /// The part that shows at the edges of shadows; any number up to `floor` if it is not more.
+    /// Returns the error at shadow edges, in pixels. If the error is at most `floor`, the result may be any number up
+    /// to `floor`.
     double casterPixels(const Sphere& bounds, double error, double floor = 0) const;
 
 private:

@@ -1,14 +1,14 @@
-// How near to the eye anything in view can be, whatever its detail.
+// The smallest view depth of visible geometry, for each level of detail.
 #pragma once
 
 #include "selection/cut.h"
 
 namespace gnomon::selection {
 
-/// The least view depth at which `view` can show anything of the model, from the boxes of the finest level's pages that
-/// reach into the view: 0 where the eye is among them, infinite where nothing is in view. A surface of a coarser level
-/// may lie nearer by its error, which is small beside the depth wherever it is drawn; a margin of a twentieth, in depth
-/// and in the view's angles, covers errors up to a twentieth of the image's height.
+/// Returns a lower bound of the view depth of visible geometry. It uses the boxes of the finest level's pages that
+/// intersect the view. Returns 0 if the eye is among them, and infinity if no box is in view. A surface of a coarser
+/// level can be nearer by its error, which is small compared with the depth. A margin of 5% in depth and in the view
+/// angles covers errors up to 5% of the image height.
 double nearestDepth(const PageTrees& trees, const DetailView& view);
 
 } // namespace gnomon::selection

@@ -1,4 +1,4 @@
-// The loader threads: they read and decode the pages of a queue, most urgent first.
+// The loader threads: they read and decode the pages of a queue in order of urgency.
 #pragma once
 
 #include "streaming/page_source.h"
@@ -13,37 +13,37 @@
 
 namespace gnomon::streaming {
 
-/// A page that a loader is done with.
+/// The result of a loader for one page.
 struct LoadedPage {
     std::uint32_t page = 0;
-    std::unique_ptr<const hierarchy::Page> content; // none if it is damaged or could not be read
-    std::string fault;                              // then why
-    std::exception_ptr failure = nullptr;           // if it is not damaged, but reading or decoding it failed
+    std::unique_ptr<const hierarchy::Page> content; // null if the page is damaged or could not be read
+    std::string fault;                              // the reason, if `content` is null
+    std::exception_ptr failure = nullptr;           // set if the page is not damaged, but reading or decoding failed
 };
 
-/// Threads around a queue. All calls come from one thread, the owner's.
+/// Loader threads with a queue. Only the owner's thread may call the functions.
 class Loaders {
 public:
-    /// Starts `threadCount` threads, at least one. `source` must outlive them.
+    /// Starts `threadCount` threads (at least one). `source` must outlive them.
     Loaders(const PageSource& source, unsigned threadCount);
 
-    /// Drops what is queued, waits for the pages that are being read and joins.
+    /// Empties the queue, waits for pages that are being read, and joins the threads.
     ~Loaders();
     Loaders(const Loaders&) = delete;
     Loaders& operator=(const Loaders&) = delete;
     Loaders(Loaders&&) = delete;
     Loaders& operator=(Loaders&&) = delete;
 
-    /// Puts `pages` at the end of the queue.
+    /// Appends `pages` to the queue.
     void request(std::span<const std::uint32_t> pages);
 
-    /// Empties the queue; answers the pages that no thread had begun.
+    /// Empties the queue. Returns the pages that no thread had begun.
     std::vector<std::uint32_t> withdraw();
 
-    /// What was finished since the last call; does not wait.
+    /// Returns the pages finished since the last call. Does not wait.
     std::vector<LoadedPage> finished();
 
-    /// Waits until nothing is queued or being read.
+    /// Waits until the queue is empty and no page is being read.
     void wait();
 
 private:
@@ -53,7 +53,7 @@ private:
     std::mutex mutex_;
     std::condition_variable work_;
     std::condition_variable idle_;
-    std::vector<std::uint32_t> queue_; // the next one last
+    std::vector<std::uint32_t> queue_; // the next page is the last element
     std::vector<LoadedPage> finished_;
     unsigned busy_ = 0;
     bool stop_ = false;

@@ -1,4 +1,4 @@
-// Where pages come from: a file, or a server.
+// The source of pages: a file or a server.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -17,17 +17,17 @@ public:
     PageSource(PageSource&&) = delete;
     PageSource& operator=(PageSource&&) = delete;
 
-    /// The name that messages call it by.
+    /// Returns the name for messages.
     virtual std::string name() const = 0;
 
     virtual std::span<const hierarchy::PageInfo> pages() const = 0;
 
-    /// One decoded page; called from many threads at once. Throws PageDamage if it is damaged, anything else if it
-    /// cannot be had for now.
+    /// Returns one decoded page. Many threads may call it at once. Throws PageDamage if the page is damaged, and any
+    /// other exception if the page is not available at present.
     virtual hierarchy::Page readPage(std::uint32_t page) const = 0;
 };
 
-/// The pages of an open model, which must outlive it.
+/// The pages of an open model. The model must outlive this object.
 class FilePageSource final : public PageSource {
 public:
     explicit FilePageSource(const hierarchy::ModelFile& model) : model_(&model) {}

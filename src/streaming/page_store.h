@@ -1,4 +1,5 @@
-// The page cache: decoded pages under a hard budget, loaded by the error that they remove, closed upwards at any time.
+// The page store: decoded pages under a hard byte budget. It loads the pages with the largest error reduction first.
+// The resident pages are ancestor-complete at all times, except after an open demand.
 #pragma once
 
 #include "core/error.h"
@@ -16,70 +17,72 @@
 
 namespace gnomon::streaming {
 
-/// A page in whose place its parents are drawn.
+/// A damaged page. Cuts draw its parents in its place.
 struct DamagedPage {
     std::uint32_t page = 0;
     std::string reason;     // one line, with path and byte offset
-    bool isUnread = false;  // no damage: it could not be read, or there was no memory for it
-    bool isRetried = false; // it is not given up, and it is the first of those since a page was read
+    bool isUnread = false;  // true: the page is not damaged; it could not be read, or memory was not available
+    bool isRetried = false; // true: the store will retry it; it is the first failure since a page was read
 };
 
 struct PageStoreOptions {
-    Bytes budget = gibibytes(1); // of decoded pages and what is kept beside them, those that are being loaded included
+    /// Of decoded pages with their auxiliary bytes, including pages that are being loaded.
+    Bytes budget = gibibytes(1);
     unsigned loaderThreads = 4;
-    std::function<void(const DamagedPage&)> onDamaged;      // once for each, on the thread of `admitLoaded` and `load`
-    std::function<void(std::uint32_t page)> onEvicted = {}; // as its memory is given back, on the store's thread
-    /// Whether a page that cannot be read counts as damaged; else that is an error: `admitLoaded` and `load` throw it.
+    /// Called once per page, on the thread of `admitLoaded` and `load`.
+    std::function<void(const DamagedPage&)> onDamaged;
+    /// Called when the memory is released, on the store's thread.
+    std::function<void(std::uint32_t page)> onEvicted = {};
+    /// If true, a page that cannot be read counts as damaged. Otherwise `admitLoaded` and `load` throw an error.
     bool drawsWithoutUnread = false;
-    /// If given: such a page is none, but missing, and requested again no earlier than so long after. `onDamaged` then
-    /// hears of the first only until another one has been read.
+    /// If set, a page that cannot be read counts as missing, not as damaged. The store requests it again after this
+    /// pause at the earliest. `onDamaged` then reports only the first such page until another page has been read.
     std::optional<Milliseconds> unreadPause = std::nullopt;
 };
 
-/// What a cut requests of the store. Pages that are not in it may be evicted.
+/// The demand of a cut. The store may evict all other pages.
 struct Demand {
     std::span<const hierarchy::PageDemand> used;
     std::span<const hierarchy::PageDemand> wanted;
-    /// What may turn out to be wanted once the wanted pages are there: loaded in turn with those, but given room only
-    /// after them.
+    /// The prefetch set: pages that the cut may want after the wanted pages are loaded. They are loaded in the same
+    /// queue, but receive memory only after the wanted pages.
     std::span<const hierarchy::PageDemand> foreseen = {};
-    std::span<const hierarchy::PageDemand> prefetch = {}; // after all others, if there is room
-    /// Whether all that is used and wanted is drawn only once it is there: then what stands above a page is not read
-    /// for being above it. It has its room all the same. For `load` alone.
+    std::span<const hierarchy::PageDemand> prefetch = {}; // after all other pages, if the budget permits
+    /// True if the caller draws only after all used and wanted pages are resident. The store then does not read their
+    /// coarser ancestors, but still reserves memory for them. Only for `load`.
     bool isOpen = false;
 };
 
-/// How far the last demand was served.
+/// The result of the last demand.
 struct DemandOutcome {
     std::uint64_t pagesMissing = 0; // used or wanted, not resident and not damaged
     std::uint64_t pagesBlocked = 0; // wanted, but damaged
-    bool isBudgetBinding = false;   // the budget holds less than all that was requested
-    bool hasChanged = false;        // pages came or went
+    bool isBudgetBinding = false;   // true: the budget is smaller than the demand
+    bool hasChanged = false;        // true: pages were loaded or evicted
 };
 
 struct StoreStatistics {
     std::uint64_t residentPages = 0;
     Bytes resident;  // decoded
-    Bytes committed; // resident or being loaded, with what is kept beside
-    Bytes peak;      // the most that was ever committed
+    Bytes committed; // resident or being loaded, with auxiliary bytes
+    Bytes peak;      // max of `committed` so far
     Bytes read;      // stored bytes of all pages read so far
     std::uint64_t pagesRead = 0;
     std::uint64_t pagesEvicted = 0;
     std::uint64_t pagesDamaged = 0;
 };
 
-/// The bytes that a page takes when decoded.
+/// Returns the memory of a decoded page.
 Bytes decodedBytes(const hierarchy::PageInfo& info);
 
-/// The cache. One thread owns it; only that thread calls it. A frame that never waits calls `admitLoaded`, cuts,
-/// calls `request` and draws: pages come in `admitLoaded` alone, and those that the last demand used leave nowhere
-/// else, so what a frame draws stays where it is until the frame is over. A frame that waits cuts and calls `load` in
-/// turns.
+/// The page store. Only the thread that owns it may call it. A frame that never waits calls `admitLoaded`, cuts, calls
+/// `request` and draws. Only `admitLoaded` adds pages or evicts pages that the last demand used. The pages of a frame
+/// therefore stay resident until the frame is complete. A frame that waits alternates between a cut and `load`.
 class PageStore {
 public:
-    /// Starts the loaders and reads the pages that hold root groups, with what they hang from, as long as they fit into
-    /// half the budget; these stay. Throws Error if one of them is damaged or the page table is not coarsest first.
-    /// Here as in `admitLoaded` and `load`, a page that cannot be read throws what its source threw.
+    /// Starts the loader threads and reads the pages with root groups and their ancestors, up to half the budget. These
+    /// pages are never evicted. Throws Error if one of them is damaged, or if the page table is not sorted coarsest
+    /// first. If a page cannot be read, this constructor, `admitLoaded` and `load` throw the exception of its source.
     PageStore(const PageSource& source, PageStoreOptions options);
     ~PageStore();
     PageStore(const PageStore&) = delete;
@@ -89,49 +92,51 @@ public:
 
     hierarchy::ResidentPages resident() const { return table_; }
 
-    /// Groups of resident pages below a damaged one that a cut must leave unrefined; changes when `resident()` does.
+    /// Returns the groups of resident pages that must stay unrefined, because a page below them is damaged. The result
+    /// changes only when `resident()` changes.
     const hierarchy::BlockedGroups& blocked() const { return blocked_; }
 
-    /// Whether reading `page` has failed.
+    /// Returns true if `page` could not be read.
     bool isDamaged(std::uint32_t page) const { return entries_[page].state == State::Damaged; }
 
-    /// Makes what the loaders finished resident, and evicts pages in use whose room the last demand needs more; never
-    /// waits for the disk. True if pages came or went. Throws Error if a page with a root group is damaged.
+    /// Makes loaded pages resident, and evicts used pages if the last demand needs their memory more. Never waits for
+    /// the disk. Returns true if pages were added or evicted. Throws Error if a page with a root group is damaged.
     bool admitLoaded();
 
-    /// Requests what is most urgent of the loaders and makes room for it, but not of what `demand` uses; never waits.
-    /// Throws Error if all pages in demand that hold root groups do not fit the budget.
+    /// Requests the most urgent pages from the loaders and evicts pages for them, but not pages that `demand` uses.
+    /// Never waits. Throws Error if the demanded pages with root groups do not fit into the budget.
     DemandOutcome request(const Demand& demand);
 
-    /// Both at once, waiting for all that fits and evicting what the budget has no room for, so that the residency
-    /// of what is in demand does not depend on the past. Cut and load in turns until nothing changes.
+    /// Requests and admits pages, waits for all pages that fit, and evicts the others. The resident demanded pages
+    /// therefore do not depend on earlier demands. The caller alternates between a cut and `load` until nothing
+    /// changes.
     DemandOutcome load(const Demand& demand);
 
-    /// Whether pages may be resident without those above them, as a `load` of an open demand leaves them: then a cut is
-    /// right only once it wants nothing.
+    /// Returns true if pages may be resident without their ancestors, after a `load` with an open demand. A cut is then
+    /// valid only if it wants no pages.
     bool isOpen() const { return isOpen_; }
 
-    /// Takes pages that are resident without one above them, or below a damaged one, from view until those above are
-    /// there, so that residency is closed upwards. True if there were any.
+    /// Hides resident pages that lack an ancestor, or are below a damaged page, until the ancestors are resident.
+    /// Residency is then ancestor-complete. Returns true if such pages existed.
     bool close();
 
-    /// Takes `bytes` of the budget for something else than pages, in place of what was taken before, and evicts what
-    /// the last `load` does not need; 0 gives all back. Throws Error if that does not fit beside the pages that always
-    /// stay.
+    /// Reserves `bytes` of the budget for other uses than pages, and evicts pages that the last `load` does not need.
+    /// The value replaces the previous reservation; 0 releases it. Throws Error if the reservation does not fit beside
+    /// the pinned pages.
     void reserve(Bytes bytes);
 
-    /// The bytes of the pages that always stay.
+    /// Returns the memory of the pages that are never evicted.
     Bytes pinned() const { return pinned_; }
 
-    /// Makes room beside each resident page for what its owner makes of it, `bytes` of the page (null: nothing), in
-    /// place of what there was; it is to go with the page. Evicts what the last `load` does not need; the next takes no
-    /// more pages than fit so. Throws Error if the pages that always stay do not.
+    /// Reserves auxiliary bytes for each page: `bytes` returns the number for a page (null: none). They replace the
+    /// previous values and are released with the page. The store evicts pages that the last `load` does not need, and
+    /// later counts the auxiliary bytes. Throws Error if the pinned pages do not fit.
     void keepBeside(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes);
 
     const StoreStatistics& statistics() const { return statistics_; }
 
 private:
-    /// Where a page is.
+    /// The state of a page.
     enum class State : std::uint8_t {
         Absent,
         Loading, // queued, being read, or decoded before one of its parents
@@ -139,30 +144,30 @@ private:
         Damaged, // could not be read
     };
 
-    /// What keeps a page from being evicted; each is stronger than those before it.
+    /// The reason that prevents the eviction of a page. Each value is stronger than the values before it.
     enum class Retention : std::uint8_t {
         None,
-        InUse,  // by what is drawn until `admitLoaded`
-        Kept,   // the current demand has room for it
-        Pinned, // for good
+        InUse,  // drawn until the next `admitLoaded`
+        Kept,   // the current demand has memory for it
+        Pinned, // never evicted
     };
 
-    /// How sure the current demand is of a page.
+    /// The certainty with which the current demand needs a page.
     enum class Need : std::uint8_t { None, Foreseen, Certain /* used or wanted, or a parent of such */ };
 
-    /// Everything the store knows of one page besides the table row.
+    /// The state of one page, besides its row in the page table.
     struct Entry {
         std::unique_ptr<const hierarchy::Page> content;
         std::vector<std::uint32_t> parents;
-        Bytes bytes;                    // of the page and what is kept beside it
-        std::uint64_t lastUsed = 0;     // the demand that last requested it
+        Bytes bytes;                    // of the page with its auxiliary bytes
+        std::uint64_t lastUsed = 0;     // number of the last demand that requested it
         double urgency = 0;             // in the current demand; above 0 only if it is in `requested_`
         std::uint32_t heldChildren = 0; // resident or loading
         bool isRoot = false;            // holds a root group
         State state = State::Absent;
-        std::optional<Stopwatch> unreadSince{}; // could not be read then
+        std::optional<Stopwatch> unreadSince{}; // time of the last failed read
         Need need = Need::None;
-        bool isAsked = false; // by the current demand itself, not as a parent of what it asks for
+        bool isAsked = false; // requested by the current demand itself, not only as a parent
         Retention retention = Retention::None;
 
         bool isKept() const { return retention >= Retention::Kept; }
@@ -199,18 +204,18 @@ private:
     PageStoreOptions options_;
     std::vector<Entry> entries_;
     std::vector<const hierarchy::Page*> table_;
-    std::vector<std::uint32_t> requested_; // by urgency, coarser first; the current demand
-    std::vector<std::uint32_t> victims_;   // resident pages that may go, the next one last; the current demand
+    std::vector<std::uint32_t> requested_; // current demand, by urgency, coarser pages first
+    std::vector<std::uint32_t> victims_;   // current demand: resident pages that may be evicted, the next one last
     bool areVictimsKnown_ = false;
-    bool isOpen_ = false;             // residency need not be closed upwards
-    bool isUnreadTold_ = false;       // and no page was read since
+    bool isOpen_ = false;             // true: resident pages need not be ancestor-complete
+    bool isUnreadTold_ = false;       // true: onDamaged has reported an unreadable page, and no page was read since
     std::vector<LoadedPage> waiting_; // decoded before one of their parents
     hierarchy::BlockedGroups blocked_;
     Bytes pinned_;
     Bytes reserved_;
     std::uint64_t clock_ = 0;
     StoreStatistics statistics_;
-    Loaders loaders_; // last, so that it stops first
+    Loaders loaders_; // the last member, so that the threads stop first
 };
 
 } // namespace gnomon::streaming

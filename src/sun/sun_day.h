@@ -1,4 +1,4 @@
-// When the Sun rises, stands highest and sets.
+// The times of sunrise, solar noon and sunset.
 #pragma once
 
 #include "sun/sun_position.h"
@@ -8,17 +8,19 @@
 
 namespace gnomon::sun {
 
-/// The noon of a day, and the rise before it and the set behind it; none where the Sun stays up, or down.
+/// The noon of a day, and the sunrise before and the sunset after it. They are empty if the Sun does not cross the
+/// horizon.
 struct SunDay {
-    JulianDate noon; // the disc's centre crosses the meridian
+    JulianDate noon; // the centre of the disc crosses the meridian
     std::optional<JulianDate> sunrise;
     std::optional<JulianDate> sunset;
     bool upAtNoon = false;
 };
 
-/// The day whose noon is nearest to 12:00 of the date of `time`, by its clock, in `place`. The Sun rises when the upper
-/// edge of its disc meets the horizon, lifted by 34 minutes of arc as almanacs have it, or by none where `air` has no
-/// pressure. To the second, but near the poles, where it moves along the horizon.
+/// Returns the day at `place` whose noon is nearest to 12:00 on the date of `time`, in the clock of `time`. Sunrise is
+/// the moment when the upper edge of the disc crosses the horizon. Refraction lifts the disc by 34 arc minutes, as in
+/// almanacs, or by 0 if `air` has no pressure. The results are exact to a second, except near the poles, where the Sun
+/// moves along the horizon.
 SunDay sunDay(const CivilTime& time, const Place& place, const Air& air);
 
 } // namespace gnomon::sun

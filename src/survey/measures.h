@@ -1,4 +1,4 @@
-// Measures that a person took of a model: their points, and how they are told and kept.
+// Measures that a user took on a model: their points, and their text, JSON and CSV forms.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -10,38 +10,38 @@
 
 namespace gnomon::survey {
 
-/// A point that was measured.
+/// A measured point.
 struct Point {
     glm::i64vec3 cell{0};
-    double within = 0; // world units: how far at most it is from what it stands for
+    double within = 0; // max distance to the intended point, world units
 };
 
-/// Points in the order in which they were taken.
+/// The points of a measure, in the order of the user's clicks.
 using Measure = std::vector<Point>;
 
-/// What measures are of.
+/// The model that measures refer to.
 struct Surveyed {
-    std::string model; // its file
+    std::string model; // file name
     hierarchy::Grid grid;
     hierarchy::Unit unit = hierarchy::Unit::Metre;
     glm::dvec3 up{0, 1, 0}; // any length above 0
 };
 
-/// What `model`, in the file `path`, is measured by; `up` is what is up there, of any length above 0.
+/// Returns the data of `model`, from the file `path`. `up` is the up direction, of any length above 0.
 Surveyed surveyedOf(const std::string& path, const hierarchy::ModelSummary& model, const glm::dvec3& up);
 
-/// The figures of a measure.
+/// Returns the figures of a measure.
 Figures figuresOf(const Measure& measure, const Surveyed& of);
 
-/// A measure in a few short lines, with as many digits as the grid has.
+/// Returns a measure as a few short lines, with the precision of the grid.
 std::vector<std::string> inWords(const Measure& measure, const Surveyed& of);
 
-/// All of them as one JSON document: grid, unit, up; then of each the points in the source's coordinates and the
-/// figures.
+/// Returns all measures as one JSON document: grid, unit and up, then per measure the points in the source's
+/// coordinates and the figures.
 std::string jsonOf(std::span<const Measure> measures, const Surveyed& of);
 
-/// A row a point behind a head: its number and place, and what the points measure up to it. Numbers read back as they
-/// are.
+/// Returns a CSV table with a header and one row per point: measure, index, position, and the figures up to this point.
+/// Numbers read back without loss.
 std::string csvOf(std::span<const Measure> measures, const Surveyed& of);
 
 } // namespace gnomon::survey

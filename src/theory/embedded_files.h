@@ -1,5 +1,5 @@
-// Files that are embedded at build time: the script that draws the theory's figures (figures.py), and how far closed
-// forms are off (data/figures/ulps.csv).
+// Files that are embedded at build time: the script that draws the figures of the theory (figures.py), and the errors
+// of the closed forms (data/figures/ulps.csv).
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@ namespace gnomon::theory {
 
 extern const std::string_view kFiguresScript;
 
-/// Comma-separated: a header, then a line for each power of ten of f/n - 1, whose exponent is column 0; in each other
-/// column, `FORM: OUTPUT`, the worst error in units in the last place, empty where nothing was drawn.
+/// A CSV table with a header. Each line is for one power of ten of f/n - 1, and column 0 is the exponent. Each other
+/// column, `FORM: OUTPUT`, is the largest error in units in the last place. A cell is empty if no input was drawn.
 extern const std::string_view kUlpsTable;
 
 } // namespace gnomon::theory

@@ -1,4 +1,5 @@
-// `gnomon theory figures`: the data behind the paper's figures and behind this project's own, one table each.
+// `gnomon theory figures`: the data of the figures of Lloyd et al. 2006 and of additional figures, one table per
+// figure.
 #pragma once
 
 #include <string>
@@ -7,38 +8,38 @@
 
 namespace gnomon::theory {
 
-/// One figure: a table and how it is meant to be seen.
+/// A figure: a table and its presentation.
 struct Figure {
-    /// lines: column 0 is x, each other column a series. curves: (panel, curve, x, y), each curve a polyline.
-    /// maps: (panel, x, y, value), each panel a coloured disc of light directions seen from overhead, behind the viewer
-    /// on the left.
+    /// The type of the plot. Lines: column 0 is x, each other column is a series. Curves: rows are (panel, curve, x,
+    /// y), each curve is a polyline. Maps: rows are (panel, x, y, value); each panel is a coloured disc of light
+    /// directions seen from above, with directions behind the viewer on the left.
     enum class Kind { Lines, Curves, Maps };
 
-    std::string name{}; // of its files, without extension
+    std::string name{}; // file name without extension
     Kind kind = Kind::Lines;
     std::string title{};
-    std::string caption{}; // states the parameters
+    std::string caption{}; // includes the parameters
     std::string xLabel{};
     std::string yLabel{};
     bool logX = false;
     bool logY = false;
-    std::vector<std::string> panels{}; // curves and maps: what the numbers of column 0 stand for
+    std::vector<std::string> panels{}; // for curves and maps: the panel names, indexed by column 0
     std::vector<std::string> columns{};
     std::vector<std::vector<double>> rows{}; // NaN is an empty cell
 };
 
-/// Figures 2, 4, 5, 6, 7, 10 and 12 of Lloyd et al. 2006, recomputed.
+/// Returns figures 2, 4, 5, 6, 7, 10 and 12 of Lloyd et al. 2006, recomputed.
 std::vector<Figure> paperFigures();
 
-/// What the paper does not have: warp rules over the hemisphere, Eqs 20 and 21 exactly, S to k = 20, lambda,
-/// orientation.
+/// Returns the figures that the paper does not contain: warp rules over the hemisphere, exact forms of Eqs 20 and 21, S
+/// up to k = 20, lambda, and orientation.
 std::vector<Figure> ownFigures();
 
-/// How far the closed forms of src/shadow are off, over the depth ratio: from the table that the tests made
-/// (tests/theory/ulps_table.h), at 60,000 draws each.
+/// Returns the errors of the closed forms of src/shadow by depth ratio. The data come from the table of the tests
+/// (tests/theory/ulps_table.h), with 60,000 random inputs each.
 std::vector<Figure> ulpsFigures();
 
-/// The table as CSV with a header line.
+/// Returns the table as CSV with a header line.
 std::string csvOf(const Figure& figure);
 
 } // namespace gnomon::theory

@@ -1,13 +1,14 @@
-// `gnomon theory eval`: rows of inputs in, the shadow theory's answers out, one function per family of rows.
+// `gnomon theory eval`: evaluates the functions of the shadow theory for rows of inputs. Each family of rows has one
+// function.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 namespace gnomon::theory {
 
-/// The document {"rows": [{"id", "got"}]} for `document`, which holds {"rows": [{"id", "family", "inputs"}]}; other
-/// fields of a row are not needed. `where` names the document in errors. Throws gnomon::Error for a row without family
-/// or inputs, an unknown family, or an input that is missing or not a number.
+/// Returns the document {"rows": [{"id", "got"}]} for `document`, which contains {"rows": [{"id", "family",
+/// "inputs"}]}. The function ignores other fields of a row. `where` names the document in errors. Throws gnomon::Error
+/// for a row without family or inputs, for an unknown family, or if an input is missing or not a number.
 nlohmann::json evaluateRows(const nlohmann::json& document, const std::string& where);
 
 } // namespace gnomon::theory

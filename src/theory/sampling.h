@@ -1,4 +1,4 @@
-// Light directions to sample the theory's figures at.
+// Light directions at which the figures of the theory are sampled.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,10 +9,10 @@ namespace gnomon::theory {
 
 constexpr double kDegree = 0.017453292519943295; // radians
 
-/// A square grid over the disc of light directions above the viewer, as seen from overhead.
+/// Returns a square grid over the disc of light directions above the viewer, seen from above.
 std::vector<glm::dvec3> hemisphereGrid();
 
-/// `count` directions spread evenly over the hemisphere above the viewer.
+/// Returns `count` directions, spread evenly over the hemisphere above the viewer.
 std::vector<glm::dvec3> evenHemisphere(int count);
 
 } // namespace gnomon::theory

@@ -1,4 +1,4 @@
-// `gnomon theory table`: what every scheme costs for one view and light, k = 1 to 8.
+// `gnomon theory table`: the cost of each scheme for one view and one light, for k = 1 to 8 slices.
 #pragma once
 
 #include "shadow/fit/view_frustum.h"
@@ -8,19 +8,19 @@
 
 namespace gnomon::theory {
 
-/// One row: a scheme at k slices.
+/// A row of the table: a scheme with k slices.
 struct SchemeRow {
     std::string scheme{}; // ZP, ZP+W, FP+ZP, FP+ZP+W, FP, ZP stable
-    std::string warp{};   // as the option --warp says it; auto* is auto in the chosen orientation
+    std::string warp{};   // the word of the option --warp; auto* is auto with the orientation of the smallest S
     int slices = 1;
     std::size_t maps = 1;
     double storageFactor = 0;
-    double shearedStorageFactor = 0; // with the shear of texels counted
-    double worstX = 0;               // M_x and M_z with res_i = res_s = res_t = 1, the largest of all maps
+    double shearedStorageFactor = 0; // with the shear of texels
+    double worstX = 0;               // M_x and M_z with res_i = res_s = res_t = 1, max over all maps
     double worstZ = 0;
 };
 
-/// The rows of every scheme, k = 1 to 8; `towardsLight` is a unit vector in camera space.
+/// Returns the rows of all schemes for k = 1 to 8. `towardsLight` is a unit vector in camera space.
 std::vector<SchemeRow> schemeTable(const shadow::ViewFrustum& frustum, const glm::dvec3& towardsLight);
 
 } // namespace gnomon::theory

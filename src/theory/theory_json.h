@@ -10,10 +10,10 @@
 
 namespace gnomon::theory {
 
-/// How a figure is meant to be seen, without its rows.
+/// Returns the description of a figure (labels, scales, panels) without its rows.
 nlohmann::json describe(const Figure& figure);
 
-/// {"rows": [...]}, one an entry of `table`.
+/// Returns {"rows": [...]} with one element per entry of `table`.
 nlohmann::json tableJson(std::span<const SchemeRow> table);
 
 } // namespace gnomon::theory

@@ -1,4 +1,4 @@
-// What the vertices and clusters that an image shows carry, pixel by pixel: stored colours, errors, fields.
+// Values of the visible vertices and clusters per pixel: stored colours, errors and fields.
 #pragma once
 
 #include "executor/picture.h"
@@ -8,20 +8,21 @@
 
 namespace gnomon::values {
 
-/// NaN where nothing of the model is seen.
+/// A value per pixel; NaN where the model is not visible.
 using ValuePicture = executor::Raster<double>;
 
-/// All are of `frame`, the last that `renderer` rendered, with `wantsSurfaces`; all throw Error where its executor is
-/// not the software one, which alone knows what it shows.
+/// In these functions, `frame` must be the last frame that `renderer` rendered, with `wantsSurfaces`. They throw Error
+/// with another executor than the software one, because only that executor stores the visible surfaces.
 
-/// The stored error of the cluster that is drawn, world units: that of the grid at the finest level.
+/// Returns the stored error of the drawn cluster, in world units. At the finest level it is the error of the grid.
 ValuePicture seenErrors(const frame::Renderer& renderer, const frame::Frame& frame);
 
-/// A field of the model between the vertices of the triangle that is seen; throws Error, with those there are, where
-/// the model has none of this name, and where a page cannot be read again.
+/// Returns a field of the model, interpolated between the vertices of the visible triangle. Throws Error, with the
+/// names of the existing fields, if the model has no field `name`. Also throws Error if a page cannot be read again.
 ValuePicture seenField(const frame::Renderer& renderer, const frame::Frame& frame, const std::string& name);
 
-/// The stored colours likewise, black where nothing of the model is seen; throws Error where the model has none.
+/// Returns the stored colours, interpolated in the same way, and black where the model is not visible. Throws Error if
+/// the model has no colours.
 executor::Picture seenColors(const frame::Renderer& renderer, const frame::Frame& frame);
 
 } // namespace gnomon::values

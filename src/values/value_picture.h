@@ -1,4 +1,4 @@
-// A picture whose colours tell a value of the surface, with its legend.
+// Pictures whose colours show a value of the surface, with a legend.
 #pragma once
 
 #include "executor/overlay/legend.h"
@@ -8,21 +8,22 @@
 
 namespace gnomon::values {
 
-/// The heights of a model's lowest and highest place along `up`, which has any length above 0; source coordinates.
+/// Returns the heights of a model's lowest and highest point along `up`, which has any length above 0. Heights are in
+/// source coordinates.
 std::array<double, 2> heightRange(const Box& bounds, const glm::dvec3& up);
 
-/// Height along `up` of `position` (world space), or the angle of a surface with `normal` (of length 1, either side)
-/// to the level, degrees.
+/// Returns the height of `position` (world space) along `up`, or the slope of a surface in degrees. `normal` has length
+/// 1 and points to either side.
 double valueOf(settings::ColorBy by, const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& up);
 
-/// The scale that `colors` ask for, where the value has all of `usual`. Errors, and fields above 0 that span more than
-/// a decade, go by their logarithm, and usually no lower than their greatest over kScaleSpan: a linear scale from 0
-/// cannot part factors of two near its end, however it is coloured.
+/// Returns the scale for `colors`. `usual` is the range of the value. Errors, and positive fields that span more than a
+/// decade, have a logarithmic scale. By default it begins at the max divided by kScaleSpan or later: a linear scale
+/// from 0 cannot distinguish factors of two near its end.
 executor::ValueScale valueScale(const settings::ValueColors& colors, const std::array<double, 2>& usual);
 
-/// Gives the surfaces of `frame`, the last that `renderer` rendered, with `wantsSurfaces`, the colours of their values
-/// in `picture`, darker where the light does not reach, and draws the legend, which stored colours have none of.
-/// `colors.by` is not None. Throws Error as seen_values.h says.
+/// Colours the surfaces of `frame` in `picture` by their values and draws the legend. Surfaces in shadow are darker.
+/// `frame` must be the last frame that `renderer` rendered, with `wantsSurfaces`. Stored colours have no legend.
+/// `colors.by` must not be None. Throws the errors of seen_values.h.
 void colorByValues(
     const settings::ValueColors& colors,
     const frame::Renderer& renderer,

@@ -1,5 +1,5 @@
-// One triangle against blocks of samples that lie side by side, several blocks at once. Included once for each
-// instruction set.
+// The test of one triangle against blocks of adjacent samples, several blocks at once. Included once per instruction
+// set.
 #if defined(GNOMON_EXACT_BLOCK_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_BLOCK_TEST_INL_H
 #undef GNOMON_EXACT_BLOCK_TEST_INL_H
@@ -25,7 +25,7 @@ HWY_INLINE BlockFloats blockConstant(float value) {
     return hn::Set(kBlockFloats, value);
 }
 
-/// A value that is linear over a block: what it is in the middle, and how far from that it can be.
+/// The range of a linear function over a block: the value at the middle, and the max deviation from it.
 struct BlockRange {
     BlockFloats middle, reach;
 
@@ -34,21 +34,22 @@ struct BlockRange {
     HWY_INLINE BlockFloats most() const { return hn::Add(middle, reach); }
 };
 
-/// A triangle, ready to be held against boxes of samples in floats. A box is left out, or dark as a whole, only where
-/// each sample in it would be so by itself with room to spare; so what doubles leave open for one sample stays open for
-/// its block, and integers decide the same samples with blocks and without.
+/// A triangle, prepared for tests against boxes of samples in floats. The test skips a box, or marks it dark as a
+/// whole, only if this is certain for each of its samples. A sample that doubles cannot resolve therefore stays open,
+/// and integers resolve the same samples with and without blocks.
 ///
-/// The bounds, with U = 2^-24, R the largest size of a coordinate of corners, s and |d| as in TriangleTest, |d| for the
-/// box's farthest corner: a corner's u, v or h, at most 2 R, is 2 U R off as a float, and a difference from it 2 U R +
-/// U |d|. Coefficients are U of themselves off, and sums of products round thrice more. So the edge functions are at
-/// most s (2 U R + 5 U |d|) off, and 2 U s^2 more where the area comes in; what is N . d is s^2 (2 U R + 5 U |d|) off.
-/// Bounds here are at least three times that, which pays for what doubles are off themselves.
+/// The error bounds use U = 2^-24, R for the largest absolute coordinate of corners, and s and |d| as in TriangleTest,
+/// with |d| for the farthest corner of the box. A corner's u, v or h is at most 2 R and has an error of 2 U R as a
+/// float. A difference has an error of 2 U R + U |d|. Coefficients have a relative error of U, and sums of products add
+/// three roundings. The edge functions thus have an error of at most s (2 U R + 5 U |d|), plus 2 U s^2 from the area. N
+/// . d has an error of s^2 (2 U R + 5 U |d|). The code uses at least three times these bounds, which also covers the
+/// errors of doubles.
 class BlockTest {
 public:
     BlockTest(const TriangleTest& triangle, const CastContext& context);
 
-    /// Looks at as many blocks from `block` on as vectors have lanes: bits of those that hold samples which need a look
-    /// each, and of those that are dark altogether.
+    /// Tests as many blocks as a vector has lanes, from `block` on. `open` receives one bit per block with samples that
+    /// need separate tests, and `dark` one bit per block whose samples are all dark.
     HWY_INLINE void look(const SampleBlocks& blocks, std::size_t block, unsigned& open, unsigned& dark) const;
 
 private:
@@ -81,7 +82,7 @@ inline BlockTest::BlockTest(const TriangleTest& triangle, const CastContext& con
     asFloats(triangle.normal, normal_, 2);
     area_ = static_cast<float>(triangle.area);
     tolerance_ = static_cast<float>(context.mostTolerance);
-    constexpr double kRounding = 0x1p-20; // of floats, 16 times
+    constexpr double kRounding = 0x1p-20; // 16 times the rounding unit of a float
     const double size = triangle.size;
     const double corner = kRounding * context.reach / 2;
     edgeError_[0] = static_cast<float>(size * (corner + kRounding * size));
@@ -130,7 +131,7 @@ HWY_INLINE void BlockTest::look(const SampleBlocks& blocks, std::size_t block, u
     dark = bits(hn::And(isDark, mayBeAhead));
 }
 
-/// Whether one of the samples lies on the triangle itself: see TriangleTest::name.
+/// Returns true if one of the samples lies on the triangle itself (see TriangleTest::name).
 HWY_INLINE bool holdsOwn(const CastContext& context, std::size_t begin, std::size_t end, std::uint32_t name) {
     unsigned found = 0;
     for (std::size_t i = begin; i < end; ++i)
@@ -144,7 +145,7 @@ HWY_INLINE void prefetchSamples(const CastContext& context, std::size_t place) {
     hwy::Prefetch(&context.samples->h[place]);
 }
 
-/// As testSamples, by blocks first; `test` is that of `t`.
+/// Tests samples like testSamples, but tests blocks first. `test` must be prepared from `t`.
 template <class Decide>
 HWY_INLINE void testBlocks(
     const BlockTest& test,

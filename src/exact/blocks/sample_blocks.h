@@ -1,5 +1,5 @@
-// Boxes around samples that lie side by side in a grid's order, by which a triangle is held against several of them at
-// once: most of what its cells hold lies well beside it, or well under it.
+// Boxes around adjacent samples in the order of a grid. One test of a triangle against a box replaces tests of all its
+// samples. Most samples in a triangle's cells are clearly beside or in front of the triangle.
 #pragma once
 
 #include "exact/sample_list.h"
@@ -8,19 +8,19 @@
 
 namespace gnomon::exact {
 
-/// The boxes of samples 0 to 7, 8 to 15 and so on; keeps its memory.
+/// The boxes of samples 0 to 7, 8 to 15 and so on. The object reuses its memory.
 class SampleBlocks {
 public:
-    static constexpr std::size_t kSamples = 8; // of a block; the last may have less
+    static constexpr std::size_t kSamples = 8; // samples per block; the last block may have fewer
 
-    /// Boxes the first `size` of `samples`, as they lie now. Runs in the caller's TBB arena; the result does not depend
-    /// on the instruction set.
+    /// Computes the boxes of the first `size` of `samples`, in their current order. Runs in the caller's TBB arena. The
+    /// result does not depend on the instruction set.
     void fit(const SampleList& samples, std::size_t size);
 
-    /// What the boxes take of memory a sample.
+    /// The memory of the boxes per sample, in bytes.
     static constexpr std::uint64_t kBytesPerSample = 6 * sizeof(float) / kSamples;
 
-    // Along u, v and h, cells: a sample is at most `half` off the `middle`. Padded.
+    // Along u, v and h, in cells: each sample is within `half` of `middle`. Padded.
     std::array<FrameArray<float>, 3> middle, half;
 };
 

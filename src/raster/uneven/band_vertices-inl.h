@@ -1,5 +1,5 @@
-// The vertices of a cluster as a band of rows has them: snapped, and where they lie among its samples. Included once
-// for each instruction set.
+// The vertices of a cluster for one band of rows: snapped, with their positions among the rows. Included once per
+// instruction set.
 #if defined(GNOMON_RASTER_BAND_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_BAND_VERTICES_INL_H
 #undef GNOMON_RASTER_BAND_VERTICES_INL_H
@@ -19,22 +19,22 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Units further from a band than this are as good as this far: only the extremes of a triangle that is too large for
-/// 32-bit edges are asked about there.
+/// Max distance from a band, in units; larger distances are clamped to it. Only triangles that are too large for 32-bit
+/// edges reach so far, and the kernel then needs only their extremes.
 constexpr float kFarUnits = 0x1p29F; // so that differences fit an int
 
 HWY_INLINE IntMask isAtMost(Ints a, Ints b) {
     return hn::Lt(a, hn::Add(b, hn::Set(kInts, 1)));
 }
 
-/// A band as its tiles see it.
+/// A band of rows and the tile to draw.
 struct BandLanes {
     const RowBand* band;
-    const PixelBox* tile; // within the band
+    const PixelBox* tile; // inside the band
 
     HWY_INLINE Ints row(Ints index) const { return hn::GatherIndex(kInts, band->rows.data(), index); }
 
-    /// The first row of `units` or more, from the band's first.
+    /// Returns the first row at or above `units`, counted from the first row of the band.
     HWY_INLINE Ints firstRow(Ints units) const {
         const auto last = hn::Set(kInts, static_cast<std::int32_t>(band->rowsFromBucket.size()) - 1);
         const auto bucket = hn::Min(hn::ShiftRightSame(hn::Max(units, hn::Zero(kInts)), band->bucketBits), last);
@@ -43,8 +43,8 @@ struct BandLanes {
     }
 };
 
-/// Where a vertex lies among the samples of a tile, in a word: x, held within a tile's width beside it, the first row
-/// that is not below it, and whether that is at its very height.
+/// The position of a vertex among the samples of a tile, in one word: x clamped to one tile width beside the tile, the
+/// first row at or above the vertex, and a bit for a row at exactly the vertex's height.
 struct VertexPlace {
     static constexpr int kColumnBits = 18;
     static constexpr int kRowBits = 9;
@@ -63,7 +63,7 @@ struct VertexPlace {
         return hn::Sub(hn::And(place, hn::Set(kInts, (1 << kColumnBits) - 1)), hn::Set(kInts, kBeside));
     }
 
-    /// The first row that is not below the vertex; and the first that is above it.
+    /// Returns the first row at or above the vertex.
     static HWY_INLINE Ints row(Ints place) {
         return hn::And(hn::ShiftRight<kColumnBits>(place), hn::Set(kInts, (1 << kRowBits) - 1));
     }
@@ -73,14 +73,14 @@ struct VertexPlace {
     }
 };
 
-/// The vertices of a cluster snapped for a band: y in its units, what snapping cut off, packed as of even rows, and
-/// their places. Each serves about six corners, twice.
+/// The vertices of a cluster, snapped for one band: y in units of the band, the packed rests as for even rows, and the
+/// positions (VertexPlace). About six triangle corners share a vertex, and each corner reads it twice.
 struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to the cluster's count
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
     alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> places;
-    const std::int32_t* x; // the cluster's, in the target
-    bool isNarrow;         // every triangle of the cluster
+    const std::int32_t* x; // x of the cluster's vertices, in the target
+    bool isNarrow;         // true: each triangle of the cluster is narrow
 
     HWY_INLINE void take(const SnappedCluster& cluster, const BandLanes& rows) {
         const RowBand& band = *rows.band;
@@ -123,8 +123,8 @@ private:
     }
 };
 
-/// Loads corners of a cluster's triangles as `vertices` has them: x from the tile's first column, y in the band's
-/// units.
+/// Loads corners of a cluster's triangles from `vertices`: x relative to the tile's first column, y in units of the
+/// band.
 class UnevenSource {
 public:
     HWY_INLINE UnevenSource(const BandVertices& vertices, const BandLanes& rows)

@@ -1,4 +1,4 @@
-// Rows of samples that lie unevenly, in bands of rows that vertices are snapped alike for.
+// Rows with uneven spacing, divided into bands. All rows of a band share the units to which vertices are snapped.
 #pragma once
 
 #include "raster/raster.h"
@@ -9,54 +9,56 @@
 
 namespace gnomon::raster {
 
-/// Rows of a band are found by buckets of so many units, as powers of two: the fewest where gaps are so narrow that
-/// more would leave no room for exact edges.
+/// Limits for the size of a bucket, as powers of two of units. Buckets find the rows of a band. Small buckets are for
+/// gaps so narrow that larger units would overflow the exact edges.
 constexpr int kMostBucketBits = 8;
 constexpr int kLeastBucketBits = 4;
 
-/// A band has at most this many rows, and its widest gap between rows is at most this many times its narrowest.
+/// Max number of rows in a band, and max ratio between the widest and the narrowest gap in a band.
 constexpr int kMostBandRows = 256;
 constexpr float kMostGapRatio = 16;
 
-/// Rows first to end - 1 of the target. In the band y / w is snapped to whole units: the distance from `base` times
-/// `scale`, rounded to the nearest even. There is more than a bucket between two rows, so at most one row in a bucket:
-/// of 256 units, so that the finest rows are snapped as finely as those of an even grid, or of fewer.
+/// A band: rows first to end - 1 of the target. In the band, y / w is snapped to whole units: the distance from `base`
+/// times `scale`, rounded to nearest even. Two rows are more than a bucket apart, so a bucket contains at most one row.
+/// A bucket has 256 units if possible: the finest rows are then snapped as precisely as an even grid.
 struct RowBand {
     int first = 0;
     int end = 0;
-    float base = 0;  // of the first row
+    float base = 0;  // y / w of the first row
     float scale = 1; // a power of two
     int bucketBits = kMostBucketBits;
-    std::vector<std::int32_t> rows;           // in units; behind them one that nothing reaches
-    std::vector<std::int32_t> rowsFromBucket; // the first row, from the band's first, of b buckets or more
+    std::vector<std::int32_t> rows; // in units, followed by a sentinel that no vertex reaches
+    /// By bucket b: the first row at or above bucket b, counted from the band's first row.
+    std::vector<std::int32_t> rowsFromBucket;
 
     int count() const { return end - first; }
 
-    /// The units of `position`, before they are rounded.
+    /// Returns `position` in units, before rounding.
     float units(float position) const { return (position - base) * scale; }
 };
 
-/// Largest |y / w| times scale: with columns within 2^24 of each other an edge then stays under 2^63.
+/// Max |y / w| times scale. With columns within 2^24 of each other, an edge function then stays below 2^63.
 constexpr float kMostUnits = 0x1p36F;
 
-/// The rows of a viewport.
+/// The rows of a viewport, in bands.
 class RowBands {
 public:
-    /// `positions` of the rows from `firstRow` of the target on, in y / w, strictly increasing. Narrower gaps than
-    /// 2^-30 of the largest |y / w| leave no room for exact edges.
+    /// Sets the rows. `positions` are y / w of the rows, strictly increasing; `firstRow` is the index of the first one
+    /// in the target. Gaps below 2^-30 of the largest |y / w| are too narrow for exact edges.
     void reset(std::span<const float> positions, int firstRow);
 
     std::span<const RowBand> bands() const { return bands_; }
 
-    /// What lies below or above these touches no row.
+    /// Returns the y / w below which a triangle touches no row; `highest` is the upper limit.
     float lowest() const { return lowest_; }
 
     float highest() const { return highest_; }
 
-    /// A power of two that no |y / w| of a row is above.
+    /// Returns a power of two that is at least |y / w| of each row.
     float guard() const { return guard_; }
 
-    /// The rows, half-open, that something from `low` to `high` can touch once it is snapped: one more on each side.
+    /// Returns the half-open range of rows that a snapped triangle from `low` to `high` can touch, with one extra row
+    /// at each side.
     std::array<int, 2> rowsBetween(float low, float high) const;
 
 private:

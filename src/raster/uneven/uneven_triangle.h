@@ -1,5 +1,5 @@
-// A triangle of any size on rows that lie unevenly: which samples of a row are inside, in 64-bit integers, and the
-// plane of its depth.
+// A triangle of any size on rows with uneven spacing: the covered samples of a row, in 64-bit integers, and the depth
+// plane.
 #pragma once
 
 #include "raster/uneven/row_bands.h"
@@ -14,28 +14,29 @@ namespace gnomon::raster {
 struct UnevenVertex {
     std::int32_t x = 0; // 1/256 pixel
     std::int64_t y = 0; // units of the band
-    double restX = 0;   // unsnapped less snapped
+    double restX = 0;   // unsnapped minus snapped x
     double unsnappedY = 0;
     float z = 0;
 };
 
-/// `vertex`, whose y holds the bits of y / w, in `band`.
+/// Returns `vertex` in units of `band`. The y of `vertex` stores the bits of y / w.
 UnevenVertex unevenVertex(const RowBand& band, const SnappedVertex& vertex);
 
-/// The largest power of two up to which a quotient of samples is told apart; all of a target lies below.
+/// The largest power of two up to which flooredSamples is exact. All samples of a target are below it.
 constexpr double kFarSamples = 0x1p30;
 
-/// A triangle turned counter-clockwise, with y up. Corners may be in either order.
+/// A triangle with counter-clockwise corners (y up). The constructor accepts corners in either order.
 class UnevenTriangle {
 public:
     explicit UnevenTriangle(std::array<UnevenVertex, 3> corners);
 
     bool hasArea() const { return hasArea_; }
 
-    /// Whether a sample of `box` may be inside; `box` is of rows of `band`.
+    /// Returns true if a sample of `box` may be inside the triangle. The rows of `box` must belong to `band`.
     bool mayTouch(const RowBand& band, const PixelBox& box) const;
 
-    /// The samples of row `y` of the target, which is of `band`, in columns from x0 to x1 - 1; depth as WideRow has it.
+    /// Returns the covered samples of row `y` of the target, in columns x0 to x1 - 1. The row must belong to `band`.
+    /// Depth has the form that WideRow describes.
     WideRow row(const RowBand& band, int y, int x0, int x1) const;
 
     int referenceX() const { return corners_[0].x >> kSubpixelBits; }
@@ -47,13 +48,13 @@ public:
     float largestDepth() const { return largestDepth_; }
 
 private:
-    /// Inside where dx Y - dy X + atOrigin >= 0.
+    /// An edge function. A sample is inside if dx Y - dy X + atOrigin >= 0.
     struct Edge {
         std::int64_t dx = 0;
         std::int64_t dy = 0;
         std::int64_t atOrigin = 0;
-        std::int64_t perPixel = 0; // -256 dy, what it grows by from a column to the next
-        double inverse = 0;        // of its magnitude
+        std::int64_t perPixel = 0; // -256 dy, the increment per column
+        double inverse = 0;        // 1 / |perPixel|
     };
 
     void setPlane(bool isTrue);
@@ -62,15 +63,15 @@ private:
     std::array<Edge, 3> edges_;
     bool hasArea_ = false;
     double depthPerX_ = 0; // per pixel
-    double depthPerY_ = 0; // per unit
-    double startX_ = 0;    // of corner 0, in 1/256 pixel and units, as the plane takes it
+    double depthPerY_ = 0; // per unit of the band
+    double startX_ = 0;    // position of corner 0 for the depth plane, in 1/256 pixel and in units
     double startY_ = 0;
-    float leastDepth_ = 0; // of the corners, within 0 to 1
+    float leastDepth_ = 0; // smallest depth of the corners, clamped to [0, 1]
     float largestDepth_ = 0;
 };
 
-/// The floor of a / b, b above 0 with that `inverse`; at least kFarSamples from 0 where the quotient is. An estimate
-/// that is off by one at most, and its correction.
+/// Returns the floor of a / b for b > 0, with `inverse` = 1 / b. Quotients beyond kFarSamples are clamped to it. The
+/// estimate is off by at most one and is then corrected.
 inline std::int64_t flooredSamples(std::int64_t a, std::int64_t b, double inverse) {
     const double quotient = static_cast<double>(a) * inverse;
     if (std::abs(quotient) >= kFarSamples) return static_cast<std::int64_t>(std::copysign(kFarSamples, quotient));
@@ -84,7 +85,7 @@ inline WideRow UnevenTriangle::row(const RowBand& band, int y, int x0, int x1) c
     std::int64_t first = x0;
     std::int64_t end = x1;
     for (const Edge& edge : edges_) {
-        // At the column X this is less by 256 dy for each.
+        // Per column X, the edge function decreases by 256 dy.
         const std::int64_t at = edge.dx * units + edge.atOrigin;
         if (edge.perPixel > 0)
             first = std::max(first, -flooredSamples(at, edge.perPixel, edge.inverse));

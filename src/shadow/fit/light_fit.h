@@ -66,8 +66,7 @@ LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<
 /// Fits a whole slice of the frustum in `frame`, from its eight corners.
 LightFit fitSlice(const LightFrame& frame, const ViewFrustum& slice);
 
-/// Returns the same region in a frame that is rotated about the light by `radians`, in the direction of
-/// rolled(LightFrame).
+/// Returns the same region in a frame that is rotated about the light by `radians`, from z towards x.
 LightFit rolled(const LightFit& fit, double radians);
 
 /// The interval of u = x / (1 + kappa zeta) over the region; W = max - min. The interval is tight and not symmetric.

@@ -29,7 +29,8 @@ double storageAt(const glm::dvec3& light, const Scheme& scheme) {
     return storageFactor(schemeMaps(kFrustum, light, scheme));
 }
 
-/// S of self-similar slices in the chosen orientation: they are alike, so one stands for all.
+/// Returns S of self-similar slices in the orientation of the smallest S. All slices are similar, so the function
+/// computes one of them.
 double storageChosen(const glm::dvec3& light, int slices) {
     const ViewFrustum first = slice(kFrustum, 1, selfSimilarSplits(1, 1000, slices)[1]);
     const LightFit fit = fitSlice(chosenFrame(first, light, {}, std::nullopt), first);
@@ -167,7 +168,7 @@ Figure effectOfOrientation() {
     return figure;
 }
 
-/// Over the angle between light and view, the worst of the lights about the view.
+/// Returns the largest S over all lights at the same angle to the view, as a function of this angle.
 Figure logarithmicMaps() {
     Figure figure{
         "own6_logarithmic", Kind::Lines, "Logarithmic maps against the warps, over the light's angle", {}, {}, {}};

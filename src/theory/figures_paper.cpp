@@ -16,7 +16,8 @@ using Kind = Figure::Kind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The image of a point of the ground one unit below the eye, or a break (NaN) where it is outside of the image.
+/// Returns the image position of a ground point one unit below the eye, or NaN (a break in the curve) if it is outside
+/// the image.
 std::array<double, 2> groundInImage(const ViewFrustum& frustum, double x, double z) {
     constexpr double kHeight = 1;
     const double u = x / (z * tanHalfX(frustum));
@@ -76,7 +77,7 @@ void addWarpPanels(Figure& figure, double panel, const ViewFrustum& frustum, dou
         figure.rows.push_back({panel, curve, u, map.zMin});
         figure.rows.push_back({panel, curve, u * wFar, map.zMin + map.length});
         ++curve;
-        // Below: the frustum's own grid as the map sees it.
+        // The lower panels show the frustum's grid in the map.
         const double depth = frustum.near + part * (frustum.far - frustum.near);
         for (const double side : {-1.0, 1.0}) {
             const MapPoint at = mapPoint(map, {side * depth * tanHalfX(frustum), 0, depth});

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using namespace gnomon::shadow;
 
-/// The inputs of one row, with its place for errors.
+/// The inputs of one row, and the name of the row for errors.
 struct Row {
     const json& inputs;
     std::string where;
@@ -119,7 +119,7 @@ struct Row {
     }
 };
 
-/// A number as the rows write it: "inf" for infinity, which JSON has no number for.
+/// Returns a number in the format of the rows: "inf" stands for infinity, because JSON has no such number.
 json numberOrInf(double value) {
     if (std::isinf(value)) return "inf";
     return value;

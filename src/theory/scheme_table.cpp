@@ -52,7 +52,7 @@ SchemeRow schemeRow(const ViewFrustum& frustum, const glm::dvec3& light, const N
     return row;
 }
 
-/// Slices that share the frame chosen about the light, and slices of the stable kind.
+/// Returns the rows of two schemes: warped slices that share the orientation of the smallest S, and stable slices.
 std::array<SchemeRow, 2> sliceRows(const ViewFrustum& frustum, const glm::dvec3& light, int slices) {
     const std::vector<double> splits = selfSimilarSplits(frustum.near, frustum.far, slices);
     const auto count = static_cast<std::size_t>(slices);

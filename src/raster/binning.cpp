@@ -6,10 +6,10 @@
 namespace gnomon::raster {
 namespace {
 
-/// A tile that holds more than this share of all cost is split.
+/// A tile with more than this fraction (1/32) of the total cost is split.
 constexpr std::uint64_t kMostTilesWorth = 32;
 
-/// The tiles that a box touches, in units of tiles.
+/// Returns the tiles that a box intersects, in units of tiles.
 PixelBox touchedTiles(const PixelBox& box, const PixelBox& viewport, int side) {
     return {
         (box.x0 - viewport.x0) / side,
@@ -69,7 +69,7 @@ TileBin quarterOf(std::span<const BinItem> items, const TileBin& tile, const Pix
     return quarter;
 }
 
-/// The quarters of `box`; those of one that the viewport cuts off may be empty.
+/// Returns the quarters of `box`. At the viewport border, some can be empty.
 std::array<PixelBox, 4> quarters(const PixelBox& box) {
     const int middleX = box.x0 + (box.width() + 1) / 2;
     const int middleY = box.y0 + (box.height() + 1) / 2;
@@ -99,7 +99,7 @@ bool isAtLeast(const PixelBox& box, int side) {
     return std::min(box.width(), box.height()) >= side;
 }
 
-/// Takes out what is not wanted, and splits tiles of which a quarter is not.
+/// Removes unwanted tiles, and splits tiles with an unwanted quarter.
 void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bins& bins) {
     const auto isUnwanted = [&](const PixelBox& box) { return !box.empty() && !isWanted(box); };
     for (std::size_t t = 0; t < bins.tiles.size();) {
@@ -117,7 +117,7 @@ void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bin
     }
 }
 
-/// Splits tiles that hold more than their share of the cost, and puts the dearest first.
+/// Splits tiles with more than their fraction of the cost, and sorts the most expensive tiles first.
 void shareOut(std::span<const BinItem> items, int leastSide, Bins& bins) {
     std::uint64_t total = 0;
     for (const TileBin& tile : bins.tiles)
@@ -156,7 +156,7 @@ void binWanted(
     fillTiles(items, viewport, side, bins);
     if (isWanted) dropUnwanted(items, isWanted, bins);
     shareOut(items, leastSide, bins);
-    // Sharing out may split below the side down to which unwanted parts are looked for.
+    // The splitting can create unwanted tiles that are smaller than the tiles of dropUnwanted.
     if (isWanted) std::erase_if(bins.tiles, [&](const TileBin& tile) { return !isWanted(tile.box); });
 }
 

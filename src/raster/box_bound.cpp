@@ -19,22 +19,22 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The eight corners of a box are looked at in vectors of at most that many lanes.
+/// The eight corners of a box are processed in vectors with at most this number of lanes.
 constexpr std::size_t kCorners = 8;
 using CornerTag = hn::CappedTag<float, kCorners>;
 using Corners = hn::Vec<CornerTag>;
 constexpr CornerTag kCornerTag;
 
-/// Of the sum of the magnitudes of the terms, for the vertices' roundings (5 x 2^-24) and as many of those here.
+/// Relative error of a sum of terms: 5 x 2^-24 for the roundings of the vertices, and the same for the roundings here.
 constexpr float kSumError = 0x1p-20F;
-/// Of a quotient and of a pixel's coordinate, as they are rounded there and here.
+/// Relative error of a quotient and of a pixel coordinate, from the roundings of the vertices and here.
 constexpr float kQuotientError = 0x1p-20F;
-/// What products too small for a float may lose, far below the least w.
+/// Absolute error from underflow of products, far below the min w.
 constexpr float kUnderflow = 0x1p-130F;
 
-/// A coordinate in clip space over the corners of a box.
+/// A clip-space coordinate over the corners of a box.
 struct ClipRow {
-    std::array<float, 3> least{}; // along each axis, the product at its lower end
+    std::array<float, 3> least{}; // per axis, the product at the lower end of the box
     std::array<float, 3> most{};
     float constant;
     float error;
@@ -60,7 +60,7 @@ struct ClipRow {
     }
 };
 
-/// The range of a quotient over w, with all that roundings can do to it.
+/// The range of a quotient by w, including all rounding errors.
 struct QuotientRange {
     Corners lo, hi;
 
@@ -78,7 +78,7 @@ struct QuotientRange {
     }
 };
 
-/// The image of normalised coordinates along an axis.
+/// The mapping from normalised device coordinates to pixels along an axis.
 struct AxisScale {
     float scale;
     float translate;
@@ -89,19 +89,20 @@ struct PixelRange {
     int end;
 };
 
-/// The pixels along an axis whose centres lie within [least, most] of normalised coordinates, give or take `error`.
+/// Returns the pixels along an axis whose centres lie in [least, most] (normalised device coordinates), extended by
+/// `error`.
 PixelRange pixelsWithin(float least, float most, float error, const AxisScale& axis) {
     const auto [scale, translate] = axis;
     const float largest = std::max(std::abs(least), std::abs(most)) * scale + std::abs(translate) + 1;
-    constexpr float kSnapping = 1.0F / kSubpixels; // half of it, and what the addition here rounds
+    constexpr float kSnapping = 1.0F / kSubpixels; // half a subpixel, and the rounding of the addition here
     const float margin = error * scale + largest * kQuotientError + kSnapping;
-    constexpr float kFar = 1 << 20; // pixels: beyond any viewport, and an int
+    constexpr float kFar = 1 << 20; // pixels: larger than any viewport, and fits an int
     return {
         static_cast<int>(std::ceil(std::max(least * scale + translate - margin - 0.5F, -kFar))),
         static_cast<int>(std::floor(std::min(most * scale + translate + margin - 0.5F, kFar))) + 1};
 }
 
-/// One end of a box, from the eye.
+/// Returns one end of a box relative to the eye.
 std::array<float, 3> fromEye(const Projection& projection, const std::array<std::uint32_t, 3>& end) {
     std::array<float, 3> result{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -109,7 +110,7 @@ std::array<float, 3> fromEye(const Projection& projection, const std::array<std:
     return result;
 }
 
-/// The corners of a box in clip space, a vector of them at a time.
+/// The corners of a box in clip space, a vector of corners at a time.
 class BoxImage {
 public:
     HWY_INLINE
@@ -178,7 +179,7 @@ private:
         return {first, end};
     }
 
-    /// Of a quotient, which is between least and most.
+    /// Returns the error of a quotient in [least, most].
     float error(const ClipRow& row, float least, float most, float leastW) const {
         const float largest = std::max(std::abs(least), std::abs(most));
         return ((row.error + largest * w_.error) / leastW + largest * kQuotientError) * (1 + kQuotientError);
@@ -186,7 +187,7 @@ private:
 
     const Projection* projection_;
     ClipRow x_, y_, z_, w_;
-    hn::Mask<CornerTag> isWhole_; // of each lane's corners
+    hn::Mask<CornerTag> isWhole_; // lanes whose corners need no clipping
     Corners leastW_;
     QuotientRange rangeX_, rangeY_, rangeZ_;
 };

@@ -11,7 +11,7 @@ struct Corner {
     double y = 0;
     double z = 0;
     double w = 0;
-    bool isCut = false; // made by a plane
+    bool isCut = false; // created by clipping
 };
 
 struct Polygon {
@@ -19,7 +19,8 @@ struct Polygon {
     std::size_t count = 0;
 };
 
-/// Inside is distance >= 0; `plane` counts the four sides of the guard band, then near and far.
+/// Returns the distance to a plane. Points with distance >= 0 are inside. `plane` counts the four sides of the guard
+/// band, then near and far.
 double distance(const Projection& projection, int plane, const Corner& p) {
     switch (plane) {
     case 0:
@@ -37,7 +38,8 @@ double distance(const Projection& projection, int plane, const Corner& p) {
     }
 }
 
-/// Always from the inside out, so that both triangles of an edge compute the same point.
+/// Returns the intersection of an edge with a plane. The computation always starts at the inside corner, so both
+/// triangles of an edge get the same point.
 Corner cut(const Corner& inside, double insideDistance, const Corner& outside, double outsideDistance) {
     const double t = insideDistance / (insideDistance - outsideDistance);
     return {
@@ -63,7 +65,7 @@ Polygon cutByPlane(const Projection& projection, int plane, const Polygon& polyg
 }
 
 SnappedVertex snappedCut(const Projection& projection, const Corner& p) {
-    // A cut corner may lie an ulp outside of the band.
+    // Rounding can put a clipped corner slightly outside the guard band.
     constexpr double kLimit = 2.0 * kGuardPixels;
     const double x = p.x / p.w * projection.scaleX + projection.translateX - 0.5;
     const double y = p.y / p.w * projection.scaleY + projection.translateY - 0.5;
@@ -92,7 +94,8 @@ ClippedPolygon clipTriangle(const Projection& projection, const std::array<ClipP
     ClippedPolygon clipped;
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const Corner& p = polygon.corners[i];
-        // Inside all planes with w = 0 is the centre of projection: the triangle is seen edge-on. Not finite: overflow.
+        // A point with w = 0 inside all planes is the centre of projection: the triangle is seen edge-on. A non-finite
+        // coordinate means overflow.
         if (!(p.w >= double{kLeastW}) || !std::isfinite(p.x + p.y + p.z + p.w)) return {};
         clipped.corners[clipped.count++] = p.isCut ? snappedCut(projection, p)
                                                    : snapped(

@@ -18,8 +18,9 @@ bool FarthestDepths<Depths>::hides(const PixelBox& box, std::uint32_t nearest) {
     return true;
 }
 
-/// Of the pixels of `box` in one block whose farthest depth, as far as it is known, does not hide `nearest`. Most
-/// that is visible is found out at the first of them, so a block is brought up to date only where it proves to hide.
+/// Returns true if all pixels of `box` in one block hide `nearest`. The block's stored farthest depth does not prove
+/// this. Most visible geometry fails at the first pixels, so the block's farthest depth is updated only if all pixels
+/// hide.
 template <class Depths>
 bool FarthestDepths<Depths>::hidesIn(
     std::size_t blockX, std::size_t blockY, const PixelBox& box, std::uint32_t nearest) {

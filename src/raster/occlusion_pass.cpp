@@ -14,9 +14,9 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr unsigned kDigitBits = 10; // three of them hold the bits of 1.0F
+constexpr unsigned kDigitBits = 10; // three digits contain the bits of 1.0F
 
-/// As a pixel takes it.
+/// Returns the depth that a pixel stores for z.
 float clampedDepth(float z) {
     return std::clamp(z, 0.0F, 1.0F);
 }
@@ -80,7 +80,7 @@ void OcclusionPass::boundClusters(std::span<const CellBox> boxes) {
     });
 }
 
-/// What is known of all that a cluster of the pass, or what was cut, may draw.
+/// Returns an upper bound of the nearness of an item: a cluster of the pass, or clipped triangles.
 std::uint32_t OcclusionPass::nearnessOf(std::size_t i) const {
     if (order_ == DepthOrder::Plain) return isBounded(i) ? plainNearness(bounds_[i].least) : plainNearness(0);
     return reversedNearness(isBounded(i) ? bounds_[i].nearest : clampedDepth(snapped_->all()[i].mostZ));
@@ -106,7 +106,7 @@ void OcclusionPass::orderItems(const PixelBox& viewport) {
     }
 }
 
-/// Whoever comes first snaps; others wait, which takes less than a microsecond.
+/// Snaps a cluster on the first thread that needs it. Other threads wait for less than a microsecond.
 void OcclusionPass::requireSnapped(std::uint32_t cluster) {
     if (cluster >= input_.size() || stages_[cluster].load(std::memory_order_acquire) == Stage::Snapped) return;
     Stage expected = Stage::Waiting;
@@ -119,7 +119,7 @@ void OcclusionPass::requireSnapped(std::uint32_t cluster) {
         std::this_thread::yield();
 }
 
-/// Of the tiles that a cluster lies in, each may hide others of its triangles.
+/// Adds the triangles of a cluster that passed setup in one tile. Each tile can hide other triangles of the cluster.
 void OcclusionPass::noteSetUp(std::uint32_t cluster, const TriangleBits& bits) {
     for (std::size_t i = 0; i < bits.size(); ++i)
         if (bits[i] != 0) setUpBits_[cluster * bits.size() + i].fetch_or(bits[i], std::memory_order_relaxed);

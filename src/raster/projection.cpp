@@ -56,7 +56,7 @@ SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
     const float x = p.x * inverseW * projection.scaleX + projection.translateX;
     const float yOverW = p.y * inverseW;
     const float y = yOverW * projection.scaleY + projection.translateY;
-    // Adding +0 turns a depth of -0 into +0, whose bits sort.
+    // Adding +0 converts a depth of -0 to +0, whose bits have the correct order.
     const float z = std::min(std::max(p.z * inverseW, -kDepthLimit), kDepthLimit) + 0.0F;
     if (projection.rows != nullptr) return unevenTo(double{(x - 0.5F) * static_cast<float>(kSubpixels)}, yOverW, z);
     return snappedTo(
@@ -66,7 +66,7 @@ SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
 SnappedVertex snappedTo(double x, double y, float z) {
     SnappedVertex vertex{static_cast<std::int32_t>(std::lrint(x)), static_cast<std::int32_t>(std::lrint(y)), z, 0, 0};
     const auto rest = [](double whole, std::int32_t snapped) {
-        constexpr double kMost = 32767; // half a subpixel upwards is 32768
+        constexpr double kMost = 32767; // a rest of half a subpixel would be 32768
         return static_cast<std::int16_t>(std::lrint(std::min((whole - snapped) * (1 << kRestBits), kMost)));
     };
     vertex.restX = rest(x, vertex.x);

@@ -34,10 +34,10 @@ struct Projection {
     bool cutsDepth = false; // true: clip at depth 0 and at depth w
     float lowX = -1;        // points left of lowX w or right of highX w are outside
     float highX = 1;
-    float lowY = -1; // likewise
+    float lowY = -1; // the same for y
     float highY = 1;
-    const RowBands* rows =
-        nullptr; // the rows, if their spacing is uneven; y of snapped vertices then stores the bits of y / w
+    /// The rows, if their spacing is uneven. The y of snapped vertices then stores the bits of y / w.
+    const RowBands* rows = nullptr;
 };
 
 struct ClipPosition {

@@ -26,17 +26,17 @@ void checkViewport(const PixelBox& viewport, int width, int height) {
     GNOMON_CHECK_OP(viewport.y1, <=, height);
 }
 
-/// The part of `viewport` that `target` holds.
+/// Returns the part of `viewport` that `target` contains.
 PixelBox heldPart(const PixelBox& viewport, const VisibilityTarget& target) {
     const PixelBox held = intersection(viewport, {0, target.firstRow, viewport.x1, target.firstRow + target.height});
     checkViewport(held, target.width, target.firstRow + target.height);
     return held;
 }
 
-/// A quarter of a tile is not split below this: the clusters that straddle would outweigh the rest.
+/// Min side of a tile. In smaller tiles, clusters that overlap several tiles would dominate the cost.
 constexpr int kLeastTileSide = 32;
 
-/// How the two kinds of target differ.
+/// The properties of a depth target. VisibilityKind has those of a visibility target.
 struct DepthKind {
     using Pixel = float;
     static constexpr float kEmpty = 1.0F;
@@ -48,7 +48,7 @@ struct DepthKind {
 struct VisibilityKind {
     using Pixel = std::uint64_t;
     static constexpr std::uint64_t kEmpty = 0;
-    static constexpr int kSide = kTileSide / 2; // words are twice as large
+    static constexpr int kSide = kTileSide / 2; // words are twice as large as floats
 
     static std::uint64_t draw(const TileWork& work, std::uint64_t* tile) {
         drawVisibilityTile(work, tile);
@@ -56,7 +56,7 @@ struct VisibilityKind {
     }
 };
 
-/// The rows that a target holds.
+/// The rows in a target's memory.
 template <class Kind>
 struct TargetRows {
     typename Kind::Pixel* pixels = nullptr;
@@ -78,17 +78,18 @@ struct TileMemory {
 struct Rasterizer::Memory {
     SnappedClusters clusters;
     OcclusionPass occlusion;
-    RowBands rows; // of this pass where they lie unevenly
+    RowBands rows; // the rows of this pass, if their spacing is uneven
     std::vector<BinItem> items;
     Bins bins;
     tbb::enumerable_thread_specific<TileMemory> tiles;
     std::atomic<std::uint64_t> fragments = 0; // of the last pass
-    BoxFilter isWanted;                       // of this pass; empty: all is
+    BoxFilter isWanted;                       // of this pass; empty: all pixels are wanted
 
     void snapClusters(std::span<const Cluster> input, const Projection& projection);
     void binClusters(const PixelBox& viewport, int side);
 
-    /// `drawTile` takes a bin and the empty pixels of its tile, and answers how many fragments it drew.
+    /// Draws all tiles. `drawTile` receives a bin and the empty pixels of its tile, and returns the number of drawn
+    /// fragments.
     template <class Kind, class DrawTile>
     void drawTiles(const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile);
 
@@ -104,7 +105,7 @@ struct Rasterizer::Memory {
     void drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target);
 };
 
-/// First step: every vertex once.
+/// Step 1: snaps each vertex once.
 void Rasterizer::Memory::snapClusters(std::span<const Cluster> input, const Projection& projection) {
     clusters.reset(input);
     constexpr std::size_t kGrain = 64;
@@ -125,7 +126,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
     binWanted(items, viewport, isWanted, side, kLeastTileSide, bins);
 }
 
-/// Last step: each tile in a thread's own memory, then once over the target.
+/// Last step: draws each tile in thread-local memory, then copies it to the target once.
 template <class Kind, class DrawTile>
 void Rasterizer::Memory::drawTiles(
     const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile) {
@@ -167,7 +168,7 @@ void Rasterizer::Memory::draw(
     });
 }
 
-/// Of a map; takes the view's rows where they lie unevenly.
+/// Returns the projection of a depth pass. Stores the rows of the view if their spacing is uneven.
 Projection Rasterizer::Memory::depthProjection(const View& view) {
     if (view.rowPositions.empty()) return projection(view, false);
     GNOMON_CHECK_OP(view.rowPositions.size(), ==, static_cast<std::size_t>(view.viewport.height()));
@@ -175,7 +176,7 @@ Projection Rasterizer::Memory::depthProjection(const View& view) {
     return projection(view, false, &rows);
 }
 
-/// `drawDepth` on rows from an array.
+/// Draws the depth pass of `drawDepth` for rows with uneven spacing.
 void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target) {
     const Projection projection = depthProjection(view);
     snapClusters(input, projection);

@@ -20,7 +20,7 @@ constexpr std::array<Triangle, CutCluster::kMostTriangles> unsharedTriangles() {
 
 constexpr std::array<Triangle, CutCluster::kMostTriangles> kUnsharedTriangles = unsharedTriangles();
 
-/// The rows that a corner can touch, half-open.
+/// Returns the half-open range of rows that a corner can touch.
 std::array<int, 2> rowsOf(const RowBands* rows, const SnappedVertex& corner) {
     if (rows == nullptr) return {(corner.y + kSubpixels - 1) >> kSubpixelBits, (corner.y >> kSubpixelBits) + 1};
     const auto position = std::bit_cast<float>(corner.y);
@@ -60,7 +60,7 @@ CutCluster& SnappedClusters::Cuts::next() {
     return cluster;
 }
 
-/// Cuts every triangle of a cluster that needs it and copies the others.
+/// Clips the triangles of a cluster that need clipping, and copies the others.
 void SnappedClusters::cutTriangles(const Projection& projection, const Cluster& cluster, Cuts& cuts) {
     std::array<ClipPosition, kMaxClusterVertices> positions;
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)

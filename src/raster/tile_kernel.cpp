@@ -30,8 +30,8 @@ HWY_INLINE TriangleBits bitsOf(const SortedCluster& sorted) {
     return bits;
 }
 
-/// Leaves out the triangles that no pixel centre of the tile can be inside of, and those that are hidden by what the
-/// target holds, where it says that they are to be; sorts the rest by size.
+/// Sorts the triangles of a cluster by size. Skips triangles that cover no pixel centre of the tile. If the target has
+/// occlusion tests enabled, also skips triangles hidden by the target's pixels.
 template <bool isCompact, class Target>
 HWY_INLINE void sortTriangles(
     const SnappedCluster& cluster, const PixelBox& tile, Target& target, SortedCluster& sorted) {
@@ -66,18 +66,18 @@ HWY_INLINE void sortTriangles(
     if constexpr (Target::kHasIds) target.setUp = bitsOf(sorted);
 }
 
-/// Whether a cluster reaches over the right or the upper edge of the tile, into its memory's margin.
+/// Returns true if a cluster extends over the right or upper edge of the tile, into the margin of its memory.
 HWY_INLINE bool reachesOverEdge(const SnappedCluster& cluster, const PixelBox& tile) {
     return cluster.box.x1 > tile.x1 || cluster.box.y1 > tile.y1;
 }
 
-/// Whether pixel (x, y) from the first of each lane is past the last that the tile has.
+/// Returns the lanes whose pixel (x, y), counted from the first pixel of the lane's triangle, is outside the tile.
 HWY_INLINE IntMask isBeyond(const TriangleLanes& t, int x, int y) {
     return hn::Or(
         hn::Gt(hn::Add(t.firstX, hn::Set(kInts, x)), t.lastX), hn::Gt(hn::Add(t.firstY, hn::Set(kInts, y)), t.lastY));
 }
 
-/// Takes back from the count what lies past the tile, in its memory's margin.
+/// Removes pixels in the margin of the tile's memory from the count.
 template <class Target>
 HWY_INLINE void discountBeyond(const TriangleLanes& t, IntMask inside, int x, int y, bool reachesOver, Target& target) {
     if constexpr (Target::kCounts)
@@ -117,7 +117,7 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
     }
 }
 
-/// Draws triangles one after another, a vector of pixels at a time; the set-up is shared by a vector of triangles.
+/// Draws triangles one after another, a vector of pixels at a time. Triangle setup runs for a vector of triangles.
 template <bool isCompact, class Target>
 HWY_INLINE void drawNarrow(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));

@@ -70,9 +70,8 @@ struct VisibilityTile {
     static constexpr bool kHasIds = true;
     static constexpr bool kCounts = false;
     std::uint64_t* words = nullptr;
-    FarthestDepths<WordDepths>* farthest =
-        nullptr;          // farthest depths of the words, if triangles are tested against them
-    TriangleBits setUp{}; // triangles of the last drawn cluster that passed setup
+    FarthestDepths<WordDepths>* farthest = nullptr; // of the words; not null if triangles are tested against them
+    TriangleBits setUp{};                           // triangles of the last drawn cluster that passed setup
 
     /// Returns the nearness at each lane's pixel. The bits of a non-negative float have the same order as its value.
     HWY_INLINE Ints nearness(Ints address) const {

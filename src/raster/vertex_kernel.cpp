@@ -31,7 +31,7 @@ struct Cells {
     Ints x, y, z;
 };
 
-/// Lanes past the end repeat the last vertex.
+/// Lanes beyond the last vertex repeat it.
 HWY_INLINE Cells gatheredCells(const Cluster& cluster, std::uint32_t first) {
     const auto last = hn::Set(kInts, static_cast<std::int32_t>(cluster.vertexCount) - 1);
     const auto index = hn::Min(hn::Iota(kInts, static_cast<std::int32_t>(first)), last);
@@ -51,7 +51,7 @@ HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
 
 #else
 
-/// Four words of the vertices first, first + 4, ..., one in each block of four lanes.
+/// Loads four words of each vertex first, first + 4, ..., one vertex per block of four lanes.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const Cluster& cluster, std::uint32_t first) {
     if constexpr (hn::MaxLanes(tag) == 4) {
@@ -65,8 +65,8 @@ HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const Cluster& cluster, std::uint32
     }
 }
 
-/// Vertices are loaded whole and transposed in blocks of four, since gathers take several times as long; but those of
-/// twelve bytes are gathered: a fourth word may lie past the end.
+/// Loads whole vertices and transposes them in blocks of four, because gathers take several times as long. Vertices of
+/// twelve bytes need gathers: a fourth word could be behind the end of the array.
 HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
     if (cluster.positionStride < 4 * sizeof(std::uint32_t)) return gatheredCells(cluster, first);
     constexpr hn::Repartition<std::int64_t, IntTag> kPairs;
@@ -152,7 +152,7 @@ HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
     return hn::Add(hn::Min(hn::Max(hn::Mul(z, inverseW), hn::Neg(limit)), limit), hn::Zero(kFloats));
 }
 
-/// What a pass keeps of y where rows lie unevenly, and its extremes in the vertices so far.
+/// The stored y of uneven rows, and its min and max over the vertices so far.
 struct UnevenAxis {
     Floats lowest, highest;
 
@@ -171,7 +171,8 @@ struct UnevenAxis {
     HWY_INLINE float most() const { return hn::GetLane(hn::MaxOfLanes(kFloats, highest)); }
 };
 
-/// Joins x (in place) and y to words where the box allows it, else lays down y.
+/// Joins x (in place) and y to words if the box is small enough; otherwise stores y. Returns true for a joined
+/// (compact) cluster.
 HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
     const bool isCompact = std::max(box.width(), box.height()) <= kMostCompactPixels;
     const auto originX = hn::Set(kInts, (box.x0 - 1) * kSubpixels);
@@ -221,7 +222,7 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         maxY = hn::Max(maxY, y);
     }
     VertexStage stage;
-    std::int32_t outsideAny = 0; // a plane that every vertex is outside of
+    std::int32_t outsideAny = 0; // planes that each vertex is outside of
     for (const std::int32_t bit : {1, 2, 4, 8, 16, 32})
         if (hn::AllTrue(kInts, hn::TestBit(allOutside, hn::Set(kInts, bit)))) outsideAny |= bit;
     if (outsideAny != 0) return stage;

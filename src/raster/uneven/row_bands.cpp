@@ -13,7 +13,7 @@ float powerOfTwoFrom(float value) {
     return std::exp2(std::ceil(std::log2(value)));
 }
 
-/// Units of y / w 1, so that rows with the narrowest gap do not come nearer than a bucket when they are rounded.
+/// Returns the units per y / w. Rows at the narrowest gap then stay more than a bucket apart after rounding.
 float scaleFor(int bucketBits, float narrowest) {
     return powerOfTwoFrom(static_cast<float>((1 << bucketBits) + 2) / narrowest);
 }
@@ -33,7 +33,7 @@ void RowBands::reset(std::span<const float> positions, int firstRow) {
     highest_ = positions_.size() > 1 ? high + gap(positions_.size() - 2) : high + guard_;
     std::size_t first = 0;
     while (first < positions_.size()) {
-        // A row alone is snapped as finely as the gaps beside it ask for.
+        // A band with a single row is snapped as finely as the adjacent gaps require.
         float narrowest = positions_.size() == 1 ? guard_ : std::numeric_limits<float>::max();
         if (first > 0) narrowest = std::min(narrowest, gap(first - 1));
         if (first + 1 < positions_.size()) narrowest = std::min(narrowest, gap(first));

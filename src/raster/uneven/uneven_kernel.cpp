@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::raster::HWY_NAMESPACE {
 
-/// Whose edges fit 32 bits.
+/// Returns the lanes whose triangles are narrow: their edge functions fit 32 bits.
 HWY_INLINE IntMask isNarrow(const UnevenSource& source, Ints corners) {
     const PointLanes a = source.pointAt(cornerIndex<0>(corners));
     const PointLanes b = source.pointAt(cornerIndex<1>(corners));
@@ -33,7 +33,8 @@ HWY_INLINE IntMask isNarrow(const UnevenSource& source, Ints corners) {
         hn::Lt(hn::Sub(largest(a.y, b.y, c.y), least(a.y, b.y, c.y)), narrow));
 }
 
-/// Leaves out the triangles that no sample of the tile can be inside of; sorts the rest by how many they may cover.
+/// Sorts the triangles of a cluster by the number of samples that they may cover. Skips triangles that cannot cover a
+/// sample of the tile.
 HWY_INLINE void sortUneven(
     const SnappedCluster& cluster,
     const BandVertices& vertices,
@@ -54,7 +55,7 @@ HWY_INLINE void sortUneven(
         const auto a = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<0>(corners));
         const auto b = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<1>(corners));
         const auto c = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<2>(corners));
-        // The samples of the tile between the extremes; rows from the band's first.
+        // Samples of the tile between the extremes. Rows are counted from the first row of the band.
         const auto leastX = least(Place::x(a), Place::x(b), Place::x(c));
         const auto largestX = largest(Place::x(a), Place::x(b), Place::x(c));
         const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(leastX, round));
@@ -79,22 +80,22 @@ HWY_INLINE void sortUneven(
     sorted.pad();
 }
 
-/// Set-up triangles: their first samples, the units of the first row and of the highest corner, and the row that depth
-/// is counted from.
+/// Set-up triangles: the first samples, the units of the first row and of the highest corner, and the reference row of
+/// the depth plane.
 struct UnevenLanes {
-    TriangleLanes t; // its rows from the band's first; the last one is the tile's
+    TriangleLanes t; // rows are counted from the band's first row; lastY is the tile's last row
     Ints firstUnits;
     Ints highestUnits;
     Ints referenceUnits;
 };
 
-/// What lies `units` up from the first row, in pixels of 256 units from the reference.
+/// Returns the distance from the reference to `units`, in pixels of 256 units.
 HWY_INLINE Floats fromReference(Ints units, Ints referenceUnits) {
     const auto pixels = hn::Set(kFloats, 1.0F / kSubpixels);
     return hn::Mul(hn::ConvertTo(kFloats, hn::Sub(units, referenceUnits)), pixels);
 }
 
-/// Sets up a narrow triangle in each lane, turned counter-clockwise.
+/// Sets up a narrow triangle in each lane, with counter-clockwise corners.
 HWY_INLINE UnevenLanes
 unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints packed, const BandLanes& rows) {
     const auto i0 = cornerIndex<0>(packed);
@@ -113,7 +114,7 @@ unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints pack
     const auto round = hn::Set(kInts, kSubpixels - 1);
     t.firstX = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.x, b.x, c.x), round)), hn::Zero(kInts));
     t.lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1));
-    // What fills up the last vector may lie anywhere.
+    // Padding triangles in the last vector can lie anywhere, so firstY is clamped to the tile.
     t.lastY = hn::Set(kInts, tile.y1 - 1 - above);
     t.firstY = hn::Min(hn::Max(rows.firstRow(least(a.y, b.y, c.y)), hn::Set(kInts, tile.y0 - above)), t.lastY);
     lanes.firstUnits = rows.row(t.firstY);
@@ -122,7 +123,7 @@ unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints pack
     setEdge(b, c, first, t.edges.e0, t.perX.e0, t.perY.e0);
     setEdge(c, a, first, t.edges.e1, t.perX.e1, t.perY.e1);
     setEdge(a, b, first, t.edges.e2, t.perX.e2, t.perY.e2);
-    // Of a unit, not of a pixel.
+    // setEdge returns increments per pixel; rows need increments per unit.
     t.perY.e0 = hn::ShiftRight<kSubpixelBits>(t.perY.e0);
     t.perY.e1 = hn::ShiftRight<kSubpixelBits>(t.perY.e1);
     t.perY.e2 = hn::ShiftRight<kSubpixelBits>(t.perY.e2);
@@ -197,7 +198,7 @@ HWY_INLINE void drawStoredUneven(
     const Edges first = {edgeAlong(0), edgeAlong(1), edgeAlong(2)};
     const auto value = [&](std::size_t k) HWY_ATTR { return hn::Set(kFloats, s.depth[k][lane]); };
     const DepthLanes depth = {value(0), value(1), value(2), value(3), value(4), value(5), value(6)};
-    // Read once: what is written to the tile might be any of them, as far as a compiler knows.
+    // The values are read once, because the compiler must assume that writes to the tile can change them.
     const auto [x0, y0, x1, y1] =
         std::array<std::int32_t, 4>{s.box[0][lane], s.box[1][lane], s.box[2][lane], s.box[3][lane]};
     const std::array<std::int32_t, 3> perY = {s.perY[0][lane], s.perY[1][lane], s.perY[2][lane]};

@@ -34,11 +34,11 @@ UnevenTriangle::UnevenTriangle(std::array<UnevenVertex, 3> corners) : corners_(c
     const double x1 = b.x - a.x + (b.restX - a.restX);
     const double x2 = c.x - a.x + (c.restX - a.restX);
     const double unsnapped = x1 * (c.unsnappedY - a.unsnappedY) - x2 * (b.unsnappedY - a.unsnappedY);
-    // A sliver that snapping made: without it there would be no plane.
+    // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
     setPlane(unsnapped > kLeastTrueArea * static_cast<double>(area()));
 }
 
-/// The plane through the corners as they were before snapping, or as they are.
+/// Sets the depth plane through the unsnapped corners if `isTrue`, else through the snapped corners.
 void UnevenTriangle::setPlane(bool isTrue) {
     const auto x = [&](const UnevenVertex& vertex) { return vertex.x + (isTrue ? vertex.restX : 0); };
     const auto y = [&](const UnevenVertex& vertex) {

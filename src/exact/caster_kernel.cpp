@@ -53,7 +53,7 @@ void ClusterCaster::castOver(std::size_t map) {
         castClipped(map);
 }
 
-/// Boxes of triangles and what the mask holds there, several triangles at once.
+/// Computes the cell boxes of triangles and tests them against the mask, several triangles at once.
 void ClusterCaster::castWhole(std::size_t map) {
     const SampleGrid& grid = *context_.grid;
     const std::size_t count = caster_.geometry.triangles.size();
@@ -100,7 +100,8 @@ void ClusterCaster::castWhole(std::size_t map) {
     }
 }
 
-/// Triangles of which a part lies behind the warp's centre: only what has w enough can cover a sample.
+/// Rasterises triangles that are partly behind the centre of the warp. Only the part with a sufficient w can cover a
+/// sample.
 void ClusterCaster::castClipped(std::size_t map) {
     const CellMap& cells = context_.grid->maps()[map];
     const int side = context_.grid->side();
@@ -133,7 +134,7 @@ void ClusterCaster::castClipped(std::size_t map) {
     }
 }
 
-/// Triangles of a cluster that reaches beside the point light, or behind it.
+/// Rasterises the triangles of a cluster that extends beside or behind the point light.
 void ClusterCaster::castBesideLight(std::size_t map) {
     const CellMap& cells = context_.grid->maps()[map];
     const int side = context_.grid->side();
@@ -156,7 +157,7 @@ void ClusterCaster::castBesideLight(std::size_t map) {
     }
 }
 
-/// The columns of `box` that the triangle covers somewhere in a row of cells.
+/// Returns the columns of `box` that the triangle covers in a row of cells.
 CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row) const {
     const double low = row == box.y0 ? -std::numeric_limits<double>::infinity() : row - kCellSlack;
     const double high = row == box.y1 ? std::numeric_limits<double>::infinity() : row + 1 + kCellSlack;
@@ -182,7 +183,7 @@ CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row
         row};
 }
 
-/// False where the triangle's plane holds the light.
+/// Prepares a test. Returns false if the triangle's plane is parallel to the light.
 bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
     const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
     const auto orientation = [&] {
@@ -196,7 +197,7 @@ bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
 bool ClusterCaster::prepare(std::size_t triangle, PointTriangleTest& test) const {
     const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
     const glm::i64vec3& light = *context_.samples->space().pointLight;
-    // On the light's other side n . (A - L) has the other sign.
+    // The sign of n . (A - L) is the opposite of the light's side.
     const auto orientation = [&] { return -facingPoint(cornersOf(context_, caster_, triangle), light); };
     test.name = caster_.geometry.firstTriangleId + static_cast<std::uint32_t>(triangle);
     return test.set(corner(0), corner(1), corner(2), glm::dvec3(light), context_.coordinateError, orientation);
@@ -210,7 +211,7 @@ void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const Ce
         castTriangleAs<TriangleTest>(map, triangle, box, isNarrowed);
 }
 
-/// Whether a sample surely lies in the triangle's plane, in which nothing casts.
+/// Returns true if the sample certainly lies in the triangle's plane. Such a triangle casts no shadow on it.
 bool ClusterCaster::isMetAtOnce(const PointTriangleTest& test, std::size_t place) const {
     return test.surelyHolds(ownCorners(context_, place));
 }
@@ -226,8 +227,8 @@ float ClusterCaster::highestOf(std::size_t triangle) const {
     return std::max({h(0), h(1), h(2)});
 }
 
-/// Whether no sample at [begin, end) lies below `highest`, the greatest h of a triangle: it casts on none of them then,
-/// as where the mask says so of whole blocks of cells. Many samples have boxes that tell it.
+/// Returns true if no sample at [begin, end) lies below `highest`, the largest h of a triangle. The triangle then casts
+/// no shadow on them. Long ranges return false, because their blocks have boxes for this test.
 template <class Test>
 bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest) const {
     if (!std::is_same_v<Test, TriangleTest> || end - begin >= kLeastInBlocks) return false;
@@ -239,7 +240,7 @@ bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest
     return true;
 }
 
-/// Holds the triangle against the samples at [begin, end); `blocks` is its test by blocks, once there is one.
+/// Tests the triangle against the samples at [begin, end). `blocks` stores the prepared block test for later spans.
 template <class Test>
 void ClusterCaster::castSpan(
     std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end) {

@@ -21,7 +21,7 @@ using Mask = hn::Mask<DoubleTag>;
 constexpr DoubleTag kDoubles;
 constexpr IntTag kInts;
 
-/// A matrix that is held against points of the light plane.
+/// A matrix that transforms points of the light plane, in lanes.
 struct PlaneLanes {
     const glm::dmat4x3& m;
 
@@ -32,7 +32,7 @@ struct PlaneLanes {
     }
 };
 
-/// The lanes at `i` that are listed and belong to `map`.
+/// Returns the lanes at `i` that are in `run` and belong to `map`.
 HWY_INLINE Mask ofMap(const SampleRun& run, std::size_t i, std::size_t map) {
     const auto isListed = hn::FirstN(kDoubles, run.end - i);
     if (run.samples->space().maps == 1) return isListed;
@@ -40,7 +40,7 @@ HWY_INLINE Mask ofMap(const SampleRun& run, std::size_t i, std::size_t map) {
     return hn::And(isListed, hn::Eq(maps, hn::Set(kDoubles, static_cast<double>(map))));
 }
 
-/// Where samples lie on a plane.
+/// The positions of samples on a plane.
 struct PlaceLanes {
     HWY_INLINE PlaceLanes(const PlaneLanes& plane, const SampleList& samples, std::size_t i) {
         const auto u = hn::LoadU(kDoubles, &samples.u[i]);
@@ -54,7 +54,7 @@ struct PlaceLanes {
     Doubles x, y, w;
 };
 
-/// The least and the most of lanes; what is no number is passed over.
+/// The min and max over lanes. NaN is ignored.
 struct RangeLanes {
     HWY_INLINE RangeLanes()
         : least(hn::Set(kDoubles, std::numeric_limits<double>::infinity())),
@@ -93,7 +93,7 @@ Extent extentInLanes(const glm::dmat4x3& plane, std::size_t map, const SampleRun
     return extent;
 }
 
-/// As cellAt.
+/// Returns cellAt for each lane.
 HWY_INLINE hn::Vec<IntTag> cellLanes(Doubles x, int side) {
     const auto last = hn::Set(kDoubles, side - 1);
     const auto zero = hn::Zero(kDoubles);

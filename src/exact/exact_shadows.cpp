@@ -13,7 +13,7 @@ namespace gnomon::exact {
 
 namespace {
 
-/// The largest coordinate of any caster, cells from the origin.
+/// Returns the largest absolute coordinate of all casters, in cells from the origin.
 double reachOf(std::span<const Caster> casters) {
     std::int64_t reach = 1;
     for (const Caster& caster : casters)
@@ -22,8 +22,8 @@ double reachOf(std::span<const Caster> casters) {
     return static_cast<double>(reach);
 }
 
-/// The casters of one round: of each eight neighbours in the list those from `first` to before `end`. What is dark
-/// after a round leaves, and with it the clusters that only it called for.
+/// The casters of one round: of each eight adjacent casters in the list, those from `first` to before `end`. After each
+/// round, dark samples are removed. Clusters that only these samples need are then skipped.
 struct Round {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -32,14 +32,15 @@ struct Round {
 constexpr std::size_t kGrain = 16384; // samples
 constexpr std::size_t kStride = 8;
 constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
-constexpr double kWorthwhile = 0.25; // of the samples that are left: when that share is dark it is removed
+// Dark samples are removed if they are at least this fraction of the remaining samples.
+constexpr double kWorthwhile = 0.25;
 
-/// Whether it is more than the triangles that samples name.
+/// Returns true if the caster has vertices, and thus casts shadows. Other casters only provide triangles for samples.
 bool castsAnything(const Caster& caster) {
     return caster.geometry.vertexCount > 0;
 }
 
-/// Of the casters the first `casting`.
+/// Casts the clusters of `round` among the first `casting` casters. Returns the counts.
 CastCounts castRound(const CastContext& context, std::size_t casting, const Round& round) {
     tbb::combinable<CastCounts> counts;
     const std::size_t strides = (casting + kStride - 1) / kStride;
@@ -54,7 +55,7 @@ CastCounts castRound(const CastContext& context, std::size_t casting, const Roun
     return sum;
 }
 
-/// The sum of `sumOf(begin, end)` over pieces of [0, size) in parallel.
+/// Returns the sum of `sumOf(begin, end)` over pieces of [0, size), in parallel.
 template <class SumOf>
 std::size_t sumOver(std::size_t size, const SumOf& sumOf) {
     return tbb::parallel_reduce(
@@ -64,7 +65,7 @@ std::size_t sumOver(std::size_t size, const SumOf& sumOf) {
         std::plus<>());
 }
 
-/// The largest tolerance of all samples, cells along h.
+/// Returns the largest tolerance of all samples, in cells along h.
 double mostTolerance(const SampleList& samples) {
     const std::uint32_t most = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, samples.size(), kGrain),
@@ -89,14 +90,14 @@ std::size_t ExactShadows::countDark() const {
     });
 }
 
-/// Takes out what is dark, `dark` samples, where that is worth the time it takes.
+/// Removes the `dark` dark samples from the grid, if there are so many that this saves time.
 void ExactShadows::removeDark(std::size_t dark) {
     if (static_cast<double>(dark) < kWorthwhile * static_cast<double>(grid_.size())) return;
     const auto isDecided = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
     grid_.remove(samples_, sorted_, isDecided, [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; });
 }
 
-/// The statuses of those that are still in the grid, and what there is of each kind.
+/// Copies the statuses of the samples still in the grid, and counts each kind.
 void ExactShadows::takeStatuses(ExactStatistics& statistics) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid_.size(), kGrain), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)

@@ -10,16 +10,16 @@ namespace gnomon::exact {
 
 namespace {
 
-/// Of a sum of four terms as the rasteriser's floats make it, for the magnitude of the terms: five roundings (Higham
-/// 2002, 3.1), and three to spare.
+/// Relative error of a sum of four terms in the rasteriser's floats: five roundings (Higham 2002, section 3.1), and
+/// three more as a reserve.
 constexpr double kSumError = 0x1p-21;
-/// Of a quotient, for its own.
+/// Relative error of a quotient.
 constexpr double kQuotientError = 0x1p-21;
-/// What snapping and the roundings of a coordinate in pixels move it by at most, and the way to a pixel's centre.
+/// Max displacement by snapping and by the rounding of a pixel coordinate, plus the distance to a pixel centre.
 constexpr double kTexelMargin = 1;
 
-/// A coordinate of clip space over a box: its value at the middle, what it changes by towards each side, and how far
-/// off the rasteriser's may be anywhere in the box.
+/// A clip-space coordinate over a box: the value at the middle, the change towards each side, and the max error of the
+/// rasteriser's value in the box.
 struct ClipRow {
     std::array<double, 3> half{};
     double middle = 0;
@@ -45,7 +45,7 @@ struct ClipRow {
     }
 };
 
-/// The range of row / w over the corners, and so over the box, since w is above 0 there.
+/// The range of row / w over the corners. It is also the range over the box, because w is positive there.
 struct QuotientRange {
     double least = std::numeric_limits<double>::infinity();
     double most = -std::numeric_limits<double>::infinity();
@@ -62,7 +62,7 @@ int clampedTexel(double coordinate, int low, int high) {
     return static_cast<int>(std::clamp(coordinate, static_cast<double>(low), static_cast<double>(high)));
 }
 
-/// The texels of [first, end) whose centres may lie in `range` of normalised coordinates.
+/// Computes the texels of [first, end) whose centres may lie in `range` (normalised device coordinates).
 void setTexels(const QuotientRange& range, int first, int end, int& low, int& high) {
     const double scale = 0.5 * (end - first);
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
@@ -72,7 +72,8 @@ void setTexels(const QuotientRange& range, int first, int end, int& low, int& hi
     high = clampedTexel(std::floor(most) + 1, first, end);
 }
 
-/// The rows whose samples may lie in `range` of y / w; snapping moves an edge by less than the way to the next.
+/// Computes the rows whose samples may lie in `range` of y / w. Snapping moves an edge by less than the distance to the
+/// next row.
 void setUnevenRows(const QuotientRange& range, const raster::View& view, int& low, int& high) {
     const std::span<const float> rows = view.rowPositions;
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };

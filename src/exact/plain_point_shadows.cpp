@@ -15,12 +15,12 @@ struct SeenTriangle {
     std::uint32_t name = 0;
 };
 
-/// Triangles by square buckets of the six faces of a cube about the light.
+/// Triangles in square buckets on the six faces of a cube around the light.
 class CubeBuckets {
 public:
     explicit CubeBuckets(const glm::i64vec3& light) : light_(light), lists_(6 * kSide * kSide) {}
 
-    /// By the box of its corners: an upper bound of what it covers.
+    /// Adds a triangle to all buckets that the box of its corners covers.
     void add(const Corners& corners, std::uint32_t index) {
         const glm::dvec3 least(glm::min(glm::min(corners[0], corners[1]), corners[2]) - light_);
         const glm::dvec3 most(glm::max(glm::max(corners[0], corners[1]), corners[2]) - light_);
@@ -39,7 +39,7 @@ public:
 
 private:
     static constexpr std::size_t kSide = 128;
-    static constexpr double kSlack = 1e-9; // more than rounding can move what is seen
+    static constexpr double kSlack = 1e-9; // larger than the rounding error of projected positions
 
     void addToFace(int face, const glm::dvec3& least, const glm::dvec3& most, std::uint32_t index) {
         const int axis = face / 2;
@@ -59,7 +59,7 @@ private:
                 lists_[place(face, x, y)].push_back(index);
     }
 
-    /// Of a place from -1 to 1; those beyond are in the outermost.
+    /// Returns the bucket of a coordinate in [-1, 1]. Coordinates outside belong to the outermost buckets.
     static std::size_t bucket(double x) {
         const double cells = std::floor((x + 1) / 2 * static_cast<double>(kSide));
         return static_cast<std::size_t>(std::clamp(cells, 0.0, static_cast<double>(kSide - 1)));
@@ -73,12 +73,12 @@ private:
     std::vector<std::vector<std::uint32_t>> lists_;
 };
 
-/// All triangles that cast.
+/// All triangles that cast shadows.
 struct SeenScene {
     explicit SeenScene(const glm::i64vec3& from) : light(from), buckets(from) {}
 
     void add(const Caster& caster, const CastContext& context) {
-        if (caster.geometry.vertexCount == 0) return; // it lends its triangles to the samples that name them
+        if (caster.geometry.vertexCount == 0) return; // it only provides triangles for the samples
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             const Corners corners = cornersOf(context, caster, t);
             buckets.add(corners, static_cast<std::uint32_t>(triangles.size()));
@@ -86,7 +86,7 @@ struct SeenScene {
         }
     }
 
-    /// Of a point of the triangle named `own`.
+    /// Returns the status of a point on the triangle named `own`.
     std::uint8_t statusOf(const PointOnTriangle& point, std::uint32_t own) const {
         const glm::i64vec3 scaled = scaledPoint(point);
         const std::optional<PointRay> ray = rayToPoint(light, scaled);
@@ -94,7 +94,8 @@ struct SeenScene {
         const glm::dvec3 fromLight = glm::dvec3(scaled) * 0x1p-24 - glm::dvec3(light);
         std::uint8_t status = kLit;
         for (const std::uint32_t t : buckets.at(fromLight)) {
-            if (triangles[t].name == own) continue; // it holds the point; a piece of it may lie off by a rounding
+            // The triangle contains the sample; a cut piece of it can be off by a rounding.
+            if (triangles[t].name == own) continue;
             const RayMeeting met = meetTowards(triangles[t].corners, light, scaled, *ray);
             if (met.meeting == Meeting::None) continue;
             status |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;

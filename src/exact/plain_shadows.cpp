@@ -10,7 +10,8 @@ namespace gnomon::exact {
 
 namespace {
 
-/// A triangle and the box of its shadow on the light plane, a cell wider on each side: more than rounding can move it.
+/// A triangle and the box of its shadow on the light plane. The box is one cell larger on each side, more than any
+/// rounding error.
 struct PlainTriangle {
     Corners corners{};
     glm::dvec2 least{std::numeric_limits<double>::infinity()};
@@ -18,7 +19,7 @@ struct PlainTriangle {
     std::uint32_t name = 0;
 };
 
-/// Triangles by square buckets of the light plane; those beyond the outermost are in these.
+/// Triangles in square buckets of the light plane. Triangles outside the grid are in the outermost buckets.
 class Buckets {
 public:
     Buckets(const glm::dvec2& least, const glm::dvec2& most)
@@ -60,7 +61,7 @@ PlainTriangle plainTriangle(const Corners& corners, const LightShear& shear) {
     return result;
 }
 
-/// What every sample is held against.
+/// The scene that each sample is tested against.
 struct PlainScene {
     const CastContext& context;
     std::span<const Caster> casters;
@@ -81,7 +82,8 @@ std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainSc
     std::uint8_t status = kLit;
     for (const std::uint32_t t : scene.buckets.at(u, v)) {
         const PlainTriangle& triangle = scene.triangles[t];
-        if (triangle.name == own) continue; // it holds the point; a piece of it may lie off by a rounding
+        // The triangle contains the sample; a cut piece of it can be off by a rounding.
+        if (triangle.name == own) continue;
         if (u < triangle.least.x || v < triangle.least.y || u > triangle.most.x || v > triangle.most.y) continue;
         const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.tolerance[i]);
         if (met.meeting == Meeting::None) continue;
@@ -112,7 +114,7 @@ std::vector<std::uint8_t> plainStatuses(
     std::vector<PlainTriangle> triangles;
     Buckets buckets(least, most);
     for (const Caster& caster : casters) {
-        if (caster.geometry.vertexCount == 0) continue; // it lends its triangles to the samples that name them
+        if (caster.geometry.vertexCount == 0) continue; // it only provides triangles for the samples
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             PlainTriangle triangle = plainTriangle(cornersOf(context, caster, t), samples.space().shear);
             triangle.name = caster.geometry.firstTriangleId + static_cast<std::uint32_t>(t);

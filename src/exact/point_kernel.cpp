@@ -59,7 +59,7 @@ HWY_INLINE Doubles size(const Vec3& v) {
     return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
 }
 
-/// The weights of corners 1 and 2 as whole numbers of 2^-24, each at least 1, together below 2^24.
+/// The weights of corners 1 and 2 as integers in units of 2^-24. Each is at least 1, and their sum is below 2^24.
 struct WeightLanes {
     Doubles second, third;
 };
@@ -75,8 +75,8 @@ HWY_INLINE WeightLanes weightLanes(const PointBatch& batch, std::size_t i) {
     return {second, third};
 }
 
-/// Whether light and eye are on the same side of the triangle: 1, 0, or 2 where rounding may decide. The products that
-/// make a side's value are at most 6 times the sizes' product, with at most ten roundings each.
+/// Returns 1 if light and eye are on the same side of the triangle, 0 if not, and 2 if rounding may change the result.
+/// The terms of a side's value are at most 6 times the product of the sizes, with at most ten roundings each.
 HWY_INLINE hn::Vec<LongTag> facesLight(const SampleSpace& space, const Vec3& corner, const Vec3& e1, const Vec3& e2) {
     const Vec3 normal = cross(e1, e2);
     const Vec3 light = space.pointLight ? subtract(constant(glm::dvec3(*space.pointLight)), corner)

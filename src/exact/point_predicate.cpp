@@ -24,10 +24,10 @@ int signOfLong(Long value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// The sign of a . b, for components of `b` below 2^61, in 192 bits.
+/// Returns the sign of a . b, for components of `b` below 2^61, computed in 192 bits.
 int signOfProduct(const LongVector& a, const glm::i64vec3& b) {
     constexpr int kLimb = 64;
-    Long high = 0; // whole 2^64
+    Long high = 0; // multiples of 2^64
     Long low = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const Long value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
@@ -45,7 +45,8 @@ LongVector normalAcross(const Corners& corners) {
 
 constexpr std::int64_t kWhole = std::int64_t{1} << kWeightBits;
 
-/// On which side of the edge from `a` to `b` the way to the light passes: 1 or -1; 0 where the edge points to it.
+/// The side of the edge from `a` to `b` on which the ray to the light passes: 1 or -1, or 0 if the edge points to the
+/// light.
 struct PassedSide {
     int sign = 0;
     bool isOnEdge = false;

@@ -6,7 +6,7 @@ namespace gnomon::exact {
 
 namespace {
 
-__extension__ using Wide = __int128; // wide enough for every product below
+__extension__ using Wide = __int128; // wide enough for each product below
 
 struct WideVector {
     Wide x = 0;
@@ -32,7 +32,7 @@ WideVector normalOf(const Corners& corners) {
 
 constexpr std::int64_t kScale = std::int64_t{1} << kWeightBits;
 
-/// On which side of the edge from `a` to `b` the ray passes: 1 or -1; 0 where the edge is parallel to the light.
+/// The side of the edge from `a` to `b` on which the ray passes: 1 or -1, or 0 if the edge is parallel to the light.
 struct EdgeSide {
     int sign = 0;
     bool isOnEdge = false;
@@ -81,7 +81,8 @@ RayMeeting meet(
     if (first.sign != second.sign) return {};
     const EdgeSide third = sideOf(caster[2], caster[0], light, scaledPoint);
     if (first.sign != third.sign) return {};
-    const Wide height = dot(normal, caster[0] * kScale - scaledPoint); // of the plane over the point, times towards
+    // Of the plane above the point, times `towards`.
+    const Wide height = dot(normal, caster[0] * kScale - scaledPoint);
     const Wide ahead = towards > 0 ? height : -height;
     if (ahead <= 0) return {};
     const Wide size = towards > 0 ? towards : -towards;

@@ -9,16 +9,16 @@ namespace gnomon::exact {
 
 namespace {
 
-/// A polygon of few corners.
+/// A polygon with at most eight corners.
 struct ClippedPolygon {
-    static constexpr std::size_t kMost = 8; // three, and one more for each of four planes
+    static constexpr std::size_t kMost = 8; // three corners, and one more per clipping plane
     std::array<glm::dvec3, kMost> corners{};
     std::size_t count = 0;
 
     void add(const glm::dvec3& corner) { corners[count++] = corner; }
 };
 
-/// What of `polygon` lies where dot(inward, p) >= 0 (Sutherland and Hodgman 1974).
+/// Clips `polygon` to dot(inward, p) >= 0 (Sutherland and Hodgman 1974).
 ClippedPolygon clippedTo(const ClippedPolygon& polygon, const glm::dvec3& inward) {
     ClippedPolygon result;
     for (std::size_t i = 0; i < polygon.count; ++i) {

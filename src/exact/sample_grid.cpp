@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kChunk = 16384;
 
-/// Calls `visit(begin, end, chunk)` for pieces of [0, size) in parallel.
+/// Calls `visit(begin, end, chunk)` for chunks of [0, size) in parallel.
 template <class Visit>
 void forChunks(std::size_t size, const Visit& visit) {
     const std::size_t chunks = (size + kChunk - 1) / kChunk;
@@ -39,13 +39,14 @@ std::vector<Extent> extentsOf(const SampleList& samples, std::span<const glm::dm
     return result;
 }
 
-/// A map whose plane is stretched by `scale` about the cells' origin, then moved by `offset`.
+/// The transformation of a map's plane to cells: scale about the origin, then translation by `offset`.
 struct Stretch {
     glm::dvec2 scale{0};
     glm::dvec2 offset{0};
 };
 
-/// What makes `extent` fill side x side cells but for a thousandth on each side; no scale is above `most`.
+/// Returns the transformation of `extent` to side x side cells with a margin of 0.1% on each side. No scale exceeds
+/// `most`.
 Stretch stretchOf(const Extent& extent, int side, double most) {
     Stretch stretch;
     stretch.scale = glm::min(side * 0.998 / (extent.most - extent.least), glm::dvec2(most));
@@ -62,8 +63,9 @@ CellMap mapOf(const glm::dmat4x3& plane, const Stretch& stretch, double leastW) 
     return {matrixOf(stretch) * plane, leastW / 2, false};
 }
 
-/// How far a x + b y + c w may be off, where x, y and w are the plane's of a point whose (u, v, h) is `coordinateError`
-/// off. That is at least 2^-50 of |u|, |v| and |h|, so seven roundings of each term stay below once more as much.
+/// Returns the error of a x + b y + c w, for weights (a, b, c). x, y and w are the plane coordinates of a point whose
+/// (u, v, h) has an error of `coordinateError`. This error is at least 2^-50 of |u|, |v| and |h|, so the seven
+/// roundings of each term are smaller than one more such error.
 double errorOf(const glm::dmat4x3& plane, const glm::dvec3& weights, double coordinateError) {
     const auto size = [&](int column) {
         const glm::dvec3 terms = weights * plane[column];
@@ -72,8 +74,8 @@ double errorOf(const glm::dmat4x3& plane, const glm::dvec3& weights, double coor
     return 2 * coordinateError * (size(0) + size(1) + size(2)) + 0x1p-50 * size(3);
 }
 
-/// From which w on x and y of what covers a sample are exact to an eighth of the slack: samples, corners and their
-/// floats share it. Infinite where an extent of 0 makes a scale none.
+/// Returns the smallest w at which x and y of a caster are exact to an eighth of the slack. Samples, corners and their
+/// floats share the slack. Returns infinity if an extent of 0 makes a scale invalid.
 double leastUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, double coordinateError) {
     const double w = errorOf(plane, {0, 0, 1}, coordinateError);
     const double x = errorOf(plane, {stretch.scale.x, 0, stretch.offset.x}, coordinateError);
@@ -81,7 +83,7 @@ double leastUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side,
     return x == x && y == y ? (std::max(x, y) + side * w) * (8 / kCellSlack) : std::numeric_limits<double>::infinity();
 }
 
-/// Whether cells spread evenly enough for the warp to be of use, and x and y of what covers a sample are exact enough.
+/// Returns true if w varies so little that the warp is useful, and if x and y of a caster are precise enough.
 bool isUsable(
     const glm::dmat4x3& plane, const Extent& extent, const Stretch& stretch, int side, double coordinateError) {
     constexpr double kMostVariation = 1 << 20;
@@ -90,13 +92,13 @@ bool isUsable(
     return std::isfinite(least) && least <= extent.leastW / 2;
 }
 
-/// Of a homography of the light plane.
+/// Extends a homography of the light plane to points with a height.
 glm::dmat4x3 withoutHeight(const glm::dmat3& plane) {
     return {plane[0], plane[1], glm::dvec3(0), plane[2]};
 }
 
-/// What a point light at `light` sees through a face of its cube: x / w and y / w from -1 to 1, w the distance along
-/// the face's axis, which is (map / 2) % 3.
+/// Returns the projection of a point light at `light` through a face of its cube. x / w and y / w are in [-1, 1], and w
+/// is the distance along the face's axis, which is (map / 2) % 3.
 glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
     const int along = map / 2 % 3;
     const int first = (along + 1) % 3;
@@ -109,7 +111,7 @@ glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
     return plane;
 }
 
-/// How near to the light the farthest sample of a run is.
+/// Returns the nearness to the light of the farthest sample of a range.
 double leastNearness(const SampleList& samples, const CellMap& map, std::size_t begin, std::size_t end) {
     const FrameArray<double>& values = map.nearAxis == 0 ? samples.u : map.nearAxis == 1 ? samples.v : samples.h;
     if (map.nearSign > 0) return *std::min_element(&values[begin], &values[end]);
@@ -122,8 +124,8 @@ void SampleGrid::sort(SampleList& samples, std::span<const glm::dmat3> planes, i
     side_ = side;
     size_ = samples.size();
     for (auto* values : {&triangle, &source})
-        values->makeRoom(samples.u.size()); // padded, too
-    spare_.makeRoom(samples.u.size());      // they change places
+        values->makeRoom(samples.u.size()); // padded, like the samples' arrays
+    spare_.makeRoom(samples.u.size());      // the arrays are swapped
     fitMaps(samples, planes, coordinateError);
     countCells(samples);
     order(samples);
@@ -151,7 +153,8 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
         }
     }
     if (!isUnwarped) return;
-    // x is off by at most 6 scale coordinateError: errorOf with an offset of no more than 2^50 coordinateError scale.
+    // The error of x is at most 6 scale coordinateError. This is errorOf with an offset of at most 2^50 coordinateError
+    // scale.
     const double most = kCellSlack / 64 / coordinateError;
     const std::vector<Extent> plainExtents = extentsOf(samples, used);
     for (std::size_t map = 0; map < used.size(); ++map)
@@ -159,8 +162,8 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
             maps_[map] = mapOf(used[map], stretchOf(plainExtents[map], side_, most), 1);
 }
 
-/// No cell is so small that x or y of a sample could be off by more than its share of the slack; where even cells as
-/// large as the face would be, all of its samples lie in one.
+/// Fits the maps of a point light. Cells are so large that the error of x and y of a sample stays below its part of the
+/// slack. If cells as large as the whole face are too small, all samples of the face share one cell.
 void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError) {
     const glm::dvec3 light(*samples.space().pointLight);
     const double farthestAlong = std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
@@ -175,7 +178,8 @@ void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError)
         if (extent.samples == 0) continue;
         const double error = 2 * coordinateError + 0x1p-50 * farthestAlong;
         const Stretch stretch = stretchOf(extent, side_, kCellSlack / 128 * extent.leastW / error);
-        // What a triangle's slopes are taken from must not lie so far beside the face that doubles lose cells.
+        // The slopes of a triangle are computed from points beside the face. These must not be so far away that doubles
+        // lose whole cells.
         const double farthest =
             std::max(stretch.scale.x, stretch.scale.y) * (coordinateError * 0x1p49 + farthestAlong) * 0x1p-36;
         const double leastW = std::max(leastUsableW(used[map], stretch, side_, coordinateError), farthest);
@@ -215,7 +219,8 @@ void SampleGrid::countCells(const SampleList& samples) {
     }
 }
 
-/// One array after the other goes into the spare one, and leaves its own to the next.
+/// Sorts the arrays of `samples` one after another: each array is sorted into the spare array, and its own memory
+/// becomes the next spare array.
 void SampleGrid::order(SampleList& samples) {
     forChunks(size_, [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -244,7 +249,8 @@ void SampleGrid::forPieces(const std::function<void(Piece&)>& visit) {
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) { visit(pieces_[i]); });
 }
 
-/// Of pieces that keep less than they had, and of which cells begin as if the ones before kept all.
+/// Moves the remaining samples of all pieces together, and corrects the first sample of each cell by the removed
+/// samples of earlier pieces.
 void SampleGrid::closeGaps(SampleList& samples, FrameArray<std::uint8_t>& statuses) {
     std::size_t size = 0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {

@@ -14,11 +14,11 @@ HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::exact::HWY_NAMESPACE {
 
-/// Of whole blocks that lie side by side, along one axis.
+/// Computes the boxes of adjacent whole blocks, along one axis.
 void boxWholeBlocksInLanes(const double* values, std::size_t blocks, float* middle, float* half) {
     namespace hn = hwy::HWY_NAMESPACE;
-    constexpr float kUp = 1 + 0x1p-22F; // more than the rounding to a float takes away
-    const hn::CappedTag<double, 4> tag; // halves and then lanes: shorter vectors are added up in fewer steps
+    constexpr float kUp = 1 + 0x1p-22F; // larger than the rounding error of a conversion to float
+    const hn::CappedTag<double, 4> tag; // reductions of short vectors need fewer steps
     for (std::size_t b = 0; b < blocks; ++b, values += SampleBlocks::kSamples) {
         auto low = hn::LoadU(tag, values);
         auto high = low;

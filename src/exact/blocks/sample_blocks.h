@@ -1,5 +1,6 @@
 // Boxes around adjacent samples in the order of a grid. One test of a triangle against a box replaces tests of all its
-// samples. Most samples in a triangle's cells are clearly beside or in front of the triangle.
+// samples. Most samples in a triangle's cells are clearly beside the triangle or clearly behind it as seen from the
+// light.
 #pragma once
 
 #include "exact/sample_list.h"

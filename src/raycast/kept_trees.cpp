@@ -16,20 +16,20 @@ namespace gnomon::raycast {
 
 namespace {
 
-/// The most clusters of a run; groups seldom have more.
+/// Max number of clusters in a run. Groups rarely have more.
 constexpr std::uint32_t kMostClusters = 64;
 
 using ClusterBits = std::bitset<kMostClusters>;
 
-/// Neighbouring clusters of one group with the same refinement: a cut draws all of them or none, but for those that its
-/// volumes leave out.
+/// Adjacent clusters of one group with the same refinement. A cut draws all of them or none, except clusters outside
+/// its volumes.
 struct Run {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
-    hierarchy::GridPoint corner{};   // of the box of all: the origin of the scene, whose unit is a cell
+    hierarchy::GridPoint corner{};   // min corner of the bounding box: the origin of the scene, whose unit is a cell
     RTCScene scene = nullptr;        // null until a frame draws it
-    std::vector<std::uint32_t> ends; // of each cluster, the first triangle of the run behind it
-    ClusterBits drawn;               // by the frame whose scene is being made
+    std::vector<std::uint32_t> ends; // per cluster, the index after its last triangle in the run
+    ClusterBits drawn;               // drawn clusters of the frame whose scene is being built
 };
 
 /// The runs of a page.
@@ -61,15 +61,15 @@ PageRuns::~PageRuns() {
         if (run.scene != nullptr) rtcReleaseScene(run.scene);
 }
 
-/// A run that a frame draws, all of it or some clusters.
+/// A run that a frame draws completely or in part.
 struct DrawnRun {
     std::uint32_t page = 0;
     std::uint32_t firstCluster = 0;
-    const std::vector<std::uint32_t>* ends = nullptr; // as the run has them
+    const std::vector<std::uint32_t>* ends = nullptr; // from the run
     ClusterBits drawn;
 };
 
-/// What a query tells the filter of what its ray meets: Embree hands the address of `base` on.
+/// The data of a query for the hit filter. Embree passes the address of `base`.
 struct RayContext {
     RTCIntersectContext base{};
     const DrawnRun* runs = nullptr; // by instance
@@ -77,7 +77,7 @@ struct RayContext {
     std::uint32_t name = 0;
 };
 
-/// Lets a ray pass triangles of clusters that the frame does not draw, and those that its rule does.
+/// Rejects hits on clusters that the frame does not draw, and hits that the rule does not stop at.
 void filterHit(const RTCFilterFunctionNArguments* arguments) {
     const auto& context = *reinterpret_cast<const RayContext*>(arguments->context);
     const DrawnRun& run = context.runs[RTCHitN_instID(arguments->hit, arguments->N, 0, 0)];
@@ -93,7 +93,7 @@ void filterHit(const RTCFilterFunctionNArguments* arguments) {
     if (!isStopped) *arguments->valid = 0;
 }
 
-/// Copies the triangles of `run` into a geometry of `scene`, relative to its corner.
+/// Copies the triangles of `run` into a geometry of `scene`, relative to the corner of the run.
 void addTriangles(RTCDevice device, const hierarchy::Page& page, RTCScene scene, Run& run) {
     hierarchy::GridBox box;
     std::uint32_t vertices = 0;
@@ -135,7 +135,7 @@ void build(RTCDevice device, const hierarchy::Page& page, Run& run) {
     run.scene = scene;
 }
 
-/// Attaches `run` to `scene`, moved to where it lies from `origin`.
+/// Attaches `run` to `scene`, translated to its position relative to `origin`.
 void attach(RTCDevice device, RTCScene scene, const Run& run, const hierarchy::GridPoint& origin) {
     const auto cells = [](std::uint32_t to, std::uint32_t from) {
         return static_cast<float>(static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from));
@@ -187,7 +187,7 @@ struct KeptTrees::State {
 };
 
 Bytes keptTreeBytes(const hierarchy::PageInfo& page) {
-    // Measured with SSE2 and AVX-512: 88 a triangle and 6,000 a run of clusters, of which a page has few or many.
+    // Measured with SSE2 and AVX-512: 88 bytes per triangle and 6,000 bytes per run. Pages have few or many runs.
     constexpr std::uint64_t kBytesPerTriangle = 96;
     constexpr std::uint64_t kBytesPerCluster = 3072;
     constexpr std::uint64_t kBytesPerPage = 16384;
@@ -221,19 +221,19 @@ struct CutScene::State {
     State& operator=(State&&) = delete;
 
     RTCScene scene = nullptr;
-    std::vector<DrawnRun> runs; // as Embree numbers the instances
+    std::vector<DrawnRun> runs; // in the order of Embree's instance numbers
     double cellsPerUnit = 1;
 };
 
 namespace {
 
-/// A run that was found to be drawn, and its page.
+/// A drawn run and its page.
 struct FoundRun {
     const PageClusters* clusters = nullptr;
     Run* run = nullptr;
 };
 
-/// The runs that hold `clusters`, each once; marks in them what is drawn.
+/// Returns the runs that contain `clusters`, each once, and marks the drawn clusters in them.
 std::vector<FoundRun> foundRuns(
     std::unordered_map<std::uint32_t, PageRuns>& pages, std::span<const PageClusters> clusters) {
     std::vector<FoundRun> found;

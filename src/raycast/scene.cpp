@@ -10,7 +10,7 @@
 namespace gnomon::raycast {
 namespace {
 
-/// Rays a task.
+/// Rays per task.
 constexpr std::size_t kRaysPerTask = 1024;
 
 template <class Body>
@@ -25,7 +25,7 @@ void forAllRays(std::size_t count, const Body& body) {
 } // namespace
 
 struct Scene::State {
-    /// Where the triangles of a cluster begin among all of the scene.
+    /// The first triangle of a cluster in the scene, and the cluster's place in its page.
     struct Origin {
         std::uint32_t firstTriangle = 0;
         std::uint32_t span = 0;
@@ -53,7 +53,7 @@ struct Scene::State {
     std::vector<Origin> origins;
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
-    std::vector<Plane> planes; // of what is seen
+    std::vector<Plane> planes; // planes that restrict the visible part
     bool cutsOccluders = false;
 };
 

@@ -10,14 +10,15 @@
 namespace gnomon::raycast {
 namespace {
 
-/// A ray begins this part of the point's distance from the eye off the surface, since that is how well floats know it.
+/// Relative distance of a ray's origin from the surface, as a fraction of the point's distance from the eye. This is
+/// the precision of floats there.
 constexpr float kRelativeOffset = 0x1.0p-19F;
 
 bool isLitSide(Light light) {
     return light == Light::Dark || light == Light::Lit;
 }
 
-/// Marks the lit-side pixels with a lit-side neighbour whose answer differs, but where one of the two is `apart`.
+/// Marks lit-side pixels that have a lit-side neighbour with a different result. Skips pairs with an `apart` pixel.
 template <class IsLit>
 std::vector<std::uint8_t> edges(
     std::span<const Light> reference, std::size_t width, const IsLit& isLit, std::span<const std::uint8_t> apart = {}) {
@@ -38,7 +39,7 @@ class Envelope {
 public:
     explicit Envelope(std::size_t length) : apex_(length), from_(length + 1), values_(length) {}
 
-    /// Replaces `f`, every `stride`-th of `count` values, by its transform.
+    /// Replaces the `count` values of `f` at distance `stride` by their transform.
     void transform(double* f, std::size_t count, std::size_t stride) {
         for (std::size_t i = 0; i < count; ++i)
             values_[i] = f[i * stride];
@@ -105,7 +106,7 @@ std::vector<float> distanceTransform(std::span<const std::uint8_t> marked, std::
     GNOMON_CHECK(width > 0 && marked.size() % width == 0);
     const std::size_t height = marked.size() / width;
     const double diagonal = std::hypot(static_cast<double>(width), static_cast<double>(height));
-    const double unreached = 4 * diagonal * diagonal; // finite: the envelope subtracts it from itself
+    const double unreached = 4 * diagonal * diagonal; // finite, because the envelope subtracts it from itself
     std::vector<double> squared(marked.size());
     for (std::size_t i = 0; i < marked.size(); ++i)
         squared[i] = marked[i] != 0 ? 0 : unreached;

@@ -74,9 +74,9 @@ std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::siz
 /// where `reference` is Dark or Lit. An edge pixel has a lit-side neighbour (of four) with a different result.
 /// Distances are between pixel centres. If the other picture has no edge, the distance is the diagonal of the picture.
 ///
-/// `apart` (one mark per pixel, or empty) marks shadows that the picture may omit. An edge of the ground truth between
-/// a marked and an unmarked pixel is not required in the picture. A marked dark pixel that the picture shows as lit is
-/// not wrong. If the picture shows such an edge, the edge still counts as near.
+/// `apart` (one mark per pixel, or empty) marks shadows that the picture may omit. The picture need not show an edge of
+/// the ground truth that has a marked pixel on either side. A marked dark pixel that the picture shows as lit is not
+/// wrong. If the picture does show such an edge, the distance to it is measured like any other.
 ShadowComparison compareShadows(
     std::span<const Light> reference,
     std::span<const std::uint8_t> isLit,

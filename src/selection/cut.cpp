@@ -14,7 +14,7 @@ namespace {
 using hierarchy::kNone;
 using hierarchy::PageDemand;
 
-/// As `unite`, of demands that lie close enough in the table of pages for a place each.
+/// Merges demands like `unite`, for pages that are so close in the page table that an array over the range is small.
 void uniteByPlace(std::vector<PageDemand>& demands, std::uint32_t first, std::uint32_t last) {
     constexpr double kNobody = -1;
     std::vector<double> pixels(std::size_t{last} - first + 1, kNobody);
@@ -25,10 +25,10 @@ void uniteByPlace(std::vector<PageDemand>& demands, std::uint32_t first, std::ui
         if (pixels[page - first] != kNobody) demands.push_back({page, pixels[page - first]});
 }
 
-/// Each page once, with the most pixels that anyone gave it, by id.
+/// Merges the demands: each page once, with its largest number of pixels, by id.
 void unite(std::vector<PageDemand>& demands) {
     if (demands.empty()) return;
-    constexpr std::size_t kPlacesADemand = 16; // passed over in less time than a demand is sorted in
+    constexpr std::size_t kPlacesADemand = 16; // scanning so many array elements is faster than sorting one demand
     const auto byPage = [](const PageDemand& a, const PageDemand& b) { return a.page < b.page; };
     const auto [first, last] = std::minmax_element(demands.begin(), demands.end(), byPage);
     if (last->page - first->page < kPlacesADemand * demands.size()) {
@@ -68,7 +68,7 @@ PageTrees::PageTrees(std::span<const hierarchy::PageInfo> pages, const hierarchy
 std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint32_t>& missingRoots) {
     const std::uint64_t mine = bvh::undecidedMask(query.volumes.size()).touching;
     std::vector<ConvexVolume> volumes(query.volumes.begin(), query.volumes.end());
-    volumes.emplace_back(); // all of space: the rule alone says which pages are in demand
+    volumes.emplace_back(); // all of space: only the error rule selects pages
     std::vector<PageVisit> visits;
     const auto matters = [&](const Sphere& bounds, double error) {
         return query.rule->exceeds(bounds, error, query.errorPixels);
@@ -110,15 +110,15 @@ bool CutPart::isBlocked(std::uint32_t page, std::uint32_t group) const {
     return query_->blocked != nullptr && !query_->blocked->empty() && query_->blocked->contains({page, group});
 }
 
-/// As isPassedThrough, of a page that is not resident.
+/// Returns isPassedThrough for a page that is not resident.
 bool CutPart::isPassed(std::uint32_t page) {
     if (query_->passable.empty()) return false;
-    if (asked_ != page) isAskedPassed_ = isPassedThrough(*query_, page); // neighbours often share a page
+    if (asked_ != page) isAskedPassed_ = isPassedThrough(*query_, page); // adjacent refinements often share a page
     asked_ = page;
     return isAskedPassed_;
 }
 
-/// The planes that a page's box may cross: those of the volumes that it is not known to lie in.
+/// Collects the planes that a page's box may cross: the planes of volumes that do not certainly contain the box.
 void CutPart::collectPlanes(bvh::VolumeMask mask) {
     pagePlanes_.clear();
     for (std::uint64_t left = mask.undecided(); left != 0; left &= left - 1) {
@@ -128,8 +128,8 @@ void CutPart::collectPlanes(bvh::VolumeMask mask) {
     }
 }
 
-/// The volumes of `touching` that `box` touches, as gnomon::classify has it, given the planes that what holds the box
-/// crosses; those that the box crosses go to `still`.
+/// Returns the volumes of `touching` that `box` intersects (see gnomon::classify). `planes` are the planes that the
+/// enclosing box crosses. Planes that `box` itself crosses are added to `still`.
 std::uint64_t CutPart::narrowed(
     std::uint64_t touching,
     std::span<const CutPlane> planes,
@@ -166,8 +166,8 @@ void CutPart::addGroup(
     }
 }
 
-/// How far the image of a cluster that is drawn may be off: its own box says it more closely than the sphere of all
-/// that refines it, which reaches to the eye where a page is missing, so that the rule knows of no end.
+/// Returns the screen-space error of a drawn cluster. The cluster's own box gives a tighter bound than the sphere of
+/// its refinement. Where a page is missing, this sphere can reach the eye, and its bound is then infinite.
 double CutPart::shownPixels(const hierarchy::Page& page, const hierarchy::Cluster& cluster) const {
     const double pixels = refinements_[cluster.refinement].viewPixels;
     if (!(pixels > query_->errorPixels)) return pixels;
@@ -189,7 +189,7 @@ void CutPart::test(const hierarchy::Page& page) {
         refinements_[i].isRefined = (isResident || isPassed(refinement.group.page)) &&
                                     !isBlocked(refinement.group.page, refinement.group.group);
         std::vector<PageDemand>& demands = isResident ? used_ : wanted_;
-        if (!demands.empty() && demands.back().page == refinement.group.page) { // neighbours often share a page
+        if (!demands.empty() && demands.back().page == refinement.group.page) { // often shared with the last one
             demands.back().pixels = std::max(demands.back().pixels, pixels);
         } else {
             demands.push_back({refinement.group.page, pixels});
@@ -256,12 +256,13 @@ std::vector<PageDemand> demand(const CutQuery& query) {
 
 std::vector<PageDemand> foreseenPages(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages) {
-    // Pages are refined by pages of higher ids, so this order comes to a page when all that lead to it are done.
+    // A page is refined only by pages with higher ids. In this order, all predecessors of a page are complete before
+    // the page.
     std::map<std::uint32_t, double> pixelsOf;
     for (const PageDemand& wanted : cut.wanted)
         pixelsOf[wanted.page] = wanted.pixels;
     std::vector<PageDemand> result;
-    auto known = cut.wanted.begin(); // by id as well
+    auto known = cut.wanted.begin(); // also sorted by id
     for (; !pixelsOf.empty(); pixelsOf.erase(pixelsOf.begin())) {
         const auto [page, pixels] = *pixelsOf.begin();
         if (known != cut.wanted.end() && known->page == page) {
@@ -272,7 +273,7 @@ std::vector<PageDemand> foreseenPages(
         for (const std::uint32_t child : pages[page].children) {
             if (query.resident[child] != nullptr) continue;
             const hierarchy::PageInfo& info = pages[child];
-            // What refines a group never has more pixels than the group.
+            // A refinement never has more pixels than the group that it refines.
             const double most = std::min(pixels, query.rule->pixels(info.bounds, info.maxError));
             if (most > query.errorPixels) pixelsOf[child] = std::max(pixelsOf[child], most);
         }

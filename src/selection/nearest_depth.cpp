@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMargin = 0.05;
 
-/// The view's pyramid, somewhat wider than the image.
+/// Returns the view pyramid, slightly wider than the image.
 ConvexVolume widenedPyramid(DetailView view) {
     view.tanHalfX *= 1 + kMargin;
     view.tanHalfY *= 1 + kMargin;
@@ -59,7 +59,7 @@ double nearestDepth(const PageTrees& trees, const DetailView& view) {
             else
                 waiting.push_back({depth, node.child[lane]});
         }
-        // The nearest is taken first.
+        // The nearest node is visited first.
         std::sort(
             waiting.begin() + static_cast<std::ptrdiff_t>(first),
             waiting.end(),

@@ -1,4 +1,4 @@
-// Pages that a cut need not read, since it surely draws nothing of them.
+// Skippable pages: a cut need not read them, because it certainly draws none of their clusters.
 #include "selection/cut.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ bool isPassedThrough(const CutQuery& query, std::uint32_t page) {
 }
 
 void replacePassed(const CutQuery& query, Cut& cut) {
-    // Pages are refined by pages of higher ids, so this order comes to a page when all that lead to it are done.
+    // A page is refined only by pages with higher ids. In this order, all predecessors of a page are complete before
+    // the page.
     std::map<std::uint32_t, double> pixelsOf;
     for (const hierarchy::PageDemand& wanted : cut.wanted)
         pixelsOf[wanted.page] = wanted.pixels;

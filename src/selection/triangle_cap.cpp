@@ -7,7 +7,7 @@
 namespace gnomon::selection {
 namespace {
 
-/// The thresholds for which a cluster is drawn: from `least` up to, but not at, `end`.
+/// The thresholds at which a cluster is drawn: from `least` (inclusive) to `end` (exclusive).
 struct DrawnAt {
     double least = 0;
     double end = 0;
@@ -21,7 +21,7 @@ std::uint64_t trianglesAt(std::span<const DrawnAt> clusters, double errorPixels)
     return result;
 }
 
-/// The clusters in the first volume that any threshold from the query's upwards draws.
+/// The clusters of the first volume that are drawn at any threshold from the query's threshold up.
 class DrawnClusters {
 public:
     explicit DrawnClusters(const CutQuery& query) : query_(&query), volumes_(query.volumes.first(1)) {}
@@ -70,7 +70,7 @@ private:
 
     const CutQuery* query_;
     std::span<const ConvexVolume> volumes_;
-    std::vector<double> refinedBelow_; // by refinement of the current page: the thresholds that refine it
+    std::vector<double> refinedBelow_; // by refinement of the current page: the threshold below which it is refined
     std::vector<DrawnAt> found_;
 };
 
@@ -79,7 +79,7 @@ private:
 double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles) {
     const std::vector<DrawnAt> clusters = DrawnClusters(query).all();
     if (trianglesAt(clusters, query.errorPixels) <= maxTriangles) return query.errorPixels;
-    double coarsest = query.errorPixels; // beyond it nothing is refined but the roots
+    double coarsest = query.errorPixels; // above this threshold, only roots are refined
     for (const DrawnAt& cluster : clusters)
         coarsest = std::max({coarsest, cluster.least, std::isfinite(cluster.end) ? cluster.end : 0});
     double tooMany = std::max(query.errorPixels, std::numeric_limits<double>::min());

@@ -1,4 +1,4 @@
-// What a cut must leave as it is below damaged pages.
+// Blocked groups: groups above damaged pages that a cut must leave unrefined.
 #include "streaming/page_store.h"
 
 #include <limits>
@@ -6,21 +6,22 @@
 namespace gnomon::streaming {
 namespace {
 
-constexpr double kNoParent = std::numeric_limits<double>::infinity(); // the error of a root group
+constexpr double kNoParent = std::numeric_limits<double>::infinity(); // error of a root group
 
-/// Whether `outer` may hold all of `inner`; errs towards yes by a part in a million.
+/// Returns true if `outer` may contain `inner`, with a tolerance of 1e-6.
 bool mayEnclose(const Sphere& outer, const Sphere& inner) {
     return glm::distance(outer.center, inner.center) + inner.radius <= outer.radius * (1 + 1e-6);
 }
 
 } // namespace
 
-/// A group may be refined only if every group that holds a part of what replaces it is. Which groups a damaged page
-/// refines nobody can tell, but its bounds enclose theirs; what its bounds do not enclose it has nothing to do with.
+/// Blocks groups of `page`. A group may be refined only if each group that contains a part of its refinement is also
+/// refined. The groups that a damaged page refines are unknown, but its bounds contain theirs. Groups outside these
+/// bounds are not affected.
 void PageStore::blockGroups(std::uint32_t page) {
     const hierarchy::Page& content = *entries_[page].content;
     const auto block = [&](std::uint32_t group) {
-        if (content.groups[group].error < kNoParent) blocked_.insert({page, group}); // a root hangs from nothing
+        if (content.groups[group].error < kNoParent) blocked_.insert({page, group}); // a root group has no parents
     };
     for (const std::uint32_t parent : entries_[page].parents) {
         if (entries_[parent].state != State::Damaged) {
@@ -32,7 +33,7 @@ void PageStore::blockGroups(std::uint32_t page) {
     }
 }
 
-/// Calls `block` for the groups of `page` that blocked groups of `parent` refine.
+/// Calls `block` for the groups of `page` that blocked groups of `parent` refine into.
 template <class Block>
 void PageStore::blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const {
     const hierarchy::Page& above = *entries_[parent].content;

@@ -1,4 +1,4 @@
-// From a residency that holds what one cut draws to one that is closed upwards.
+// Conversion of the resident pages of an open demand to an ancestor-complete set.
 #include "streaming/page_store.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool PageStore::close() {
     return hasHidden;
 }
 
-/// As if `page` had just been decoded before one of its parents.
+/// Hides `page`, as if it had been decoded before one of its parents.
 void PageStore::hide(std::uint32_t page) {
     Entry& entry = entries_[page];
     entry.state = State::Loading;

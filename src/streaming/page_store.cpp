@@ -10,7 +10,7 @@
 namespace gnomon::streaming {
 namespace {
 
-/// Whatever is prefetched comes after whatever is used or wanted.
+/// Scale of the urgency of prefetched pages. All used and wanted pages are more urgent.
 constexpr double kPrefetchScale = 1e-30;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -108,10 +108,10 @@ DemandOutcome PageStore::load(const Demand& demand) {
     loaders_.wait();
     outcome.hasChanged = takeFinished() || outcome.hasChanged;
     if (outcome.isBudgetBinding) outcome.hasChanged = dropUnkept() || outcome.hasChanged;
-    makeRoom({0}); // of pages that nobody asks for: what is kept beside others may need theirs
+    makeRoom({0}); // evicts pages without demand, because auxiliary bytes of other pages may need their memory
     countMissing(demand, outcome);
     const bool isIncomplete = statistics_.pagesDamaged > 0 || outcome.pagesMissing > 0;
-    if (isIncomplete && close()) outcome.hasChanged = true; // a cut is to draw what stands above
+    if (isIncomplete && close()) outcome.hasChanged = true; // a cut must be able to draw the ancestors
     return outcome;
 }
 
@@ -155,7 +155,7 @@ void PageStore::raisePriority(std::uint32_t page, double urgency, Need need) {
 }
 
 void PageStore::raiseParents() {
-    std::priority_queue<std::uint32_t> finestFirst(requested_.begin(), requested_.end()); // a parent has the lower id
+    std::priority_queue<std::uint32_t> finestFirst(requested_.begin(), requested_.end()); // a parent has a lower id
     while (!finestFirst.empty()) {
         const std::uint32_t page = finestFirst.top();
         finestFirst.pop();
@@ -166,13 +166,14 @@ void PageStore::raiseParents() {
     }
 }
 
-/// The error of a budget below `least` for `what`.
+/// Returns the error for a budget below `least` for `what`.
 Error PageStore::tooSmall(const std::string& what, Bytes least) const {
     const std::string found = readableBytes(options_.budget);
     return {source_->name(), "the page cache is too small for " + what, "at least " + readableBytes(least), found};
 }
 
-/// Most urgent first, and everything that is certain before anything that is not; so parents before children.
+/// Selects the pages that the budget can hold, the most urgent first. All certain pages come before prefetched pages,
+/// and thus parents before children.
 void PageStore::chooseKept(DemandOutcome& outcome) {
     Bytes total{pinned_.count + reserved_.count};
     for (const std::uint32_t page : requested_) {
@@ -186,7 +187,7 @@ void PageStore::chooseKept(DemandOutcome& outcome) {
         if (!keep(entries_[page], total)) return;
 }
 
-/// False if the budget has no room beside `total`, which otherwise grows.
+/// Adds the entry to the kept pages and to `total`. Returns false if the budget is exceeded.
 bool PageStore::keep(Entry& entry, Bytes& total) const {
     if (entry.isKept() || entry.state == State::Damaged) return true;
     if (total.count + entry.bytes.count > options_.budget.count) return false;
@@ -200,7 +201,7 @@ void PageStore::requestKept() {
     for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
         if (!entry.isKept() || entry.state != State::Absent || isPausing(entry)) continue;
-        if (isOpen_ ? !entry.isAsked : isUnrequested(page)) continue; // parents are more urgent, so they came before
+        if (isOpen_ ? !entry.isAsked : isUnrequested(page)) continue; // parents are more urgent and came before
         if (!makeRoom(entry.bytes)) break;
         hold(page);
         requests.push_back(page);
@@ -240,7 +241,8 @@ bool PageStore::makeRoom(Bytes bytes) {
         for (std::uint32_t page = 0; page < table_.size(); ++page)
             if (entries_[page].state == State::Resident && entries_[page].retention == Retention::None)
                 victims_.push_back(page);
-        // Longest unused first, and a child, which was used no later than its parents, before them.
+        // The sort puts the next victim last: the page that was not used for the longest time. A child was used no
+        // later than its parents, so it is evicted before them.
         std::sort(victims_.begin(), victims_.end(), [this](std::uint32_t a, std::uint32_t b) {
             const std::uint64_t usedA = entries_[a].lastUsed;
             const std::uint64_t usedB = entries_[b].lastUsed;
@@ -280,7 +282,7 @@ bool PageStore::takeFinished() {
     return statistics_.pagesRead != before;
 }
 
-/// Admits one round of the pages whose parents are there; true if there was any.
+/// Admits the waiting pages whose parents are all available, in one pass. Returns true if there was one.
 bool PageStore::admitWaiting() {
     bool hasMoved = false;
     std::vector<LoadedPage> still;
@@ -303,7 +305,7 @@ bool PageStore::admitWaiting() {
     return hasMoved;
 }
 
-/// Gives up a page that did not come; what to throw if nothing can be drawn in its place.
+/// Rejects a page that could not be loaded. Returns the exception to throw if no other page can be drawn in its place.
 std::exception_ptr PageStore::leaveOut(const LoadedPage& loaded) {
     release(loaded.page);
     const bool isUnread = loaded.failure != nullptr;
@@ -325,7 +327,7 @@ bool PageStore::isPausing(const Entry& entry) const {
     return entry.unreadSince && entry.unreadSince->elapsed() < *options_.unreadPause;
 }
 
-/// Whether one of the parents that `page` waits for could not be read and is not being loaded again.
+/// Returns true if `page` waits for a parent that could not be read and is not being loaded again.
 bool PageStore::isUnrequested(std::uint32_t page) const {
     const std::vector<std::uint32_t>& parents = entries_[page].parents;
     return std::any_of(parents.begin(), parents.end(), [this](std::uint32_t parent) {
@@ -343,7 +345,7 @@ void PageStore::admit(LoadedPage loaded) {
     if (statistics_.pagesDamaged > 0 && !isOpen_) blockGroups(loaded.page);
 }
 
-/// Evicts what the current demand requested but the budget has no room for; true if that was anything.
+/// Evicts requested pages for which the budget has no memory. Returns true if a page was evicted.
 bool PageStore::dropUnkept() {
     bool hasDropped = false;
     for (std::size_t i = requested_.size(); i-- > 0;) { // least urgent first, so children before parents

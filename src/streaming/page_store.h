@@ -153,7 +153,7 @@ private:
     };
 
     /// The certainty with which the current demand needs a page.
-    enum class Need : std::uint8_t { None, Foreseen, Certain /* used or wanted, or a parent of such */ };
+    enum class Need : std::uint8_t { None, Foreseen, Certain /* used, wanted, or a parent of such a page */ };
 
     /// The state of one page, besides its row in the page table.
     struct Entry {

@@ -8,7 +8,7 @@
 namespace gnomon::culling {
 namespace {
 
-/// Pages a task: some tens of microseconds, so that handing tasks out costs little beside them.
+/// Pages per task. A task then takes tens of microseconds, so the overhead of scheduling is small.
 constexpr std::size_t kPagesPerTask = 24;
 
 } // namespace

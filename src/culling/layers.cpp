@@ -18,7 +18,8 @@ double imageLayers(const selection::CutQuery& query, const selection::DrawList& 
             const double depth = glm::dot(fromEye, view.basis.view);
             double share = 1;
             if (depth > 0.5 * glm::length(extent)) {
-                // Three faces, each as the line of sight meets it; at depth 1 the image is 4 tanHalfX tanHalfY large.
+                // Sums the projected areas of the three visible faces. At depth 1, the image has the area 4 tanHalfX
+                // tanHalfY.
                 const glm::dvec3 faces(extent.y * extent.z, extent.z * extent.x, extent.x * extent.y);
                 const double area = glm::dot(glm::abs(fromEye), faces) / distance;
                 share = area / (4 * view.tanHalfX * view.tanHalfY * depth * depth);

@@ -12,19 +12,19 @@
 namespace gnomon::culling {
 namespace {
 
-/// A sine below which a plane may pass for one that holds the light or the eye: far more than a light loses when it is
-/// rounded, and than these products do.
+/// The sine below which a plane may contain the light or the eye. It is far larger than the rounding errors of a light
+/// direction and of the products below.
 constexpr double kGrazing = 1e-6;
 
-/// Whether a * b is c * d, to the bit; all are whole numbers below 2^53 in size.
+/// Returns true if a * b equals c * d exactly. All arguments are integers with absolute values below 2^53.
 bool areProductsEqual(double a, double b, double c, double d) {
     const double p = a * b;
     const double q = c * d;
     return p == q && std::fma(a, b, -p) == std::fma(c, d, -q);
 }
 
-/// Whether the plane of a triangle holds the direction `towardsLight` for sure: one along an axis, beside which walls
-/// stand upright to the step of the grid.
+/// Returns true if the plane of a triangle certainly contains the direction `towardsLight`. This is tested for lights
+/// along an axis, because walls are often exactly vertical on the grid.
 bool holdsLight(const std::array<hierarchy::GridPoint, 3>& corners, const glm::dvec3& towardsLight) {
     const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
     const glm::dvec3 ab = cells(corners[1]) - cells(corners[0]);

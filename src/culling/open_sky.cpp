@@ -12,7 +12,7 @@ namespace gnomon::culling {
 
 namespace {
 
-/// A plane through a visible triangle: what lies before it is dot(normal, p) > offset.
+/// The plane of a visible triangle. Points with dot(normal, p) > offset are in front of it.
 struct SeenPlane {
     glm::dvec3 normal{0};
     double offset = 0;
@@ -24,7 +24,7 @@ struct SeenPlane {
     bool holds(const glm::dvec3& point) const { return glm::dot(normal, point) > offset; }
 };
 
-/// Where all else lies of a triangle: behind it, none before it, or before it, none behind.
+/// The position of all other geometry relative to a triangle: only behind it, only in front of it, or both.
 enum class Beside : std::uint8_t { Behind, Before, Both };
 
 class OpenSkySearch {
@@ -42,8 +42,8 @@ public:
         }
     }
 
-    /// Whether something may lie before a triangle of `range`; where the solid is not whole or not closed all that lies
-    /// before one does.
+    /// Returns true if geometry may lie in front of a triangle of `range`. A triangle with all geometry in front of it
+    /// is a back face: if `solids` is Whole, the function only records it.
     bool isFound(const selection::ClusterRange& range, Solids solids) {
         const hierarchy::Page& page = *query_->resident[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
@@ -61,7 +61,8 @@ public:
         return false;
     }
 
-    /// Whether what was found has no far sides, or is a solid that hides them: closed, and seen from outside.
+    /// Returns true if no back faces were found, or if they belong to a closed solid seen from outside, which hides
+    /// them.
     bool hidesFarSides() const { return !hasFarSides_.load() || (hasNearSides_.load() && isClosed()); }
 
 private:
@@ -75,7 +76,7 @@ private:
         return isAllInView_ && !isAnyBefore(-normal, corners[0]) ? Beside::Before : Beside::Both;
     }
 
-    /// Whether anything lies on the side of the plane through `point` that `normal` points to.
+    /// Returns true if geometry lies in front of the plane through `point`, on the side of `normal`.
     bool isAnyBefore(const glm::dvec3& normal, const glm::dvec3& point) const {
         constexpr double kSteps = 2;
         const SeenPlane plane{normal, glm::dot(normal, point) + kSteps * grid_.step()};
@@ -86,7 +87,7 @@ private:
         return false;
     }
 
-    /// Whether each edge belongs to two triangles.
+    /// Returns true if each edge belongs to exactly two triangles.
     bool isClosed() const {
         std::vector<std::array<hierarchy::GridPoint, 2>> edges;
         for (const selection::ClusterRange& range : image_->ranges)

@@ -14,7 +14,7 @@ namespace gnomon::culling {
 
 namespace {
 
-/// A box as the light sees it: a rectangle across its direction, and from where to where it reaches along it.
+/// A box as seen from the light: a rectangle perpendicular to the light direction, and a range along it.
 struct BeamBox {
     glm::dvec2 least{std::numeric_limits<double>::infinity()};
     glm::dvec2 most{-std::numeric_limits<double>::infinity()};
@@ -31,7 +31,7 @@ struct BeamBox {
     glm::dvec2 middle() const { return 0.5 * (least + most); }
 };
 
-/// Space with the light along one axis.
+/// A space with one axis along the light.
 class BeamSpace {
 public:
     explicit BeamSpace(const glm::dvec3& towards) : along_(towards) {
@@ -57,7 +57,7 @@ private:
     glm::dvec3 up_{0};
 };
 
-/// Boxes in a binary tree without links: node i has the children 2 i + 1 and 2 i + 2.
+/// Boxes in an implicit binary tree: node i has the children 2 i + 1 and 2 i + 2.
 class BeamBoxTree {
 public:
     explicit BeamBoxTree(std::vector<BeamBox> boxes) : boxes_(std::move(boxes)) {
@@ -69,7 +69,8 @@ public:
         build(0, 0, boxes_.size(), leaves);
     }
 
-    /// The most that any box stands before `receiver` whose penumbra can fall on it; at least `best`.
+    /// Returns the largest distance of a box in front of `receiver` whose penumbra can fall on the receiver, or `best`
+    /// if it is larger.
     double farthestBefore(const BeamBox& receiver, double slope, double best) const {
         if (!boxes_.empty()) visit(0, receiver, slope, best);
         return best;
@@ -120,7 +121,7 @@ void forEachClusterBox(const selection::CutQuery& query, const selection::DrawLi
     }
 }
 
-/// A rectangle, of the image in pixels from its lower left corner.
+/// A rectangle of the image, in pixels from the lower left corner.
 struct SeenRectangle {
     glm::dvec2 least{std::numeric_limits<double>::infinity()};
     glm::dvec2 most{-std::numeric_limits<double>::infinity()};
@@ -131,11 +132,11 @@ struct SeenRectangle {
     }
 };
 
-/// Where the part of `box` that is at least `depth` deep may be seen: between its corners, or, where it reaches nearer,
-/// wherever any offset across the view may be at any of its depths.
+/// Returns the image rectangle of the part of `box` with view depth `depth` or more. Normally, its corners bound the
+/// rectangle. If the box extends nearer, the rectangle covers all combinations of offset and depth.
 SeenRectangle seenRectangle(const selection::DetailView& view, const TiledView& seen, const Box& box, double depth) {
     const glm::dvec2 size(seen.tiles.width, seen.tiles.height);
-    SeenRectangle offsets; // across the view, world units
+    SeenRectangle offsets; // perpendicular to the view, world units
     SeenRectangle rectangle;
     const auto add = [&](const glm::dvec2& across, double at) {
         rectangle.add((across / (seen.half * at) + 1.0) / 2.0 * size);
@@ -162,15 +163,15 @@ SeenRectangle seenRectangle(const selection::DetailView& view, const TiledView& 
     return rectangle;
 }
 
-/// Some tiles of an image, a rectangle of them; half-open.
+/// A half-open rectangle of image tiles.
 struct TileBox {
     glm::ivec2 least{0};
     glm::ivec2 most{0};
 };
 
-/// The tiles that may show any of `box`, whose nearest point is `depth` deep.
+/// Returns the tiles that may show a part of `box`, whose nearest point has view depth `depth`.
 TileBox tilesOf(const selection::DetailView& view, const TiledView& seen, const Box& box, double depth) {
-    constexpr double kBeside = 1; // pixels: half of one, and more than any rounding
+    constexpr double kBeside = 1; // pixels: half a pixel, and a reserve for rounding
     const SeenRectangle rectangle = seenRectangle(view, seen, box, depth);
     const glm::ivec2 tiles(seen.tiles.columns(), seen.tiles.rows());
     const auto tileAt = [&](const glm::dvec2& pixel) {
@@ -182,12 +183,12 @@ TileBox tilesOf(const selection::DetailView& view, const TiledView& seen, const 
         glm::clamp(tileAt(rectangle.most + kBeside) + 1, glm::ivec2(0), tiles)};
 }
 
-/// The widest of each tile.
+/// The largest width per tile.
 class TileWidths {
 public:
     explicit TileWidths(const shadow::ImageTiles& tiles) : tiles_(tiles), widths_(tiles.count()) {}
 
-    /// Infinite of no tiles.
+    /// Returns the smallest width in `box`, or infinity for an empty box.
     double least(const TileBox& box) const {
         double least = std::numeric_limits<double>::infinity();
         forEach(box, [&](std::size_t i) { least = std::min(least, widths_[i]); });
@@ -218,7 +219,8 @@ private:
     std::vector<double> widths_;
 };
 
-/// Bounds the widths on what is seen, cluster by cluster and, where that says too little, triangle by triangle.
+/// Computes the bounds of the widths for the visible surfaces. It tests clusters first, and triangles if the bound of a
+/// cluster is too coarse.
 class WidthSearch {
 public:
     WidthSearch(
@@ -230,7 +232,7 @@ public:
           seen_(&seen),
           space_(light.towards),
           pyramid_(selection::viewPyramid(*view_)) {
-        // How much longer a length may be seen than at the middle of the image.
+        // Max factor by which a length appears larger than at the image centre.
         const double aslant = std::sqrt(1 + view_->tanHalfX * view_->tanHalfX + view_->tanHalfY * view_->tanHalfY);
         perDistance_ = light.slope * aslant * view_->heightPixels / (2 * view_->tanHalfY);
     }
@@ -253,11 +255,11 @@ public:
     }
 
 private:
-    /// Where a receiver lies, to the eye and in beams.
+    /// The position of a receiver in the image and in light space.
     struct Receiver {
         TileBox tiles;
         BeamBox beam;
-        double perDistance = 0; // pixels of penumbra a unit of distance; 0: it is not seen
+        double perDistance = 0; // pixels of penumbra per unit of distance; 0 if not visible
     };
 
     Receiver receiver(const Box& box) const {
@@ -268,7 +270,7 @@ private:
         return {tilesOf(*view_, *seen_, box, depth), space_.boxOf(box), perDistance_ / depth};
     }
 
-    /// Whether a penumbra may fall on `box` that is wider than one that its tiles have.
+    /// Returns true if a penumbra on `box` may be wider than the stored widths of its tiles.
     bool isWider(const Box& box, const TileWidths& widths) const {
         const Receiver found = receiver(box);
         if (found.perDistance == 0) return false;
@@ -287,9 +289,9 @@ private:
         if (before > known) widths.raise(found.tiles, before * found.perDistance);
     }
 
-    /// Whether a triangle may show the eye a side that any of the light's disc reaches.
+    /// Returns true if a triangle may show the eye a side that a part of the light's disc reaches.
     bool mayShowLight(const std::array<glm::dvec3, 3>& corners) const {
-        constexpr double kGrazing = 1e-6; // a sine that these products may have wrong
+        constexpr double kGrazing = 1e-6; // rounding error of a sine from these products
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const glm::dvec3 towardsEye = seen_->isParallel ? -view_->basis.view : view_->eye - corners[0];
         const double light = glm::dot(normal, light_->towards);
@@ -326,7 +328,7 @@ std::vector<double> penumbraWidths(
         forEachClusterBox(query, list, keep);
     const BeamBoxTree tree(std::move(boxes));
     const WidthSearch search(query, tree, light, seen);
-    // Each finds the largest of what it looks at, so that it does not matter who looks at what.
+    // Each thread computes maxima, so the assignment of work to threads does not change the result.
     tbb::enumerable_thread_specific<TileWidths> widths(seen.tiles);
     tbb::parallel_for(
         std::size_t{0}, image.ranges.size(), [&](std::size_t i) { search.look(image.ranges[i], widths.local()); });

@@ -20,7 +20,8 @@ void forEachCluster(const selection::CutQuery& query, const selection::DrawList&
     }
 }
 
-/// Calls `visit(corners)` with the local positions of each triangle of a cluster until it answers true.
+/// Calls `visit(corners)` with the local positions of each triangle of a cluster until it returns true. Returns true in
+/// this case.
 template <class Visit>
 bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::uint32_t cluster, const Visit& visit) {
     const hierarchy::Cluster& c = page.clusters[cluster];
@@ -33,11 +34,11 @@ bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::
     return false;
 }
 
-/// What a cluster may be off by because a finer group is not resident.
+/// Returns the error of a cluster whose refinement is required but not resident, else 0.
 double missingError(const selection::CutQuery& query, const hierarchy::Page& page, std::uint32_t cluster) {
     if (page.clusters[cluster].refinement == hierarchy::kNone) return 0;
     const hierarchy::Refinement& finer = page.refinements[page.clusters[cluster].refinement];
-    if (query.resident[finer.group.page] != nullptr) return 0; // it would have been drawn
+    if (query.resident[finer.group.page] != nullptr) return 0; // the cut would have drawn it
     return query.rule->exceeds(finer.bounds, finer.drawnError(), query.errorPixels) ? finer.error : 0;
 }
 
@@ -61,13 +62,13 @@ void findCandidates(
     });
 }
 
-/// Looks at triangles only where their box could still move `best`.
+/// Tests triangles only if the box of their cluster could still change `best`.
 class DepthSearch {
 public:
     explicit DepthSearch(const selection::CutQuery& query)
         : query_(&query), pyramid_(selection::viewPyramid(query.rule->view())), clipper_(pyramid_) {}
 
-    /// The extent of one cluster's visible part.
+    /// Extends the depth range by the visible part of one cluster.
     void measure(const DepthCandidate& candidate, double& least, double& greatest) {
         ++measured;
         const selection::DetailView& view = query_->rule->view();
@@ -113,7 +114,7 @@ std::optional<VisibleDepths> visibleDepthRange(
     }
     if (least == kInfinite) return std::nullopt;
     const auto nearer = [](const DepthCandidate& a, const DepthCandidate& b) { return a.greatest < b.greatest; };
-    std::make_heap(heap.begin(), end, nearer); // what is behind `end` is measured
+    std::make_heap(heap.begin(), end, nearer); // candidates after `end` are measured
     for (; end != heap.begin() && heap.front().greatest > greatest; --end) {
         search.measure(heap.front(), least, greatest);
         std::pop_heap(heap.begin(), end, nearer);

@@ -17,7 +17,7 @@ struct VisibleDepths {
     std::uint64_t clustersMeasured = 0; // clusters whose triangles were tested one by one
 };
 
-/// A drawn cluster and the view depths that its box spans.
+/// A drawn cluster and the view depths of its box.
 struct DepthCandidate {
     double least = 0;
     double greatest = 0;

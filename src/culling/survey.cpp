@@ -14,7 +14,7 @@
 namespace gnomon::culling {
 namespace {
 
-/// A range of depth in steps.
+/// A depth range divided into steps.
 class DepthQuantization {
 public:
     explicit DepthQuantization(const DepthSpan& depths) : depths_(depths) {
@@ -43,12 +43,12 @@ private:
     }
 
     DepthSpan depths_;
-    bool isEven_ = false; // the range is less than a step: it is divided anyway
+    bool isEven_ = false; // true: the range is smaller than a step and is divided evenly
     std::size_t count_ = 1;
 };
 
-/// Steps of depth, each found to hold something lit or not. Marks only ever come, from any thread, so the result does
-/// not depend on the order.
+/// Depth steps with a mark for each step that contains a lit surface. Threads only add marks, so the result does not
+/// depend on their order.
 class DepthSteps {
 public:
     explicit DepthSteps(const DepthSpan& depths) : steps_(depths), marks_(steps_.count()) {}
@@ -82,7 +82,7 @@ private:
     std::vector<std::atomic<bool>> marks_;
 };
 
-/// The depths of a box in the model's local space.
+/// Returns the view depths of a box in the model's local space.
 DepthSpan depthsOf(const selection::DetailView& view, const Box& box) {
     const double middle = glm::dot(view.basis.view, box.center() - view.eye);
     const double reach = glm::dot(glm::abs(view.basis.view), box.extent() * 0.5);
@@ -135,7 +135,7 @@ private:
         if (glm::dot(normal, towardsLight_) < 0) normal = -normal;
         const bool isLit =
             glm::dot(normal, towardsLight_) > 0 && glm::dot(normal, query_->rule->view().eye - corners[0]) > 0;
-        if (!isLit) return; // its seen side is dark by itself, or it is seen and lit edge on
+        if (!isLit) return; // the visible side faces away from the light, or is seen or lit edge-on
         const auto [nearest, farthest] = std::minmax({depthOf(corners[0]), depthOf(corners[1]), depthOf(corners[2])});
         if (isSettled({nearest, farthest})) return;
         DepthSpan span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -148,7 +148,7 @@ private:
         if (isBefore(corners[0], normal)) canBeShadowed_.store(true, std::memory_order_relaxed);
     }
 
-    /// Whether the casters reach above the plane through `point` by more than what snapping moves a vertex.
+    /// Returns true if the casters extend above the plane through `point` by more than the snapping error of a vertex.
     bool isBefore(const glm::dvec3& point, const glm::dvec3& normal) const {
         if (casters_.isEmpty()) return false;
         const double highest =
@@ -164,14 +164,14 @@ private:
     std::atomic<bool> canBeShadowed_ = false;
 };
 
-/// The box of what `box` holds between the depths of `span`, or a little more.
+/// Returns a box that contains the part of `box` between the depths of `span`. The result can be slightly larger.
 Box boxBetween(const selection::DetailView& view, const Box& box, const DepthSpan& span) {
     const glm::dvec3& along = view.basis.view;
     const double eye = glm::dot(along, view.eye);
     Box result = box;
     for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(along[axis]) < 1e-3) continue; // as good as no bound
-        double least = eye + span.near;             // of along[axis] * x, whatever the other axes add
+        if (std::abs(along[axis]) < 1e-3) continue; // almost no bound
+        double least = eye + span.near;             // range of along[axis] * x for any values on the other axes
         double most = eye + span.far;
         for (int other = 0; other < 3; ++other) {
             if (other == axis) continue;
@@ -185,7 +185,7 @@ Box boxBetween(const selection::DetailView& view, const Box& box, const DepthSpa
     return result;
 }
 
-/// The box of a drawn cluster with what it may be moved by if it is refined.
+/// Returns the box of a drawn cluster, extended by the error of its refinement.
 Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
     const Box box = grid.local(cluster.box);
     const bool isLeaf = cluster.refinement == hierarchy::kNone;
@@ -193,7 +193,7 @@ Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, cons
     return {box.min - margin, box.max + margin};
 }
 
-/// Adds what `box` holds at each step of depth to that step's box.
+/// Adds to the box of each depth step the part of `box` at this step.
 void addParts(
     const selection::DetailView& view,
     const Box& box,
@@ -203,7 +203,7 @@ void addParts(
     const DepthSpan span = depthsOf(view, box);
     const std::size_t first = steps.step(span.near);
     const std::size_t last = steps.step(span.far);
-    // What is nearer than the first step, or further than the last, counts as in it.
+    // Parts outside the depth range belong to the first or the last step.
     for (std::size_t i = first; i <= last; ++i)
         boxes[i].add(
             boxBetween(view, box, {i == first ? span.near : spans[i].near, i == last ? span.far : spans[i].far}));
@@ -234,7 +234,7 @@ std::vector<shadow::SeenPart> seenParts(
     std::vector<DepthSpan> spans(steps.count());
     for (std::size_t i = 0; i < spans.size(); ++i)
         spans[i] = steps.span(i);
-    // A box is of extremes: which thread adds what to it does not show.
+    // Boxes store extremes, so the assignment of work to threads does not change the result.
     tbb::enumerable_thread_specific<std::vector<Box>> ofThreads(spans.size());
     tbb::parallel_for(std::size_t{0}, image.ranges.size(), [&](std::size_t i) {
         const selection::ClusterRange& range = image.ranges[i];

@@ -21,7 +21,7 @@ float roundedUp(double value) {
     return -roundedDown(-value);
 }
 
-/// A sphere around two.
+/// Returns a sphere that contains two spheres.
 Sphere merged(const Sphere& a, const Sphere& b) {
     const glm::dvec3 between = b.center - a.center;
     const double length = glm::length(between);
@@ -31,14 +31,15 @@ Sphere merged(const Sphere& a, const Sphere& b) {
     return {a.center + between * ((radius - a.radius) / length), radius * (1 + 1e-12)};
 }
 
-/// What Embree's callbacks build: a node has children or an item.
+/// A node of Embree's builder: it has children or an item.
 struct BuildNode {
     std::vector<BuildNode*> children;
     std::uint32_t item = 0;
 };
 
 struct BuildContext {
-    std::deque<BuildNode> nodes; // one builder thread, so a plain container will do; it never moves its elements
+    // There is one builder thread, so a plain container suffices; it never moves its elements.
+    std::deque<BuildNode> nodes;
 };
 
 void* createNode(RTCThreadLocalAllocator /*allocator*/, unsigned childCount, void* user) {
@@ -103,7 +104,7 @@ const BuildNode* embreeTree(std::span<const Item> items, BuildContext& context) 
     return root;
 }
 
-/// Turns Embree's tree into ours, children after parents, leaves from left to right.
+/// Converts Embree's tree to nodes of this project: children after parents, leaves from left to right.
 class Flattener {
 public:
     Flattener(std::span<const Item> items, std::vector<Node>& nodes, std::vector<std::uint32_t>& order)
@@ -160,7 +161,7 @@ Tree::Tree(std::span<const Item> items) {
     }
     BuildContext context;
     const BuildNode* root = embreeTree(items, context);
-    BuildNode onlyRoot; // Embree answers one item with a bare leaf
+    BuildNode onlyRoot; // for one item, Embree returns a leaf without a node
     if (root->children.empty()) {
         onlyRoot.children.push_back(const_cast<BuildNode*>(root));
         root = &onlyRoot;

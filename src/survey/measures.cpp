@@ -23,13 +23,13 @@ std::vector<glm::i64vec3> cellsOf(const Measure& measure) {
     return cells;
 }
 
-/// The shortest that reads back as `value`.
+/// Returns the shortest text that reads back as `value`.
 std::string exactText(double value) {
     std::array<char, 32> text{};
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-/// Digits behind the point that tell one step of the grid from the next.
+/// Returns the number of decimals that distinguish two adjacent grid steps.
 int digitsOf(const Surveyed& of) {
     return std::clamp(static_cast<int>(std::ceil(-std::log10(of.grid.step()))), 0, 9);
 }
@@ -63,7 +63,8 @@ ordered_json measureJson(const Measure& measure, const Surveyed& of) {
     return json;
 }
 
-/// The row of the last point of `measure` so far; `number` is that of the measure.
+/// Returns the CSV row of the last point of `measure`, which contains the points so far. `number` is the number of the
+/// measure.
 std::string csvRow(std::size_t number, const Measure& measure, const Surveyed& of) {
     const Figures figures = figuresOf(measure, of);
     const glm::dvec3 at = worldOf(of.grid, measure.back().cell);

@@ -14,18 +14,18 @@ namespace gnomon::values {
 
 namespace {
 
-/// A pixel, the triangle of the model that it shows, and how much each of its vertices counts there.
+/// A pixel, its visible triangle, and the weights of the triangle's vertices.
 struct SeenPixel {
     std::size_t pixel = 0;
     executor::SeenTriangle triangle;
     std::array<double, 3> weights{};
 };
 
-/// Barycentric, of the point of the triangle's plane that is nearest to `point`; none below 0, since pictures round
-/// what they draw to places within a pixel.
+/// Returns the barycentric weights of the point in the triangle's plane nearest to `point`. Negative weights become 0,
+/// because pictures round positions within a pixel.
 std::array<double, 3> weightsAt(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point) {
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    std::array<double, 3> weights{1, 0, 0}; // of a triangle without an area
+    std::array<double, 3> weights{1, 0, 0}; // used for a triangle without area
     double sum = 0;
     if (glm::dot(normal, normal) > 0) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -40,7 +40,7 @@ std::array<double, 3> weightsAt(const std::array<glm::dvec3, 3>& corners, const 
     return weights;
 }
 
-/// Hands each pixel that shows a triangle of the model to `take`.
+/// Calls `take` for each pixel that shows a triangle of the model.
 template <class Take>
 void eachSeen(const frame::Renderer& renderer, const frame::Frame& frame, const Take& take) {
     const executor::Raster<executor::SeenTriangle> seen = renderer.executor().seenTriangles();
@@ -70,7 +70,7 @@ ValuePicture noValues(const frame::Frame& frame) {
     return {view.width, view.height, std::numeric_limits<double>::quiet_NaN()};
 }
 
-/// The place of a field among those of `model`.
+/// Returns the index of field `name` in `model`. Throws Error with the known names if it does not exist.
 std::size_t fieldNamed(const hierarchy::ModelFile& model, const std::string& name) {
     const std::vector<hierarchy::Field>& fields = model.summary().fields;
     const auto found =
@@ -105,7 +105,7 @@ ValuePicture seenField(const frame::Renderer& renderer, const frame::Frame& fram
     const std::size_t which = fieldNamed(model, name);
     const hierarchy::Field& field = model.summary().fields[which];
     ValuePicture values = noValues(frame);
-    std::map<std::uint32_t, hierarchy::PageFields> pages; // read again: frames keep none of them
+    std::map<std::uint32_t, hierarchy::PageFields> pages; // read again, because frames do not store them
     eachSeen(renderer, frame, [&](const SeenPixel& seen) {
         const auto [entry, isNew] = pages.try_emplace(seen.triangle.page);
         hierarchy::PageFields& fields = entry->second;

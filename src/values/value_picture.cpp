@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 constexpr double kDecade = 10;
-constexpr float kInShadow = 0.7F; // the light that is left there
+constexpr float kInShadow = 0.7F; // remaining light in shadow
 
-/// Between which ends the values of a picture are shown where nobody says.
+/// Returns the default range of values for a picture.
 std::array<double, 2> usualRange(
     const settings::ValueColors& colors,
     const hierarchy::ModelSummary& model,
@@ -26,7 +26,7 @@ std::array<double, 2> usualRange(
     if (colors.by == settings::ColorBy::Slope) return {0, 90};
     for (const hierarchy::Field& field : model.fields)
         if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.least, field.greatest};
-    double largest = 0; // of the errors that are seen
+    double largest = 0; // max of the visible errors
     for (const double value : values.pixels)
         if (value > largest) largest = value;
     return {largest / executor::kScaleSpan, largest};
@@ -45,7 +45,7 @@ std::string titleOf(const settings::ValueColors& colors, std::string_view unit) 
     }
 }
 
-/// Heights or slopes of what a picture shows.
+/// Returns the heights or slopes of the visible surfaces.
 ValuePicture geometricValues(settings::ColorBy by, const frame::Renderer& renderer, const frame::Frame& frame) {
     const glm::dvec3 origin = renderer.model().summary().grid.world(frame.space.originCell);
     const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
@@ -76,7 +76,7 @@ executor::Rgb inLight(const glm::vec3& color, float lit) {
 
 executor::ValueScale valueScale(const settings::ValueColors& colors, const std::array<double, 2>& usual) {
     std::array<double, 2> range = colors.range.value_or(usual);
-    if (!(range[0] < range[1])) range[1] = range[0] + 1; // all is level
+    if (!(range[0] < range[1])) range[1] = range[0] + 1; // the surface is flat
     const bool isWide = colors.by == settings::ColorBy::Field && range[1] > kDecade * range[0];
     const bool isLogarithmic = range[0] > 0 && (colors.by == settings::ColorBy::Error || isWide);
     if (isLogarithmic && !colors.range) range[0] = std::max(range[0], range[1] / executor::kScaleSpan);

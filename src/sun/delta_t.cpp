@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTerrestrialTimeMinusAtomic = 32.184; // seconds
 
-// Powers of (year - origin) / unit, lowest first, for years before `until`.
+// A polynomial in (year - origin) / unit, lowest power first, for years before `until`.
 struct Span {
     double until;
     double origin;

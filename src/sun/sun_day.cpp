@@ -9,25 +9,26 @@ JulianDate later(const JulianDate& date, double days) {
     return {date.midnight, date.fraction + days};
 }
 
-// How high the upper edge of the disc stands above the horizon, in degrees.
+// Returns the height of the disc's upper edge above the horizon, in degrees.
 double height(const JulianDate& date, const Place& place, const Air& air) {
     const SunPosition sun = sunPosition(date, place, {.pressure = 0, .temperature = 0});
     return sun.elevation + sun.diameter / 2 + (air.pressure > 0 ? kRefractionAtTheHorizon : 0);
 }
 
-// Where the height changes its sign between `low`, at which it is negative, and `high`; none if both have the same.
+// Returns the time between `low` and `high` at which the height changes from negative to positive. Returns nothing
+// without such a change.
 std::optional<JulianDate> crossing(JulianDate low, JulianDate high, const Place& place, const Air& air) {
     if (height(low, place, air) >= 0 || height(high, place, air) < 0) return std::nullopt;
-    for (int halving = 0; halving < 24; ++halving) { // half a day over 2^24: 3 ms
+    for (int halving = 0; halving < 24; ++halving) { // half a day divided by 2^24: 3 ms
         const JulianDate middle{low.midnight, (low.fraction + high.fraction) / 2};
         (height(middle, place, air) < 0 ? low : high) = middle;
     }
     return high;
 }
 
-// The moment near `start` at which the Sun's hour angle is `angle` degrees.
+// Returns the time near `start` at which the Sun's hour angle is `angle` degrees.
 JulianDate meridian(JulianDate start, const Place& place, double angle) {
-    for (int step = 0; step < 4; ++step) { // the Sun's own motion, 1/365 of a turn, is what each step leaves
+    for (int step = 0; step < 4; ++step) { // each step leaves an error of the Sun's own motion, 1/365 of a revolution
         double past = sunPosition(start, place, {}).hourAngle - angle;
         past += past < -180 ? 360 : past > 180 ? -360 : 0;
         start.fraction -= past / 360;

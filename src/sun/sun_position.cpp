@@ -15,15 +15,17 @@ namespace {
 constexpr double kDegree = ERFA_DPI / 180;
 
 constexpr double kAstronomicalUnitsADayOfLight = kSecondsInADay / ERFA_AULT;
-constexpr double kSunRadius = 959.63 * ERFA_DAS2R; // seen from one astronomical unit, IAU 1976
+constexpr double kSunRadius = 959.63 * ERFA_DAS2R; // angular radius at one astronomical unit, IAU 1976
 
 using Vector = std::array<double, 3>;
 
-// The apparent Sun seen from the Earth's middle, in its frame of equator and equinox of date, astronomical units.
+// Returns the apparent geocentric position of the Sun in the frame of the equator and equinox of date, in astronomical
+// units.
 Vector geocentricSun(double midnight, double terrestrialFraction) {
     double heliocentric[2][3];
     double barycentric[2][3];
-    eraEpv00(midnight, terrestrialFraction, heliocentric, barycentric); // beyond 1900 to 2100 it warns and goes on
+    // Outside 1900 to 2100, it warns and continues.
+    eraEpv00(midnight, terrestrialFraction, heliocentric, barycentric);
     Vector sun;
     Vector direction;
     Vector velocity;
@@ -46,9 +48,9 @@ Vector geocentricSun(double midnight, double terrestrialFraction) {
     return ofDate;
 }
 
-// What the air lifts the Sun by, in degrees, from `elevation` in degrees.
+// Returns the refraction in degrees at `elevation` (degrees).
 double refraction(double elevation, const Air& air) {
-    const double lowest = -(0.26667 + 0.5667); // the centre's, where the upper edge sets
+    const double lowest = -(0.26667 + 0.5667); // elevation of the centre when the upper edge sets
     if (air.pressure <= 0 || elevation < lowest) return 0;
     return air.pressure / 1010 * 283 / (273 + air.temperature) * 1.02 /
            (60 * std::tan((elevation + 10.3 / (elevation + 5.11)) * kDegree));
@@ -61,7 +63,7 @@ SunPosition sunPosition(const JulianDate& date, const Place& place, const Air& a
     const double terrestrial = date.fraction + lag / kSecondsInADay;
     Vector sun = geocentricSun(date.midnight, terrestrial);
 
-    // Turned with the Earth, so that the first axis lies in the meridian of Greenwich.
+    // Rotate with the Earth, so that the first axis lies in the meridian of Greenwich.
     const double turn = eraGst00b(date.midnight, date.fraction);
     double rotation[3][3];
     eraIr(rotation);
@@ -71,12 +73,12 @@ SunPosition sunPosition(const JulianDate& date, const Place& place, const Air& a
     const double longitude = place.longitude * kDegree;
     const double latitude = place.latitude * kDegree;
     Vector observer;
-    eraGd2gc(
-        ERFA_WGS84, longitude, latitude, place.height, observer.data()); // fails for no finite place on an ellipsoid
+    // This call does not fail for a finite place on an ellipsoid.
+    eraGd2gc(ERFA_WGS84, longitude, latitude, place.height, observer.data());
     for (std::size_t k = 0; k < 3; ++k)
         sun[k] -= observer[k] / ERFA_DAU;
 
-    // In the meridian of the place: away from the axis, east, along the axis.
+    // Components in the meridian of the place: away from the axis, east, and along the axis.
     const double out = std::cos(longitude) * sun[0] + std::sin(longitude) * sun[1];
     const double east = -std::sin(longitude) * sun[0] + std::cos(longitude) * sun[1];
     const double up = std::cos(latitude) * out + std::sin(latitude) * sun[2];

@@ -14,9 +14,9 @@ namespace gnomon::daylight {
 /// incomplete record from a killed process counts as missing.
 class LitLog {
 public:
-    /// Begins the log at `path` for `receivers` receivers anew. With `isResumed`, opens the log that is there. `key`
-    /// tells this run from others. Throws Error if a log that is to be resumed has another key, if another process
-    /// holds it, if the file is no log, or if it has other names (hard links).
+    /// Creates the log at `path` for `receivers` receivers, or opens the existing log if `isResumed` is true. `key`
+    /// identifies the run. Throws Error if a resumed log has another key, if another process holds the log, if the file
+    /// is not a log, or if it has hard links.
     LitLog(const std::string& path, const std::string& key, std::size_t receivers, bool isResumed);
 
     /// Opens the log at `path`, which another process writes, for reading. Returns nothing if the header is incomplete.
@@ -59,8 +59,8 @@ struct LightShare {
 /// therefore resume the run.
 class LitLogs {
 public:
-    /// Opens the log of `share.rank`, and with `isResumed` all others that are there. Without `isResumed`, rank 0
-    /// removes the logs of ranks that this job lacks. Throws Error as LitLog does.
+    /// Opens the log of `share.rank`, and all other existing logs if `isResumed` is true. Otherwise, rank 0 removes the
+    /// logs of ranks that this job does not have. Throws the same errors as LitLog.
     LitLogs(std::string stem, std::string key, std::size_t receivers, const LightShare& share, bool isResumed);
 
     /// Writes a record to the log of this rank (see LitLog::put).

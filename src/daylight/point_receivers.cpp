@@ -15,7 +15,7 @@ namespace gnomon::daylight {
 
 namespace {
 
-constexpr std::size_t kHeld = raster::kMaxClusterTriangles; // points of one holder
+constexpr std::size_t kHeld = raster::kMaxClusterTriangles; // points per receiver-only cluster
 constexpr unsigned kTriangleBits = 8;
 constexpr std::size_t kGrain = 16384;
 
@@ -74,7 +74,7 @@ void PointReceivers::addCasters(const exporter::UniformCut& cut) {
     castersOfCut_ = casters_.size();
 }
 
-/// What the samples name as their triangles: corners of triangles without extent, which cast nothing.
+/// Adds receiver-only clusters. Their triangles have no extent and cast no shadow; the samples refer to their corners.
 void PointReceivers::addHolders() {
     static const std::array<hierarchy::Triangle, kHeld> kPoints = [] {
         std::array<hierarchy::Triangle, kHeld> result{};
@@ -84,7 +84,7 @@ void PointReceivers::addHolders() {
     }();
     const std::size_t first = positions_.size();
     for (const glm::i64vec3& p : points_) {
-        const glm::i64vec3 cell = p + origin_; // differences to the origin count, so they may wrap
+        const glm::i64vec3 cell = p + origin_; // only differences from the origin matter, so the sum may wrap
         positions_.push_back(
             {static_cast<std::uint32_t>(cell.x),
              static_cast<std::uint32_t>(cell.y),
@@ -149,7 +149,7 @@ void PointReceivers::decidePlainly(
 exact::ExactStatistics PointReceivers::decide(const IntegerLight& light, std::span<std::uint8_t> isLit) {
     collect(light);
     constexpr int kSide = 512;
-    const std::array planes = {glm::dmat3(1)}; // as the light sees them: nobody looks from nearer by
+    const std::array planes = {glm::dmat3(1)}; // the light plane without a warp, because there is no near viewer
     const exact::ExactStatistics statistics =
         exact_.decide({casters_, originCell(), planes, kSide, casters_.size() - castersOfCut_});
     const std::span<const std::uint8_t> statuses = exact_.statuses();

@@ -12,12 +12,12 @@ namespace {
 using executor::gridCellOf;
 using executor::GridPolygon;
 
-/// Triangles and clusters one after the other.
+/// Builds a cut from triangles and clusters in sequence.
 class CutBuilder {
 public:
     void begin() { clusters_.push_back({vertexCount(), 0, triangleCount(), 0}); }
 
-    /// Adds a polygon to the cluster that was begun last, or to another where that is full.
+    /// Adds a polygon to the current cluster, or to a new cluster if the current one is full.
     void add(const GridPolygon& polygon) {
         if (polygon.size < 3) return;
         const auto corners = static_cast<std::uint32_t>(polygon.size);
@@ -37,7 +37,7 @@ public:
         clusters_.back().triangleCount += corners - 2;
     }
 
-    /// Adds a cluster as it is.
+    /// Adds an unchanged cluster.
     void addWhole(const exporter::CutMesh& mesh, const exporter::CutCluster& cluster) {
         begin();
         const std::uint32_t shift = clusters_.back().firstVertex - cluster.firstVertex;

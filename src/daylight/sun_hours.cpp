@@ -9,7 +9,7 @@ namespace gnomon::daylight {
 
 namespace {
 
-/// Counts a step in. Steps come in any order.
+/// Adds a step to the result. Steps come in any order.
 void add(const std::vector<std::uint8_t>& isLit, std::uint32_t step, LitSteps& result) {
     constexpr std::size_t kGrain = 65536;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, isLit.size(), kGrain), [&](const auto& range) {
@@ -22,7 +22,7 @@ void add(const std::vector<std::uint8_t>& isLit, std::uint32_t step, LitSteps& r
     });
 }
 
-/// The places of those steps in which the Sun is up.
+/// Returns the indices of the steps in which the Sun is up.
 std::vector<std::uint32_t> stepsOfLights(const std::vector<SunStep>& steps) {
     std::vector<std::uint32_t> places;
     for (std::uint32_t i = 0; i < steps.size(); ++i)

@@ -17,11 +17,11 @@ namespace gnomon::daylight {
 
 namespace {
 
-/// `receivers` swept towards every one of `lights`, and more.
+/// Returns a volume that contains the sweep of `receivers` towards each of `lights`.
 ConvexVolume sweptTowards(const ConvexVolume& receivers, std::span<const IntegerLight> lights) {
     ConvexVolume swept;
     for (const Plane& plane : receivers.planes) {
-        // Rays from within stay on the inner side of a plane that no light lies beyond.
+        // Rays from inside stay on the inner side of a plane if each light is on its inner side.
         const bool isKept = std::all_of(lights.begin(), lights.end(), [&](const IntegerLight& light) {
             return glm::dot(plane.normal, light.unit()) >= 0;
         });
@@ -60,7 +60,7 @@ plan::FramePlan SunView::planFor(const IntegerLight& light) const {
     return plan::planFrame(view, quality_, frame_.facts).plan;
 }
 
-/// Cuts image and casters together, once the rule of the image, the facts and a plan are there.
+/// Cuts the image and the casters together. The error rule of the image, the facts and a plan must exist.
 void SunView::cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights) {
     if (!frame_.facts.visible->anything) {
         frame_.plan = planFor(lights.front());
@@ -114,7 +114,7 @@ executor::FrameDrawing SunView::collect(const plan::FramePlan& plan) {
 exact::ExactStatistics SunView::decide(const IntegerLight& light, std::span<std::uint8_t> isLit) {
     std::fill(isLit.begin(), isLit.end(), std::uint8_t{0});
     const plan::FramePlan plan = planFor(light);
-    if (plan.cellMaps.empty()) return {}; // nothing is in view
+    if (plan.cellMaps.empty()) return {}; // no surface is visible
     const executor::FrameDrawing drawing = collect(plan);
     const exact::SampleList& samples = exact_.samples();
     const std::vector<glm::dmat3> planes = executor::cellPlanes(drawing, samples.space().shear);

@@ -18,7 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The shortest number of degrees up to a billionth that reads back as `radians`, else the nearest: 60 for what was 60.
+/// Returns the degrees of `radians`, rounded to 1e-9 degrees if this value reads back exactly. An input of 60 degrees
+/// thus stays 60.
 double degreesOf(double radians) {
     const double degrees = radians / radiansFromDegrees(1);
     const double shorter = std::round(degrees * 1e9) / 1e9;
@@ -58,7 +59,7 @@ Camera cameraOf(const ordered_json& object, const std::string& where) {
                 where, "unknown \"projection\"", enumerated(kProjections, ", ", " or "), telemetry::jsonText(word));
         camera.projection = *projection;
     }
-    cameraBasis(camera); // throws where eye and target coincide
+    cameraBasis(camera); // throws if eye and target coincide
     return camera;
 }
 
@@ -73,7 +74,7 @@ ordered_json jsonOf(const Camera& camera) {
     return object;
 }
 
-/// The cubic through b and c with the slopes of a, b, c, d over their times (Catmull and Rom 1974).
+/// The cubic between b and c with slopes from a, b, c, d and their times (Catmull and Rom 1974).
 struct Segment {
     double t0 = 0;
     double t1 = 0;
@@ -97,7 +98,7 @@ Keyframe shifted(Keyframe key, double seconds) {
     return key;
 }
 
-/// Reads a camera file or a path. Throws Error for a glTF, which has cameras in another form.
+/// Reads a camera file or a path. Throws Error for a glTF file, whose cameras have another format.
 ordered_json cameraDocument(const std::string& path) {
     for (const char* const suffix : {".gltf", ".glb"})
         if (path.ends_with(suffix))
@@ -145,7 +146,7 @@ Camera cameraAt(const CameraPath& path, double time) {
     const auto at = static_cast<std::size_t>(next - keys.begin());
     const Keyframe& b = keys[at - 1];
     const Keyframe& c = keys[at];
-    // The last keyframe of a loop is its first again, so the neighbours across the seam are one period away.
+    // The last keyframe of a loop equals the first. The neighbours across the seam are therefore one period away.
     const double period = path.loop ? path.duration() : 0;
     const bool wraps = path.loop && keys.size() > 2;
     const Keyframe a = at >= 2 ? keys[at - 2] : wraps ? shifted(keys[keys.size() - 2], -period) : b;
@@ -162,7 +163,7 @@ Camera cameraAt(const CameraPath& path, double time) {
     camera.up = blend(&Camera::up);
     camera.projection = b.camera.projection;
     camera.fovYRadians = blend(&Camera::fovYRadians);
-    if (path.interpolation == Interpolation::CatmullRom) { // a cubic overshoots, and an angle soon is none any more
+    if (path.interpolation == Interpolation::CatmullRom) { // the cubic can overshoot the valid range of angles
         const auto [least, most] = std::minmax(b.camera.fovYRadians, c.camera.fovYRadians);
         camera.fovYRadians = std::clamp(camera.fovYRadians, least, most);
     }

@@ -11,11 +11,11 @@ namespace gnomon::path {
 namespace {
 
 constexpr glm::dvec3 kUprightLight(0.4, 1, 0.3);
-constexpr double kAside = 0.45;     // of a three-quarter view, as a tangent
-constexpr double kFromAbove = 0.45; // likewise
-constexpr double kClosest = 0.02;   // of the model's size: how near the eye may come to it
+constexpr double kAside = 0.45;     // of a three-quarter view: tangent of the sideways angle
+constexpr double kFromAbove = 0.45; // of a three-quarter view: tangent of the angle from above
+constexpr double kClosest = 0.02;   // min distance from the eye to the model, as a fraction of the model's size
 
-/// What lies in the picture between the least and the greatest tangent, along one of its axes.
+/// The range of tangents in the picture along one axis.
 struct Extent {
     double least = std::numeric_limits<double>::infinity();
     double most = -std::numeric_limits<double>::infinity();
@@ -28,15 +28,15 @@ struct Extent {
     double middle() const { return 0.5 * (least + most); }
 };
 
-/// How far back the eye must be, along the view, and how far aside, to have `points` (camera space) within `tangent` of
-/// one axis of the picture and touching it on both sides.
+/// The position of the eye along the view (`depth`) and sideways (`aside`) at which `points` (camera space) exactly
+/// fill the range of `tangent` on one axis.
 struct Fit {
     double depth = 0;
     double aside = 0;
 };
 
 Fit fitAlong(std::span<const glm::dvec3> points, int axis, double tangent) {
-    // A point is within the border while x - tx z <= ex - tx ez, and -x - tx z <= -ex - tx ez of the other one.
+    // A point is inside the border if x - tx z <= ex - tx ez and, for the other border, -x - tx z <= -ex - tx ez.
     double right = -std::numeric_limits<double>::infinity();
     double left = right;
     for (const glm::dvec3& p : points) {
@@ -46,7 +46,7 @@ Fit fitAlong(std::span<const glm::dvec3> points, int axis, double tangent) {
     return {-(right + left) / (2 * tangent), 0.5 * (right - left)};
 }
 
-/// How far aside an eye at `depth` must be for the points to lie in the middle of an axis.
+/// Returns the sideways position of an eye at `depth` that centres the points on an axis.
 double centerAlong(std::span<const glm::dvec3> points, int axis, double depth) {
     Extent sides;
     for (const glm::dvec3& p : points)
@@ -64,7 +64,7 @@ double centerAlong(std::span<const glm::dvec3> points, int axis, double depth) {
     return 0.5 * (low + high);
 }
 
-/// `direction` of upright space, at unit length.
+/// Converts `direction` from upright space to world space and normalises it.
 glm::dvec3 unit(const hierarchy::UprightFrame& frame, const glm::dvec3& direction) {
     return glm::normalize(frame.toWorld(direction));
 }
@@ -116,14 +116,15 @@ Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage,
     const double tangentY = kFramedPart * std::tan(fovYRadians / 2);
     const Fit wide = fitAlong(seen, 0, aspect * tangentY);
     const Fit high = fitAlong(seen, 1, tangentY);
-    // The tip of something slender would touch the eye before the rest fills the picture.
+    // The tip of a slender object would touch the eye before the rest fills the picture.
     const double closest = nearest - kClosest * std::max(glm::length(box.extent()), 1e-12);
     const double depth = std::min({wide.depth, high.depth, closest});
     const glm::dvec3 eye(
         depth == wide.depth ? wide.aside : centerAlong(seen, 0, depth),
         depth == high.depth ? high.aside : centerAlong(seen, 1, depth),
         depth);
-    // The point of the line of sight that is nearest to the upright line through the middle, unless it lies far off.
+    // The target is the point of the view axis nearest to the vertical line through the middle, unless this point is
+    // far away.
     const glm::dvec3 upright = toCamera(basis, vantage.up);
     const double along = 1 - upright.z * upright.z;
     const double beyond = (glm::dot(eye, upright) * upright.z - depth) / along;

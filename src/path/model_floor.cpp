@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMostTriangles = 12'000'000;
 
-/// What a walk of `region` needs to be refined: groups in it whose error is larger than `error`.
+/// The refinement rule of a region: refines groups that intersect the region and have an error larger than `error`.
 struct RegionRule {
     Box region; // local space
     double error = 0;
@@ -31,7 +31,7 @@ std::uint64_t trianglesRead(const hierarchy::ModelFile& model, const RegionRule&
     return count;
 }
 
-/// Sums over rectangles of columns (Crow 1984).
+/// A summed-area table over columns (Crow 1984).
 class SummedArea {
 public:
     SummedArea(const ColumnGrid& grid, const std::vector<double>& values)

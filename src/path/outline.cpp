@@ -16,7 +16,7 @@ bool contains(const Box& box, const glm::dvec3& point) {
     return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
 }
 
-/// Adds the vertices in `part` of what a cut of `error` draws of a page.
+/// Adds the vertices in `part` of the clusters that a cut with `error` draws from a page.
 void addVertices(
     const hierarchy::Page& page,
     const hierarchy::Grid& grid,
@@ -82,7 +82,7 @@ hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model) {
 
 std::vector<glm::dvec3> sweptOutline(
     const std::vector<glm::dvec3>& outline, const glm::dvec3& center, const glm::dvec3& up) {
-    constexpr int kTurns = 48; // a circle is no more than 1/400 of its radius beyond their corners
+    constexpr int kTurns = 48; // the deviation from a circle is at most 1/400 of its radius
     const glm::dvec3 axis = glm::normalize(up);
     std::vector<glm::dvec3> points;
     points.reserve(outline.size() * kTurns);

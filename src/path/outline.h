@@ -18,7 +18,7 @@ std::vector<glm::dvec3> outlineOf(const hierarchy::ModelFile& model);
 /// the same estimate. Throws Error for a damaged page.
 hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model);
 
-/// Returns the corners of a box, also of an empty box.
+/// Returns the eight corners of a box. An empty box counts as a point at the origin.
 std::vector<glm::dvec3> cornersOf(const Box& box);
 
 /// Returns `outline` swept about the axis along `up` through `center`.

@@ -8,13 +8,13 @@ namespace {
 
 constexpr std::uint32_t kNoNode = 0xFFFFFFFFU;
 
-/// A convex polygon that a triangle is clipped to: each of four planes adds at most one corner.
+/// A clipped triangle: each of four planes adds at most one corner.
 struct Polygon { // NOLINT(cppcoreguidelines-pro-type-member-init): made for each column of each triangle
     std::array<glm::dvec3, 8> corners;
     std::size_t count = 0;
 };
 
-/// The part of `polygon` on the side of `bound` along `axis` that `sign` says: 1 above, -1 below.
+/// Returns the part of `polygon` above (`sign` 1) or below (`sign` -1) `bound` along `axis`.
 Polygon clipped(const Polygon& polygon, glm::length_t axis, double bound, double sign) {
     Polygon result;
     for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -47,7 +47,7 @@ Range rangeAlong(const Polygon& polygon, glm::length_t axis) {
     return range;
 }
 
-/// The columns that `range`, grown by `margin`, comes to, among `count`; none where first > last.
+/// The columns that `range`, extended by `margin`, intersects, within `count` columns. Empty if first > last.
 struct Columns {
     std::int32_t first = 0;
     std::int32_t last = -1;
@@ -109,7 +109,7 @@ void SolidSpans::insert(std::int32_t x, std::int32_t z, double low, double high)
         &first_[static_cast<std::size_t>(z) * static_cast<std::size_t>(grid_.width) + static_cast<std::size_t>(x)];
     while (*link != kNoNode && nodes_[*link].span.top + headroom_ <= span.bottom)
         link = &nodes_[*link].next;
-    while (*link != kNoNode && nodes_[*link].span.bottom < span.top + headroom_) { // becomes part of the new one
+    while (*link != kNoNode && nodes_[*link].span.bottom < span.top + headroom_) { // merged with the new span
         const std::uint32_t node = *link;
         span.bottom = std::min(span.bottom, nodes_[node].span.bottom);
         span.top = std::max(span.top, nodes_[node].span.top);
@@ -118,7 +118,8 @@ void SolidSpans::insert(std::int32_t x, std::int32_t z, double low, double high)
     }
     const std::uint32_t after = *link;
     if (unused_.empty()) {
-        *link = static_cast<std::uint32_t>(nodes_.size()); // before nodes_ grows: the link may lie in it
+        // Written before nodes_ grows, because the link may be inside nodes_.
+        *link = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back({span, after});
         return;
     }

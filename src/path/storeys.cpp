@@ -10,9 +10,9 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr double kSmallest = 36; // of a storey, in squares of the height of the eye: 104 square metres
+constexpr double kSmallest = 36; // min area of a storey, in squared eye heights: 104 square metres
 
-/// The connected parts of what of `floor` can be walked under a ceiling.
+/// Returns the connected parts of the walkable floor below a ceiling.
 std::vector<std::vector<std::uint32_t>> roomsOf(const WalkableFloor& floor) {
     std::vector<std::vector<std::uint32_t>> rooms;
     std::vector<bool> isSeen(floor.cells().size(), false);
@@ -54,7 +54,7 @@ std::vector<Storey> findStoreys(const WalkableFloor& floor) {
     for (const auto& area : areas) {
         const std::int32_t height = area.first;
         Storey storey{static_cast<double>(height), 0};
-        double most = 0; // of one height: what the storey is named by
+        double most = 0; // max area at a single height, which names the storey
         for (auto i = areas.lower_bound(height - near); i != areas.end() && i->first <= height + near; ++i) {
             storey.area += i->second;
             if (i->second <= most) continue;

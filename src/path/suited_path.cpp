@@ -17,7 +17,7 @@ namespace {
 constexpr double kDuration = 12; // seconds
 constexpr double kTwoPi = 6.283185307179586;
 
-/// A circle around the model, a little from above.
+/// Returns a circle around the model, slightly from above.
 CameraPath orbit(const Box& bounds) {
     CameraPath path;
     path.loop = true;
@@ -33,7 +33,7 @@ CameraPath orbit(const Box& bounds) {
     return path;
 }
 
-/// Over the model from corner to corner, looking ahead and down.
+/// Returns a path over the model from corner to corner that looks ahead and down.
 CameraPath flyby(const Box& bounds) {
     const glm::dvec3 extent = bounds.extent();
     const double height = bounds.max.y + 0.15 * std::max(extent.x, extent.z);
@@ -43,7 +43,8 @@ CameraPath flyby(const Box& bounds) {
     return {false, Interpolation::Linear, {keyframeAt(0, from, from + ahead), keyframeAt(kDuration, to, to + ahead)}};
 }
 
-/// How far from `origin` along `direction` the triangle is met; infinite if it is not (Moeller, Trumbore 1997).
+/// Returns the distance from `origin` along `direction` to the triangle, or infinity without a hit (Moeller, Trumbore
+/// 1997).
 double hitDistance(const TriangleCorners& t, const glm::dvec3& origin, const glm::dvec3& direction) {
     constexpr double kMissed = std::numeric_limits<double>::infinity();
     const glm::dvec3 along = t[1] - t[0];
@@ -60,7 +61,8 @@ double hitDistance(const TriangleCorners& t, const glm::dvec3& origin, const glm
     return kMissed;
 }
 
-/// How far from `start` along `direction` (unit length) the model at full detail is first met; infinite if it is not.
+/// Returns the distance from `start` along `direction` (unit length) to the model at full detail, or infinity without a
+/// hit.
 double surfaceDistance(const hierarchy::ModelFile& model, const glm::dvec3& start, const glm::dvec3& direction) {
     const glm::dvec3 origin = start - model.summary().grid.origin;
     const auto meets = [&](double, const Sphere& sphere) {
@@ -75,8 +77,8 @@ double surfaceDistance(const hierarchy::ModelFile& model, const glm::dvec3& star
     return surface;
 }
 
-/// The point of the model that is nearest in direction to `direction` as seen from `start`, among the vertices of the
-/// coarsest cut: every one of them is a vertex at full detail.
+/// Returns the vertex of the coarsest cut whose direction from `start` is nearest to `direction`. Vertices of the
+/// coarsest cut are also vertices at full detail.
 glm::dvec3 coarseVertexTowards(
     const hierarchy::ModelFile& model, const glm::dvec3& start, const glm::dvec3& direction) {
     glm::dvec3 nearest(0);
@@ -96,8 +98,8 @@ glm::dvec3 coarseVertexTowards(
     return nearest;
 }
 
-/// From far away to very near the surface, in equal ratios of the distance from it; towards what of the model lies
-/// before its middle or, where nothing does, towards what of it is nearest to that line.
+/// Returns a path from far away to very near the surface, with distances in a geometric sequence. The target is the
+/// surface in front of the model's middle. If there is none, it is the vertex nearest to that line.
 CameraPath approach(const hierarchy::ModelFile& model) {
     const Box bounds = hierarchy::mainPartOf(model.summary());
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);
@@ -111,7 +113,7 @@ CameraPath approach(const hierarchy::ModelFile& model) {
         surface = std::min(glm::length(way), surfaceDistance(model, start, direction));
     }
     const glm::dvec3 target = start + surface * direction;
-    constexpr double kNearest = 1e-3; // of the first distance
+    constexpr double kNearest = 1e-3; // of the initial distance
     constexpr int kKeys = 24;
     CameraPath path;
     for (int i = 0; i <= kKeys; ++i) {
@@ -122,7 +124,7 @@ CameraPath approach(const hierarchy::ModelFile& model) {
     return path;
 }
 
-/// A path of upright space in the world.
+/// Converts a path from upright space to world space.
 CameraPath inWorld(CameraPath path, const hierarchy::UprightFrame& frame) {
     for (Keyframe& key : path.keyframes) {
         key.camera.eye = frame.toWorld(key.camera.eye);

@@ -15,18 +15,18 @@ namespace gnomon::path {
 namespace {
 
 constexpr double kLongest = 60;    // seconds
-constexpr double kRegionSide = 47; // in heights of the eye: 80 m
+constexpr double kRegionSide = 47; // in eye heights: 80 m
 constexpr double kCoarseCells = 1024;
-constexpr std::size_t kRegions = 4; // that are tried
-constexpr double kShortest = 1.2;   // of a walk, in heights of the eye
-constexpr double kGoodLength = 18;  // with which no other region is tried
+constexpr std::size_t kRegions = 4; // max number of tried regions
+constexpr double kShortest = 1.2;   // min length of a walk, in eye heights
+constexpr double kGoodLength = 18;  // in eye heights: a walk of this length ends the search over regions
 
 double widthOf(const Box& bounds) {
     return std::max(bounds.extent().x, bounds.extent().z);
 }
 
-/// Whether what has these bounds may be a room, a building, a plant or a landscape in metres: neither a small thing,
-/// nor as high as no building of its width is.
+/// Returns true if a model with these bounds may be a room, a building, a plant or a landscape in metres. The model
+/// must not be small, and not higher than buildings of its width.
 bool metresFit(const Box& bounds) {
     const double width = widthOf(bounds);
     const double height = bounds.extent().y;
@@ -34,8 +34,8 @@ bool metresFit(const Box& bounds) {
     return height <= 0.1 * width || (height <= 500 && width <= 2000);
 }
 
-/// Around a thing that stands on a ground at its lowest point: one and a half turns, ever nearer, outside the circle
-/// around its bounds, looking at it.
+/// Returns a walk around an object that stands on a ground at its lowest point. The walk makes one and a half turns
+/// that come nearer, outside the circle around the object's bounds, and looks at the object.
 CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHeight) {
     const glm::dvec3 extent = bounds.extent();
     const double width = widthOf(bounds);
@@ -62,7 +62,7 @@ CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHei
     return path;
 }
 
-/// The last points of a way that lead up to a wall; what is left out is a twelfth of it at most.
+/// Returns the end of a way without its last points in front of a wall. It removes at most a twelfth of the points.
 std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const double enough = 2.2 * floor.body().eyeHeight / floor.grid().cell;
     std::size_t end = way.size();
@@ -74,8 +74,8 @@ std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& 
     return end;
 }
 
-/// The eyes along a way: at eye height over the floor, evenly up stairs, and never nearer to floor or ceiling than a
-/// step's half would bring them.
+/// Returns the eye positions along a way: at eye height above the floor, and smooth on stairs. The distance to floor or
+/// ceiling changes by at most half a step.
 std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const WalkBody& body = floor.body();
     const ColumnGrid& grid = floor.grid();
@@ -97,7 +97,8 @@ std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<
     return eyes;
 }
 
-/// Looks along the way: to where it leads within the next strides, as far as no corner is between, turning evenly.
+/// Returns a path that looks along the way: to its position after the next strides, if no corner is in between. The
+/// view direction turns smoothly.
 CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const WalkBody& body = floor.body();
     const std::vector<glm::dvec3> eyes = eyesAlong(floor, way);
@@ -110,7 +111,7 @@ CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& wa
                runStraight(floor, way[i], way[to + 1].at).end == way[to + 1].cell)
             ++to;
         gazes.push_back(to < count ? glm::normalize(eyes[to] - eyes[i]) : gazes.back());
-        gazes.back().y *= 0.5; // up stairs one looks less steeply than one goes
+        gazes.back().y *= 0.5; // on stairs, the view is less steep than the way
     }
     CameraPath path;
     double length = 0;
@@ -119,7 +120,7 @@ CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& wa
         glm::dvec3 gaze(0);
         for (std::size_t j = i - reach; j <= i + reach; ++j)
             gaze += gazes[j];
-        if (glm::length(gaze) < 0.1) gaze = gazes[i]; // it turns round
+        if (glm::length(gaze) < 0.1) gaze = gazes[i]; // the way turns back
         if (i > 0) length += glm::distance(eyes[i], eyes[i - 1]);
         path.keyframes.push_back(
             keyframeAt(length / body.pace, eyes[i], eyes[i] + 4 * body.eyeHeight * glm::normalize(gaze)));
@@ -140,7 +141,7 @@ Error noFloor(const hierarchy::ModelFile& model, const char* expected) {
     return {model.path(), "no floor to walk on", expected, sizeOf(model.summary().bounds)};
 }
 
-/// The floors that a walk may use: one that covers the model or, where this is too large, parts of it, best first.
+/// The floors that a walk may use: one floor for the whole model, or the best regions of a model that is too large.
 class Ground {
 public:
     Ground(const hierarchy::ModelFile& model, const WalkBody& body, const std::optional<int>& storey)
@@ -160,7 +161,7 @@ public:
         band_ = bandOf(storeys, static_cast<std::size_t>(*storey), body);
     }
 
-    /// The walk over the best part, or nothing where there is none.
+    /// Returns the walk over the best region, or nothing.
     std::optional<CameraPath> walk() const {
         if (isWhole_) return walkOver(whole_);
         std::optional<CameraPath> longest;

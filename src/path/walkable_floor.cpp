@@ -8,7 +8,7 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr double kHighestCeiling = 8; // in heights of the eye: of a hall, not of the sky
+constexpr double kHighestCeiling = 8; // in eye heights: a higher ceiling counts as sky
 constexpr std::array<std::int32_t, 4> kStepX{-1, 0, 1, 0};
 constexpr std::array<std::int32_t, 4> kStepZ{0, -1, 0, 1};
 
@@ -75,7 +75,8 @@ void WalkableFloor::findFloors(const SolidSpans& solid) {
                 FloorCell cell;
                 cell.column = column;
                 cell.floor = spans[i].top;
-                if (i + 1 < spans.size()) cell.ceiling = spans[i + 1].bottom; // with headroom: else they were one
+                // Has headroom, because spans with less are merged.
+                if (i + 1 < spans.size()) cell.ceiling = spans[i + 1].bottom;
                 found.push_back(cell);
             }
         }
@@ -97,8 +98,8 @@ void WalkableFloor::add(std::vector<FloorCell>& more) {
         firstOfColumn_[i] += firstOfColumn_[i - 1];
 }
 
-/// A floor between two floors of one height, over a gap that a long step takes; or over a wider one beside a bar: a
-/// grating is bars and gaps.
+/// Adds floor over gaps between two floors of equal height. A gap can be as wide as a long step, or wider beside a bar:
+/// a grating consists of bars and gaps.
 void WalkableFloor::bridgeGaps(const SolidSpans& solid) {
     for (const bool isAlongX : {true, false}) {
         std::vector<FloorCell> bridges;
@@ -131,7 +132,7 @@ void WalkableFloor::bridgeFrom(
     const glm::ivec2 along = isAlongX ? glm::ivec2(1, 0) : glm::ivec2(0, 1);
     const auto reach = static_cast<std::int32_t>(body_.barStep / grid_.cell);
     const std::int32_t step = steps(body_.step);
-    std::int32_t gap = 0; // columns between
+    std::int32_t gap = 0; // number of columns in the gap
     std::uint32_t to = FloorCell::kNone;
     for (; gap <= reach; ++gap) {
         const glm::ivec2 at = place + (gap + 1) * along;
@@ -152,7 +153,7 @@ void WalkableFloor::bridgeFrom(
         for (const SolidSpan& span : spans)
             if (span.top > bridge.floor) bridge.ceiling = std::min(bridge.ceiling, span.bottom);
         if (bridge.ceiling != FloorCell::kSky && bridge.ceiling - bridge.floor < steps(body_.headroom)) {
-            bridges.resize(before); // something stands in the gap
+            bridges.resize(before); // an obstacle stands in the gap
             return;
         }
         bridges.push_back(bridge);
@@ -173,14 +174,15 @@ void WalkableFloor::connect() {
                 cell.next.at(i) = found;
         }
     }
-    for (std::uint32_t i = 0; i < cells_.size(); ++i) // one way only is no way: the other stands nearer to a third
+    // Remove one-way connections: their other cell is connected to a third cell.
+    for (std::uint32_t i = 0; i < cells_.size(); ++i)
         for (std::size_t side = 0; side < 4; ++side) {
             std::uint32_t& next = cells_[i].next.at(side);
             if (next != FloorCell::kNone && cells_[next].next.at((side + 2) % 4) != i) next = FloorCell::kNone;
         }
 }
 
-/// Whether it goes up or down more steeply than stairs do, over half a stride or more to either side.
+/// Returns true if the floor at `cell` is steeper than stairs, over at least half a stride to either side.
 bool WalkableFloor::isSteep(std::uint32_t cell) const {
     const auto reach = static_cast<int>(std::max(1.0, 0.5 * body_.eyeHeight / 1.7 / grid_.cell));
     glm::dvec2 slope(0);
@@ -219,7 +221,8 @@ bool WalkableFloor::isBorder(std::uint32_t cell) const {
     return false;
 }
 
-/// The distance transform by two sweeps, straight 2 and diagonal 3 (Borgefors 1986), as far as steps connect cells.
+/// Computes the distance transform in two sweeps, with cost 2 for straight and 3 for diagonal steps (Borgefors 1986).
+/// Distances follow the connections between cells.
 void WalkableFloor::measureClearance() {
     for (std::uint32_t i = 0; i < cells_.size(); ++i)
         cells_[i].clearance = isBorder(i) ? 0 : FloorCell::kMostClearance;

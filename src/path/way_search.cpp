@@ -9,11 +9,11 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr std::size_t kRegions = 12; // that are searched
-constexpr int kStarts = 3;           // in each
-constexpr int kLegs = 4;             // of a way
-constexpr double kAside = 0.8;       // in heights of the eye: how far a leg keeps from those before it
-constexpr double kBesideThings = 2;  // in heights of the eye
+constexpr std::size_t kRegions = 12; // number of searched regions
+constexpr int kStarts = 3;           // start positions per region
+constexpr int kLegs = 4;             // max legs of a way
+constexpr double kAside = 0.8;       // in eye heights: distance of a leg from earlier legs
+constexpr double kBesideThings = 2;  // in eye heights: max distance of an object beside the way
 
 /// A connected part of the floor.
 struct Region {
@@ -21,7 +21,7 @@ struct Region {
     std::vector<std::uint32_t> cells;
 };
 
-/// The ways from one cell to all others: per cell the one before it, how far it is, and what was seen.
+/// The shortest ways from one cell to all others: per cell its predecessor, cost, length and interest.
 struct WayTree {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> cost;
@@ -47,10 +47,10 @@ public:
 
     std::vector<Region> regions() const;
 
-    /// The best way that begins at `start`, no longer than `longest`.
+    /// Returns the best way from `start`, no longer than `longest`.
     FoundWay bestFrom(std::uint32_t start, double longest);
 
-    /// Leaves what is near `way` to no later one, but for what is near its end.
+    /// Closes the floor near `way` for later legs, except near its end.
     void close(const std::vector<std::uint32_t>& way);
 
 private:
@@ -61,10 +61,11 @@ private:
 
     const WalkableFloor& floor_;
     double longest_ = 0;
-    std::vector<std::uint8_t> weights_; // tenths; 0: no floor for this walk
+    std::vector<std::uint8_t> weights_; // tenths; 0: not usable for this walk
     WayTree tree_;
-    std::vector<std::uint32_t> reached_;                  // cells that the tree leads to
-    std::array<std::vector<std::uint32_t>, 256> buckets_; // by cost modulo their number: no step costs as much
+    std::vector<std::uint32_t> reached_; // cells in the tree
+    // By cost modulo the number of buckets; each step costs less than this number.
+    std::array<std::vector<std::uint32_t>, 256> buckets_;
 };
 
 std::vector<Region> WaySearch::regions() const {
@@ -126,8 +127,9 @@ void WaySearch::spread(std::uint32_t start) {
     std::uint32_t lastUsed = 0;
     for (std::uint32_t cost = 0; cost <= lastUsed + buckets_.size(); ++cost) {
         std::vector<std::uint32_t>& bucket = buckets_.at(cost % buckets_.size());
-        for (const std::uint32_t cell : bucket) {   // no step is free: none is added to it meanwhile
-            if (tree_.cost[cell] != cost) continue; // a shorter way was found
+        // Each step has a positive cost, so the loop adds no cell to its own bucket.
+        for (const std::uint32_t cell : bucket) {
+            if (tree_.cost[cell] != cost) continue; // a cheaper way was found
             lastUsed = cost;
             stepFrom(cell);
         }
@@ -154,7 +156,8 @@ FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
     std::uint32_t best = start;
     double most = -1;
     for (const std::uint32_t i : reached_) {
-        const double room = std::min(1.0, floor_.clearance(i) / floor_.body().eyeHeight); // no end before a wall
+        // Prefers ends that are not in front of a wall.
+        const double room = std::min(1.0, floor_.clearance(i) / floor_.body().eyeHeight);
         if (tree_.interest[i] + 2 * room <= most) continue;
         most = tree_.interest[i] + 2 * room;
         best = i;
@@ -162,7 +165,7 @@ FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
     const float halfAsInteresting = 0.5F * tree_.interest[best] / std::max(tree_.length[best], 1e-30F);
     const auto worth = [&](std::uint32_t i) { return tree_.interest[i] - halfAsInteresting * tree_.length[i]; };
     for (std::uint32_t cell = best; cell != FloorCell::kNone; cell = tree_.before[cell])
-        if (worth(cell) > worth(best)) best = cell; // what comes behind it is not worth the way
+        if (worth(cell) > worth(best)) best = cell; // the part after `cell` has too little interest for its length
     FoundWay way;
     way.length = tree_.length[best];
     way.interest = tree_.interest[best];

@@ -25,11 +25,12 @@ struct FoundWay {
 /// stay in the middle of corridors and doors. It is twice as large outdoors, and a third larger far from objects.
 double wayWeight(const WalkableFloor& floor, std::uint32_t cell);
 
-/// Returns the way with the most interest, without ends that have less than half of its interest per length. The search
-/// begins at a few seeded positions on the largest connected floors, where indoor floor counts more. Shortest paths
-/// (Dijkstra 1959, with the buckets of Dial 1969) lead to the cell with the most interest within `bounds.longest`. The
-/// search repeats from there, like the search for the two ends of a tree. More legs continue from the end without a
-/// return, if they have half as much interest. Returns nothing if no floor is walkable.
+/// Returns the way with the most interest, or nothing if no floor is walkable. The search begins at a few seeded
+/// positions on the largest connected floors, where indoor floor counts more. Shortest paths (Dijkstra 1959, with the
+/// buckets of Dial 1969) lead to the cell with the most interest within `bounds.longest`. The search repeats from that
+/// cell, like the search for the two ends of a tree. The end of a way is removed if it has less than half of the way's
+/// interest per length. More legs continue from the end without a return, if they have more than half of the way's
+/// interest per length.
 std::optional<FoundWay> findWay(const WalkableFloor& floor, const WayBounds& bounds);
 
 } // namespace gnomon::path

@@ -13,9 +13,9 @@ WayPoint middleOf(const WalkableFloor& floor, std::uint32_t cell) {
     return {glm::dvec2(floor.placeOf(floor.cells()[cell].column)) + 0.5, cell};
 }
 
-/// The points of `way` between which straight lines cost no more than the way does.
+/// Returns the points of `way` whose connecting straight lines cost no more than the way itself.
 std::vector<WayPoint> pulledStraight(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
-    constexpr std::size_t kFarthest = 256; // points: what is looked ahead
+    constexpr std::size_t kFarthest = 256; // max look-ahead, in points
     constexpr double kAsGood = 1.02;
     std::vector<double> cost(way.size(), 0);
     for (std::size_t i = 1; i < way.size(); ++i)
@@ -35,7 +35,7 @@ std::vector<WayPoint> pulledStraight(const WalkableFloor& floor, const std::vect
     return pulled;
 }
 
-/// Points on the lines of `way`, evenly spread over each, at most `spacing` apart.
+/// Returns points that are evenly spaced on each line of `way`, at most `spacing` apart.
 std::vector<WayPoint> resampled(const WalkableFloor& floor, const std::vector<WayPoint>& way, double spacing) {
     std::vector<WayPoint> points{way.front()};
     for (std::size_t i = 1; i < way.size(); ++i) {
@@ -50,7 +50,8 @@ std::vector<WayPoint> resampled(const WalkableFloor& floor, const std::vector<Wa
     return points;
 }
 
-/// Moves each point half the way to between its neighbours, where it then has room and all three still see each other.
+/// Moves each point half the distance to the midpoint of its neighbours. The move is done only if the point then has
+/// clearance and straight lines to both neighbours are free.
 void roundOff(const WalkableFloor& floor, std::vector<WayPoint>& points) {
     const double comfort = 0.3 * floor.body().eyeHeight;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -76,7 +77,7 @@ StraightRun runStraight(const WalkableFloor& floor, const WayPoint& from, const 
     const glm::ivec2 last(glm::floor(to));
     StraightRun run;
     std::uint32_t cell = from.cell;
-    double entered = 0; // from 0 to 1 along the line
+    double entered = 0; // position on the line, from 0 to 1
     while (at != last) {
         glm::dvec2 leaves(2);
         for (glm::length_t axis = 0; axis < 2; ++axis)

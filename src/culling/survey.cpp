@@ -193,7 +193,7 @@ Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, cons
     return {box.min - margin, box.max + margin};
 }
 
-/// Adds to the box of each depth step the part of `box` at this step.
+/// Cuts `box` at the depth steps and adds each part to the box of its step.
 void addParts(
     const selection::DetailView& view,
     const Box& box,

@@ -21,7 +21,7 @@ using Mask = hn::Mask<DoubleTag>;
 constexpr DoubleTag kDoubles;
 constexpr IntTag kInts;
 
-/// A matrix that transforms points of the light plane, in lanes.
+/// A projection matrix that is applied to one sample per vector lane.
 struct PlaneLanes {
     const glm::dmat4x3& m;
 

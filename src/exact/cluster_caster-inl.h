@@ -39,7 +39,7 @@ constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
 /// Rasterises one cluster of casters into the sample grid of each map.
 class ClusterCaster {
 public:
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeros first would cost more than most casts
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): initialising zeros would cost more than most casts
     ClusterCaster(const CastContext& context, std::size_t caster, CastCounts& counts)
         : context_(context), caster_(context.casters[caster]), counts_(counts) {}
 

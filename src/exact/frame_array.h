@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    std::unique_ptr<T[]> values_; // NOLINT(modernize-avoid-c-arrays): std::vector would write them all
+    std::unique_ptr<T[]> values_; // NOLINT(modernize-avoid-c-arrays): std::vector would initialise all elements
     std::size_t size_ = 0;
 };
 

@@ -126,7 +126,7 @@ HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t plac
         hn::BitCast(kDoubles, hn::PromoteTo(kWides, hn::BitCast(kNarrows, hn::VecFromMask(names, own)))));
 }
 
-/// Lanes of samples that the triangle may cover from ahead. Their results depend on the tolerance of each sample.
+/// Lanes of samples that the triangle may shadow. Their results depend on the tolerance of each sample.
 struct NearLanes {
     alignas(64) double least[hn::MaxLanes(kDoubles)]; // smallest edge function
     alignas(64) double edgeError[hn::MaxLanes(kDoubles)];

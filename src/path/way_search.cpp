@@ -156,7 +156,7 @@ FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
     std::uint32_t best = start;
     double most = -1;
     for (const std::uint32_t i : reached_) {
-        // Prefers ends that are not in front of a wall.
+        // Ends that are not in front of a wall get a higher score.
         const double room = std::min(1.0, floor_.clearance(i) / floor_.body().eyeHeight);
         if (tree_.interest[i] + 2 * room <= most) continue;
         most = tree_.interest[i] + 2 * room;

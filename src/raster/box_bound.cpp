@@ -29,7 +29,7 @@ constexpr CornerTag kCornerTag;
 constexpr float kSumError = 0x1p-20F;
 /// Relative error of a quotient and of a pixel coordinate, from the roundings of the vertices and here.
 constexpr float kQuotientError = 0x1p-20F;
-/// Absolute error from underflow of products, far below the min w.
+/// Absolute error from the underflow of products. It is far smaller than the smallest w (kLeastW).
 constexpr float kUnderflow = 0x1p-130F;
 
 /// A clip-space coordinate over the corners of a box.

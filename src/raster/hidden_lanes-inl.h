@@ -57,11 +57,11 @@ isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest
 HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Ints nearest, VisibilityTile& target) {
     using Lanes = std::array<std::int32_t, kMostLanes>;
     Lanes x0;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
-    Lanes y0;     // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
-    Lanes x1;     // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
-    Lanes y1;     // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
-    Lanes near;   // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
-    Lanes hidden; // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
+    Lanes y0;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
+    Lanes x1;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
+    Lanes y1;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
+    Lanes near;   // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
+    Lanes hidden; // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
     hn::StoreU(pixels.x0, kInts, x0.data());
     hn::StoreU(pixels.y0, kInts, y0.data());
     hn::StoreU(pixels.x1, kInts, x1.data());

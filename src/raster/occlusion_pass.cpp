@@ -119,7 +119,7 @@ void OcclusionPass::requireSnapped(std::uint32_t cluster) {
         std::this_thread::yield();
 }
 
-/// Adds the triangles of a cluster that passed setup in one tile. Each tile can hide other triangles of the cluster.
+/// Records which triangles of a cluster passed setup in a tile. The triangles can differ between tiles.
 void OcclusionPass::noteSetUp(std::uint32_t cluster, const TriangleBits& bits) {
     for (std::size_t i = 0; i < bits.size(); ++i)
         if (bits[i] != 0) setUpBits_[cluster * bits.size() + i].fetch_or(bits[i], std::memory_order_relaxed);

@@ -206,7 +206,7 @@ HWY_INLINE CornerDepths cornerDepths(const SnappedCluster& cluster, Ints i0, Int
 }
 
 /// Sets the depth plane of `t` from corner 0 and the edges to the other corners. The first pixel of `t` must be set.
-// NOLINTNEXTLINE(readability-function-size): a struct of these would be put together once and taken apart at once.
+// NOLINTNEXTLINE(readability-function-size): a struct of these parameters would have one use.
 HWY_INLINE void setDepth(
     const PointLanes& a,
     RestLanes rest,

@@ -33,7 +33,7 @@ void PageStore::blockGroups(std::uint32_t page) {
     }
 }
 
-/// Calls `block` for the groups of `page` that blocked groups of `parent` refine into.
+/// Calls `block` for each group of `page` that is the refinement of a blocked group of `parent`.
 template <class Block>
 void PageStore::blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const {
     const hierarchy::Page& above = *entries_[parent].content;

@@ -58,8 +58,8 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
     auto side = static_cast<int>(std::sqrt(static_cast<double>(limits.texels) / static_cast<double>(count)));
     side = std::min(side, limits.maxSide);
     const int least = limits.minSide + 2 * limits.gutter;
-    // Without a limit on the texture's sides, one row always holds the squares. With a limit, smaller squares may be
-    // needed.
+    // One row of squares always fits the budget. If the max side of the texture forbids one row, other layouts leave
+    // texels unused, so the loop tries smaller squares.
     for (; side >= least; side -= std::max(1, side / 64)) {
         const std::vector<TexelRectangle> squares(count, TexelRectangle{0, 0, side, side, false});
         layout.packing = packed(squares, limits.maxSide, limits.mayTranspose);

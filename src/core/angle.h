@@ -1,4 +1,4 @@
-// Angles: pi, and the one way between degrees, which people type and read, and radians, which everything computes with.
+// Conversion between degrees, for input and output, and radians, for all computations.
 #pragma once
 
 #include <numbers>
@@ -7,12 +7,12 @@ namespace gnomon {
 
 inline constexpr double kPi = std::numbers::pi;
 
-/// 180 degrees are pi.
+/// Returns an angle in radians from `degrees`.
 constexpr double radiansFromDegrees(double degrees) {
     return degrees * (kPi / 180);
 }
 
-/// Pi is 180 degrees.
+/// Returns an angle in degrees from `radians`.
 constexpr double degreesFromRadians(double radians) {
     return radians * 180 / kPi;
 }

@@ -8,7 +8,7 @@
 
 namespace gnomon {
 
-/// A closed axis-aligned box; empty (min above max) until something is added.
+/// A closed axis-aligned box. A new box is empty (min is greater than max) until a point or a box is added.
 struct Box {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
     glm::dvec3 max{-std::numeric_limits<double>::infinity()};
@@ -30,18 +30,18 @@ struct Box {
     glm::dvec3 extent() const { return isEmpty() ? glm::dvec3(0) : max - min; }
 };
 
-/// A ball: every point within `radius` of `center`.
+/// A ball: all points within `radius` of `center`.
 struct Sphere {
     glm::dvec3 center{0};
     double radius = 0;
 };
 
-/// The distance of `point` from `box`; 0 inside.
+/// Returns the distance between `point` and `box`, or 0 if the point is inside.
 inline double distance(const Box& box, const glm::dvec3& point) {
     return glm::length(glm::max(glm::max(box.min - point, point - box.max), glm::dvec3(0)));
 }
 
-/// The distance of `point` from `sphere`; 0 inside.
+/// Returns the distance between `point` and `sphere`, or 0 if the point is inside.
 inline double distance(const Sphere& sphere, const glm::dvec3& point) {
     return std::max(0.0, glm::length(point - sphere.center) - sphere.radius);
 }

@@ -1,4 +1,5 @@
-// Checks against a bad programmer: they print both values and abort. A bad world throws gnomon::Error instead.
+// Checks for programming errors: a failed check prints both values and aborts. Errors of files, GL or input throw
+// gnomon::Error instead.
 #pragma once
 
 #include <sstream>
@@ -6,7 +7,7 @@
 
 namespace gnomon::detail {
 
-/// Prints `message` with its place and aborts.
+/// Prints `message` with file and line, and aborts.
 [[noreturn]] void checkFailed(const char* file, int line, const std::string& message);
 
 template <class A, class B>
@@ -18,13 +19,13 @@ std::string comparison(const char* expression, const A& a, const B& b) {
 
 } // namespace gnomon::detail
 
-/// Aborts with the expression when it is false.
+/// Prints the expression and aborts if `condition` is false.
 #define GNOMON_CHECK(condition)                                                                                        \
     do {                                                                                                               \
         if (!(condition)) ::gnomon::detail::checkFailed(__FILE__, __LINE__, #condition);                               \
     } while (false)
 
-/// Aborts with both values unless `a OP b`.
+/// Prints both values and aborts if `a OP b` is false.
 #define GNOMON_CHECK_OP(a, OP, b)                                                                                      \
     do {                                                                                                               \
         const auto& gnomonA = (a);                                                                                     \

@@ -1,4 +1,4 @@
-// A convex volume as the intersection of half-spaces, and the conservative test of a box against it.
+// A convex volume, the intersection of half-spaces, and a conservative test of boxes against it.
 #pragma once
 
 #include "core/box.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon {
 
-/// The half-space of points p with dot(normal, p) + offset >= 0. `normal` has unit length and points inward.
+/// The half-space of all points p with dot(normal, p) + offset >= 0. `normal` has unit length and points inward.
 struct Plane {
     glm::dvec3 normal{0, 0, 1};
     double offset = 0;
@@ -18,18 +18,19 @@ struct Plane {
     bool operator==(const Plane&) const = default;
 };
 
-/// The points inside every plane; no planes is all of space.
+/// A convex volume: the points inside all planes. A volume without planes is the whole space.
 struct ConvexVolume {
     std::vector<Plane> planes;
 };
 
-/// How a box lies to a volume.
+/// The position of a box relative to a volume or a half-space.
 enum class Containment { Outside, Intersecting, Inside };
 
 bool contains(const ConvexVolume& volume, const glm::dvec3& point);
 
-/// A box, prepared for planes to be held against it. Three answers: `Outside` and `Inside` are certain, for they allow
-/// for all that rounding can have done in any rounding mode (Higham 2002, section 3.1); the rest is `Intersecting`.
+/// A box with precomputed values for tests against many planes. `Outside` and `Inside` are certain, because the test
+/// adds a bound of the rounding error for every rounding mode (Higham 2002, section 3.1). All uncertain cases are
+/// `Intersecting`.
 class BoxAgainstPlanes {
 public:
     explicit BoxAgainstPlanes(const Box& box)
@@ -37,7 +38,8 @@ public:
           half_((box.max - box.min) * 0.5),
           size_(std::abs(center_.x) + std::abs(center_.y) + std::abs(center_.z) + half_.x + half_.y + half_.z) {}
 
-    /// `normal` has components of at most 1.
+    /// Classifies the box against the half-space dot(normal, p) + offset >= 0. The absolute components of `normal` are
+    /// at most 1.
     Containment classify(const glm::dvec3& normal, double offset) const {
         const double reach = glm::dot(glm::abs(normal), half_);
         const double middle = glm::dot(normal, center_) + offset;
@@ -47,16 +49,18 @@ public:
     }
 
 private:
-    /// Eleven operations lie between the corners of the box and the answer, each off by at most 2^-52 of terms whose
-    /// absolute values add up to no more than twice what this is a share of.
+    /// Relative bound of the rounding error. Between the corners of the box and the result lie eleven operations. Each
+    /// operation has an error of at most 2^-52 of its terms. The absolute values of these terms add up to at most twice
+    /// size_ + |offset|.
     static constexpr double kRounding = 0x1p-47;
 
     glm::dvec3 center_;
     glm::dvec3 half_;
-    double size_; // no coordinate and no reach of the box is larger
+    double size_; // upper bound of the coordinates and of the half extents of the box
 };
 
-/// Conservative: a box that touches the volume is never `Outside`; some that do not are `Intersecting`.
+/// Classifies `box` against `volume` conservatively: a box that intersects the volume is never `Outside`, but a box
+/// outside can be `Intersecting`.
 Containment classify(const ConvexVolume& volume, const Box& box);
 
 } // namespace gnomon

@@ -3,7 +3,7 @@
 
 namespace gnomon {
 
-/// View depths in world units; near <= far.
+/// A range of view depths in world units, with near <= far.
 struct DepthSpan {
     double near = 0;
     double far = 0;

@@ -1,4 +1,4 @@
-// The one exception of the project: a bad world (file, GL, budget), told in one line.
+// The exception of the project, thrown for errors outside the program (files, GL, budgets) with a message of one line.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +7,24 @@
 
 namespace gnomon {
 
-/// What went wrong, where, what was expected and what was found. Caught once, in `main`.
+/// An error of a file, of GL or of the input: its place, the failure, the expected value and the found value. Only
+/// `main` catches it.
 class Error : public std::runtime_error {
 public:
-    /// `what` alone, for errors that have no place.
+    /// Makes an error without a place.
     explicit Error(const std::string& what);
 
-    /// "WHERE: what" where `where` is a path, an option or an object.
+    /// Makes the message "WHERE: what". `where` is a path, an option or an object.
     Error(const std::string& where, const std::string& what);
 
-    /// "WHERE: what: expected E, found F".
+    /// Makes the message "WHERE: what: expected E, found F".
     Error(const std::string& where, const std::string& what, const std::string& expected, const std::string& found);
 };
 
-/// "PATH: byte N", the place of an error inside a binary file.
+/// Returns "PATH: byte N", the place of an error in a binary file.
 std::string atByte(const std::string& path, std::uint64_t offset);
 
-/// "PATH:N", the place of an error inside a text file; lines count from 1.
+/// Returns "PATH:N", the place of an error in a text file. The first line has number 1.
 std::string atLine(const std::string& path, std::uint64_t line);
 
 } // namespace gnomon

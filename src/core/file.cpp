@@ -21,9 +21,9 @@ namespace gnomon {
 
 namespace {
 
-/// Where writing to `path` must end up: beyond symbolic links, whether or not what they lead to is there yet.
+/// Resolves the symbolic links of `path`, also if the final target does not exist.
 std::string beyondLinks(const std::string& path) {
-    constexpr int kMaxLinks = 40; // as the kernel: links that lead in a circle end, too
+    constexpr int kMaxLinks = 40; // the limit of the kernel; it ends cycles of links
     std::filesystem::path end = path;
     std::error_code error;
     for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(end, error); ++i)
@@ -41,9 +41,9 @@ bool isOtherThanFile(const std::string& path) {
     throw Error(where, what + ": " + std::strerror(errno));
 }
 
-constexpr unsigned kNewPermissions = 0666; // less what the user's mask forbids
+constexpr unsigned kNewPermissions = 0666; // before the user's umask
 
-/// What `call` returns once no signal has interrupted it.
+/// Repeats `call` while signals interrupt it, and returns its result.
 template <class Call>
 auto uninterrupted(const Call& call) {
     for (;;) {
@@ -69,7 +69,7 @@ int flagsOf(File::Mode mode) {
     }
 }
 
-/// Names that another process has no way to foresee.
+/// Returns a random number that other processes cannot predict, for temporary names.
 std::uint64_t randomNumber() {
     std::uint64_t number = 0;
     if (uninterrupted([&] { return ::getrandom(&number, sizeof(number), 0); }) == sizeof(number)) return number;
@@ -93,7 +93,7 @@ File::File(const std::string& path, Mode mode) : File(path, mode, path) {}
 
 File::File(const std::string& path, Mode mode, std::string toldPath) : File(-1, std::move(toldPath)) {
     if (mode == Mode::Create) {
-        constexpr int kAttempts = 8; // somebody else may be as quick
+        constexpr int kAttempts = 8; // another process can create the same name in between
         std::optional<File> made;
         for (int i = 0; i < kAttempts && !made; ++i) {
             const bool isGone = ::unlink(path.c_str()) == 0 || errno == ENOENT;
@@ -194,7 +194,7 @@ void File::writeAt(std::uint64_t offset, std::span<const std::byte> bytes) {
         const ssize_t put =
             ::pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
         if (put < 0 && errno == EINTR) continue;
-        if (put == 0) errno = ENOSPC; // nothing is said of why
+        if (put == 0) errno = ENOSPC; // the system gives no reason for a write of 0 bytes
         if (put <= 0) throwSystemError(atByte(path_, offset + done), "cannot write");
         done += static_cast<std::size_t>(put);
     }
@@ -206,7 +206,7 @@ void File::resize(std::uint64_t bytes) {
 }
 
 void File::release(std::uint64_t offset, std::uint64_t bytes) {
-    // A file system without holes keeps the bytes, which costs space and nothing else.
+    // The result is ignored: a file system without holes only uses more space.
     static_cast<void>(::fallocate(
         descriptor_,
         FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
@@ -219,7 +219,7 @@ bool File::tryLock() {
 }
 
 void File::handOver() const {
-    // Each close of a file flushes what a network file system's client holds, that of a copy of the descriptor, too.
+    // Closing any descriptor of a file, also a duplicate, makes the client of a network file system flush its cache.
     const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
     if (copy < 0) throwSystemError(path_, "cannot copy its descriptor");
     if (::close(copy) != 0 && errno != EINTR) throwSystemError(path_, "cannot write");
@@ -235,7 +235,7 @@ void File::resemble(const std::string& path) {
 
     if (::stat(path.c_str(), &other) != 0) return;
     const bool isOwned = ::fchown(descriptor_, other.st_uid, other.st_gid) == 0;
-    // A group alone may be handed on to anybody who is in it.
+    // The system can forbid a change of the owner and still allow a change to a group of the user.
     if (!isOwned) static_cast<void>(::fchown(descriptor_, static_cast<uid_t>(-1), other.st_gid));
     static_cast<void>(::fchmod(descriptor_, other.st_mode & (isOwned ? 07777U : 0777U)));
 }
@@ -246,7 +246,7 @@ AtomicFile::AtomicFile(const std::string& finalPath)
         file_.emplace(finalPath_, File::Mode::Device, finalPath);
         return;
     }
-    constexpr unsigned kOwnersOnly = 0600; // until it is known who may read what is replaced
+    constexpr unsigned kOwnersOnly = 0600; // until the permissions of the replaced file are copied
     constexpr int kAttempts = 100;
     const bool isReplacing = std::filesystem::exists(finalPath_);
     for (int i = 0; i < kAttempts && !file_; ++i) {
@@ -275,7 +275,7 @@ void AtomicFile::commit() {
 
 std::string readTextFile(const std::string& path, Bytes most) {
     File file(path, File::Mode::Read);
-    // What a pipe or a device holds is known at its end only.
+    // The size of a pipe or a device is known only at its end.
     std::string text;
     std::size_t length = 0;
     for (;;) {

@@ -1,4 +1,4 @@
-// Checked file I/O: every short read, failed write and full disk becomes one Error with path and offset.
+// Checked file I/O: each short read, failed write or full disk throws an Error with path and offset.
 #pragma once
 
 #include "core/temporary_name.h"
@@ -13,22 +13,26 @@
 
 namespace gnomon {
 
-/// An open file, move-only. Positional calls are safe from many threads at once.
+/// An open, move-only file. Many threads can call the positional functions at the same time.
 class File {
 public:
-    /// Read follows links, as does Device, which writes to what is no file or overwrites what is there. The others
-    /// write to no file of a link's choice: Create makes a new file in the place of any, Update opens one for both
-    /// reading and writing, Lock does so and makes it where it is missing.
+    /// The way to open a file.
+    /// - Read opens a file for reading and follows links.
+    /// - Device opens a device or pipe, or overwrites an existing file. It follows links.
+    /// - Create replaces any file of this name by a new one.
+    /// - Update opens an existing file for reading and writing.
+    /// - Lock opens a file for reading and writing, and creates a missing file.
+    /// Create, Update and Lock never write to the target of a link.
     enum class Mode { Read, Create, Update, Lock, Device };
 
-    /// Opens `path`. Throws Error with the system's reason.
+    /// Opens `path`. Throws Error with the reason of the operating system.
     File(const std::string& path, Mode mode);
 
-    /// The same; errors and `path()` name the file as `toldPath`.
+    /// Opens `path`. Errors and `path()` show `toldPath` as the name of the file.
     File(const std::string& path, Mode mode, std::string toldPath);
 
-    /// A new file that may be read, too; nothing if there is something of this name, a link included. Its permissions
-    /// are those of `permissions` that the user's mask leaves.
+    /// Creates a new file for reading and writing. Returns nullopt if the name exists, also as a link. The permissions
+    /// are `permissions` without the bits of the user's umask.
     static std::optional<File> createdNew(const std::string& path, unsigned permissions, std::string toldPath);
 
     ~File();
@@ -41,39 +45,43 @@ public:
 
     std::uint64_t size() const;
 
-    /// When its content was changed last, in nanoseconds since 1970.
+    /// Returns the time of the last change of the content, in nanoseconds since 1970.
     std::int64_t changeTime() const;
 
-    /// Fills `out` from `offset`; throws Error if the file ends before.
+    /// Fills `out` with the bytes from `offset`. Throws Error if the file ends earlier.
     void readAt(std::uint64_t offset, std::span<std::byte> out) const;
 
-    /// Up to `out.size()` bytes from `offset`; fewer only at the end of the file.
+    /// Reads up to `out.size()` bytes from `offset` and returns their number. The number is smaller than `out.size()`
+    /// only at the end of the file.
     std::size_t readSomeAt(std::uint64_t offset, std::span<std::byte> out) const;
 
-    /// Some of what follows what was read by this before, which needs no file that can be read elsewhere; 0 at its end.
+    /// Reads the next bytes in sequence, and returns their number, which is 0 at the end. This also works for pipes and
+    /// devices, where positional reads fail.
     std::size_t readSome(std::span<std::byte> out);
 
     /// Writes all of `bytes` at `offset`.
     void writeAt(std::uint64_t offset, std::span<const std::byte> bytes);
 
-    /// Cuts the file off at `bytes`, or lengthens it by zeros.
+    /// Sets the size of the file to `bytes`: truncates the file, or extends it with zeros.
     void resize(std::uint64_t bytes);
 
-    /// Gives the space of a range back where the file system can; the range then reads as zeros or as it was.
+    /// Returns the disk space of a range to the file system if the file system supports holes. The range then contains
+    /// zeros, or its old bytes without such support.
     void release(std::uint64_t offset, std::uint64_t bytes);
 
-    /// Whether this open file now has the file's one lock, which ends with it or with the process.
+    /// Tries to get the exclusive lock of the file, and returns true on success. The lock ends when the file is closed
+    /// or the process ends.
     bool tryLock();
 
-    /// Takes over the permissions of the file at `path`, and its owner as far as that is allowed; nothing if there is
-    /// none.
+    /// Copies the permissions of the file at `path`, and its owner if the system allows this. Does nothing if that file
+    /// does not exist.
     void resemble(const std::string& path);
 
-    /// Lets others who open the file after this read what was written, on network file systems that promise no more
-    /// than that ("close-to-open"). Nothing is flushed to a device of this machine.
+    /// Makes the written bytes visible to processes that open the file later, on network file systems with
+    /// "close-to-open" consistency. Does not flush to a device of this machine.
     void handOver() const;
 
-    /// Flushes to the device, so that a rename after it is safe.
+    /// Flushes the file to the device, so that a later rename is safe.
     void sync();
 
 private:
@@ -83,28 +91,30 @@ private:
     int descriptor_ = -1;
 };
 
-/// A file that appears under its final name only when it is complete: written beside it under a temporary name,
-/// FINAL.PROCESS.RANDOM.partial, renamed by `commit`, removed by the destructor otherwise. Links are followed; a device
-/// or a pipe is never replaced. A file that is replaced hands on its permissions and, where allowed, its owner.
+/// A file that appears under its final name only when it is complete. The bytes go to a temporary file
+/// FINAL.PROCESS.RANDOM.partial in the same folder. `commit` renames this file, and the destructor removes it without a
+/// commit. The class follows links, and never replaces a device or a pipe. A new file copies the permissions of the
+/// replaced file and, if allowed, its owner.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::string& finalPath);
 
     File& file() { return *file_; }
 
-    /// Where it lies until then; nothing if the final name itself is written to.
+    /// Returns the path of the temporary file, or nullopt if the bytes go to the final name directly (devices and
+    /// pipes).
     std::optional<std::string> temporaryPath() const;
 
-    /// Flushes and renames onto the final name.
+    /// Flushes the file and renames it to the final name.
     void commit();
 
 private:
     std::string finalPath_;
-    std::optional<TemporaryName> temporary_; // none where the final name is written to
+    std::optional<TemporaryName> temporary_; // empty if the bytes go to the final name directly
     std::optional<File> file_;
 };
 
-/// The whole of a small file, pipe or device as text; throws Error beyond `most` bytes.
+/// Reads the whole text of a small file, pipe or device. Throws Error if it has more than `most` bytes.
 std::string readTextFile(const std::string& path, Bytes most = {std::uint64_t{1} << 30U});
 
 /// Writes `text` to `path` through an AtomicFile.

@@ -27,7 +27,7 @@ bool isAddressSpaceLeft(Bytes size) {
 Bytes residentSize() {
     std::ifstream statm("/proc/self/statm");
     std::uint64_t total = 0;
-    std::uint64_t resident = 0; // in pages
+    std::uint64_t resident = 0; // in memory pages of the system
     statm >> total >> resident;
     return {resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE))};
 }

@@ -1,4 +1,4 @@
-// How the heap of the process behaves, and what of it is in memory.
+// Control of the heap: return of freed memory to the system, and checks of memory use.
 #pragma once
 
 #include "core/units.h"
@@ -7,21 +7,22 @@
 
 namespace gnomon {
 
-/// From now on, large pieces of memory go back to the system as soon as they are freed. The heap would keep them, in
-/// pieces: up to a third on top of what is in use. Slower by a tenth where much is allocated.
+/// Makes the heap return large blocks to the system as soon as they are freed. Otherwise the heap keeps fragments of up
+/// to a third of the memory in use. The cost is a tenth more time in code with many allocations.
 void returnFreedMemoryAtOnce();
 
-/// Gives memory that is freed but not yet returned back to the system.
+/// Returns freed memory that the heap still keeps to the system.
 void returnFreedMemory();
 
-/// Whether so much could be had now in one piece, as far as a limit of the process's address space decides that.
+/// Returns true if the address space of the process has room for one block of `size`. A limit of the address space
+/// (ulimit -v) can make this false.
 bool isAddressSpaceLeft(Bytes size);
 
-/// What this process has in memory, as the kernel counts it.
+/// Returns the resident memory of this process, as the kernel reports it.
 Bytes residentSize();
 
-/// Throws LimitError unless `more` fits into `memory` beside what this process has. The error says how much memory
-/// `what` needs.
+/// Throws LimitError if the resident memory plus `more` exceeds `memory`. The message says how much memory `what`
+/// needs.
 void requireRoom(Bytes more, Bytes memory, const std::string& where, const std::string& what);
 
 } // namespace gnomon

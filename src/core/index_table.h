@@ -1,4 +1,4 @@
-// A hash table from keys that live elsewhere to 32-bit indices; what it answers depends on the order of calls alone.
+// A hash table from keys in external storage to 32-bit indices. Its results depend only on the order of the calls.
 #pragma once
 
 #include "core/random.h"
@@ -7,12 +7,12 @@
 
 namespace gnomon {
 
-/// Open addressing with linear probing.
+/// A hash table with open addressing and linear probing.
 class IndexTable {
 public:
     static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
 
-    /// Room for `count` keys.
+    /// Makes a table with room for `count` keys.
     explicit IndexTable(std::size_t count) {
         std::size_t size = 16;
         while (size < count * 2)
@@ -20,7 +20,7 @@ public:
         slots_.assign(size, kAbsent);
     }
 
-    /// The index stored under an equal key, or `index` after storing it.
+    /// Returns the index that is stored for an equal key. Without such a key, stores and returns `index`.
     template <class Equal>
     std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t index, Equal equal) {
         const std::size_t mask = slots_.size() - 1;
@@ -30,7 +30,7 @@ public:
         }
     }
 
-    /// The index stored under an equal key, or kAbsent.
+    /// Returns the index that is stored for an equal key, or kAbsent.
     template <class Equal>
     std::uint32_t find(std::uint64_t hash, Equal equal) const {
         const std::size_t mask = slots_.size() - 1;
@@ -38,7 +38,7 @@ public:
             if (slots_[i] == kAbsent || equal(slots_[i])) return slots_[i];
     }
 
-    /// Has the memory fetched where a key with this hash is looked for first.
+    /// Prefetches the cache line of the first slot for `hash`.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & (slots_.size() - 1)]); }
 
 private:

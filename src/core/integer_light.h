@@ -1,5 +1,5 @@
-// The direction of the light in integers: rounded once, it is the same to the bit in plan, maps, rays, exact shadows
-// and shading, and what exact shadows decide needs no further rounding.
+// The direction of the light in integers. It is rounded once, so plan, maps, rays, exact shadows and shading use
+// identical bits. Exact shadows need no other rounding.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -9,22 +9,22 @@
 
 namespace gnomon {
 
-/// The bits of a light's components.
+/// The number of bits of a component of the direction, without its sign.
 constexpr int kLightBits = 24;
 
-/// Towards the light, along the axes of the world, which are the grid's; each component is above -2^24 and below 2^24,
-/// the largest is at least 2^24 - 1 in size.
+/// The direction towards the light, in world axes, which are also the axes of the grid. Each absolute component is less
+/// than 2^24, and the largest is at least 2^24 - 1.
 struct IntegerLight {
     glm::i64vec3 direction{0, (std::int64_t{1} << kLightBits) - 1, 0};
 
-    /// The same as a vector of length 1.
+    /// Returns the direction with length 1.
     glm::dvec3 unit() const { return glm::normalize(glm::dvec3(direction)); }
 
     friend bool operator==(const IntegerLight&, const IntegerLight&) = default;
 };
 
-/// The nearest such light to `towardsLight`, which has a finite length above 0: less than 2^-24 radians off. Such a
-/// light's own direction gives it back.
+/// Returns the nearest integer direction to `towardsLight`, whose length must be finite and greater than 0. The angular
+/// error is less than 2^-24 radians. The direction of an existing IntegerLight returns the same light.
 IntegerLight roundedLight(const glm::dvec3& towardsLight);
 
 } // namespace gnomon

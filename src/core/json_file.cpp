@@ -11,12 +11,12 @@ namespace gnomon {
 
 namespace {
 
-/// Walks over the text of a document before the parser does, up to where it may stop being JSON: that is the parser's.
+/// A scan of the document before parsing, which checks the limits. The parser reports syntax errors.
 class Limits {
 public:
     Limits(const std::string& path, const std::string& text) : path_(path), text_(text) {}
 
-    /// Throws Error where the text goes beyond a limit.
+    /// Throws Error if the text exceeds a limit.
     void require() {
         while (at_ < text_.size()) {
             const char c = text_[at_];
@@ -64,7 +64,7 @@ private:
     const std::string& path_;
     const std::string& text_;
     std::size_t at_ = 0;
-    std::vector<std::size_t> entries_; // of each array and object that is open
+    std::vector<std::size_t> entries_; // entries so far, per open array or object
 };
 
 } // namespace

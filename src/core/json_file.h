@@ -1,4 +1,4 @@
-// A file of JSON, read whole: the one way in which JSON from outside gets in.
+// Reading of JSON files from outside, with limits on depth, entries and size.
 #pragma once
 
 #include <string>
@@ -7,16 +7,18 @@
 
 namespace gnomon {
 
-constexpr std::size_t kJsonDepth = 64;                         // what is nested deeper is made to overflow a stack
-constexpr std::size_t kJsonEntries = 4096;                     // of one object; each is looked for among the others
-constexpr std::uint64_t kJsonBytes = std::uint64_t{64} << 20U; // memory takes up to some 20 times as much
+// max nesting; a deeper document could overflow the stack
+constexpr std::size_t kJsonDepth = 64;
+// max entries of one object, because the parser searches them linearly
+constexpr std::size_t kJsonEntries = 4096;
+constexpr std::uint64_t kJsonBytes = std::uint64_t{64} << 20U; // max size; memory use is up to about 20 times as much
 
-/// Throws Error, placed in `path`, where `text` goes deeper than kJsonDepth, has an object of more than kJsonEntries or
-/// a number that no double holds. Whether it is JSON is for its parser to say.
+/// Throws Error with the place in `path` if `text` exceeds kJsonDepth, an object exceeds kJsonEntries, or a number
+/// overflows a double. Does not check the JSON syntax, which is the task of the parser.
 void requireJsonLimits(const std::string& path, const std::string& text);
 
-/// The document in `path`, at most kJsonBytes of it, kJsonDepth deep, objects of at most kJsonEntries. Throws Error
-/// with the byte where it stops being that, stops being JSON or has a number that no double holds.
+/// Reads the JSON document in `path`. Throws Error with the byte offset if the document exceeds kJsonBytes, kJsonDepth
+/// or kJsonEntries, is not valid JSON, or contains a number that overflows a double.
 nlohmann::ordered_json readJsonFile(const std::string& path);
 
 } // namespace gnomon

@@ -1,5 +1,5 @@
-// A limit that the caller set and that cannot be kept, in parts: who knows how the limit is asked for says so in those
-// words.
+// An error about a limit of the caller, in separate parts. The command line replaces parts of the message with the name
+// of its option.
 #pragma once
 
 #include "core/error.h"
@@ -9,12 +9,12 @@
 
 namespace gnomon {
 
-/// What a build can be limited in. Textures: the source can be read without its textures only.
+/// The limit that a build exceeded. Textures means that the source can only be read without its textures.
 enum class Limit : std::uint8_t { Memory, ChunkTriangles, StuckTriangles, Textures, SourceRoot };
 
 class LimitError : public Error {
 public:
-    /// Those of an Error: "WHERE: what: expected E, found F".
+    /// The parts of the message "WHERE: what: expected E, found F".
     struct Parts {
         std::string where;
         std::string what;

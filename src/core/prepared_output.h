@@ -1,4 +1,4 @@
-// Outputs that are made sure of before the long work whose results they take.
+// Output files and folders that are checked before the long computation of their content.
 #pragma once
 
 #include "core/file.h"
@@ -10,30 +10,31 @@
 
 namespace gnomon {
 
-/// A file that is created at once and whose text comes later; without that, nothing is left of it.
+/// A file that is created immediately and written later. Without a call of `write`, no file remains.
 class PreparedFile {
 public:
-    /// Throws Error where the file cannot be made. An empty path is an output that was not asked for.
+    /// Creates the file. Throws Error if this is impossible. An empty path means that no output was requested.
     explicit PreparedFile(const std::string& path) {
         if (!path.empty()) file_.emplace(path);
     }
 
-    /// Writes all of the file, if it was asked for; to be called once.
+    /// Writes the whole file if an output was requested. Call this once.
     void write(const std::string& text);
 
 private:
     std::optional<AtomicFile> file_;
 };
 
-/// Throws Error where a file cannot be made under `path`, and leaves nothing there; an empty path is none. A device or
-/// a pipe, which keeps nothing and can be opened only once, is not tried.
+/// Throws Error if a file at `path` cannot be created, and leaves no file there. Does nothing for an empty path. Does
+/// not test a device or a pipe, because a pipe can be opened only once.
 void requireWritable(const std::string& path);
 
-/// A folder that files can be written into, made where it is missing, as are those above it; of what was made, that is
-/// removed in the end which holds nothing.
+/// A writable folder. The constructor creates the folder and its missing parents. The destructor removes the created
+/// folders that are still empty.
 class PreparedFolder {
 public:
-    /// Throws Error. An empty path is a folder that was not asked for.
+    /// Creates the folder. Throws Error if this is impossible or the folder is not writable. An empty path means that
+    /// no folder was requested.
     explicit PreparedFolder(const std::string& path);
     ~PreparedFolder();
     PreparedFolder(const PreparedFolder&) = delete;
@@ -42,7 +43,7 @@ public:
     PreparedFolder& operator=(PreparedFolder&&) = delete;
 
 private:
-    std::vector<std::unique_ptr<TemporaryName>> made_; // outermost first
+    std::vector<std::unique_ptr<TemporaryName>> made_; // outermost folder first
 };
 
 } // namespace gnomon

@@ -10,14 +10,14 @@ namespace gnomon {
 
 namespace {
 
-/// How many bytes the UTF-8 character has that begins with `first`; 0 if none does.
+/// Returns the length in bytes of a UTF-8 character that begins with `first`, or 0 if no character does.
 std::size_t bytesFrom(unsigned first) {
     if (first < 0x80) return 1;
     if (first < 0xc2 || first > 0xf4) return 0;
     return first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
 }
 
-/// The bytes of the UTF-8 character that `text` begins with, by RFC 3629; 0 if it begins with none.
+/// Returns the length in bytes of the first UTF-8 character of `text` (RFC 3629), or 0 if the bytes are invalid.
 std::size_t characterBytes(std::string_view text) {
     const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const std::size_t bytes = bytesFrom(at(0));
@@ -25,15 +25,15 @@ std::size_t characterBytes(std::string_view text) {
     for (std::size_t i = 1; i < bytes; ++i)
         if ((at(i) & 0xc0U) != 0x80) return 0;
     if (bytes < 3) return bytes;
-    // What is written longer than it need be, half a pair of UTF-16, what is beyond the last character.
+    // Invalid are overlong encodings, UTF-16 surrogates, and codes above U+10FFFF.
     const unsigned start = static_cast<unsigned>(at(0)) << 8U | at(1);
     const bool isTooLong = start < 0xe0a0 || (start >= 0xf000 && start < 0xf090);
     const bool isNoCharacter = (start >= 0xeda0 && start < 0xee00) || start >= 0xf490;
     return isTooLong || isNoCharacter ? 0 : bytes;
 }
 
-/// The characters that a terminal or a page obeys or hides instead of showing them: controls, line and paragraph
-/// separators, and those that Unicode 15 calls Bidi_Control or Default_Ignorable_Code_Point.
+/// A range of characters that a terminal or a page interprets or hides. kHidden contains controls, line and paragraph
+/// separators, and the characters with the Unicode 15 property Bidi_Control or Default_Ignorable_Code_Point.
 struct Range {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
@@ -102,7 +102,7 @@ std::string printable(std::string_view text) {
 std::string inWords(const std::exception& error) {
     const auto* const file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
     if (file == nullptr) return error.what();
-    // "filesystem error: OPERATION: REASON [PATH]", as both standard libraries have it.
+    // Both standard libraries write "filesystem error: OPERATION: REASON [PATH]".
     constexpr std::string_view kBefore = "filesystem error: ";
     std::string_view operation = error.what();
     if (operation.substr(0, kBefore.size()) == kBefore) operation.remove_prefix(kBefore.size());

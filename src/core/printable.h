@@ -1,4 +1,4 @@
-// Text from outside as it may reach a terminal, a window or a page: in one line, and each character is visible.
+// Sanitising of external text for terminals, windows and pages: the result has one line and only visible characters.
 #pragma once
 
 #include <exception>
@@ -7,12 +7,12 @@
 
 namespace gnomon {
 
-/// Returns `text` with characters that act on a terminal, turn the direction of writing or have no shape written as in
-/// C: "\n", "\x1b". So are bytes that are not UTF-8. All other text stays as it is.
+/// Returns `text` with escapes as in C ("\n", "\x1b") for control characters, bidirectional controls, invisible
+/// characters and bytes that are not UTF-8. All other text is unchanged.
 std::string printable(std::string_view text);
 
-/// What an exception says, in the order of our own: "PATH: cannot create directories: No space left on device" where
-/// the standard library has other words and another order.
+/// Returns the message of `error`. Errors of std::filesystem get the format of gnomon::Error: "PATH: cannot create
+/// directories: No space left on device".
 std::string inWords(const std::exception& error);
 
 } // namespace gnomon

@@ -1,4 +1,5 @@
-// Where long work says how far it is; what is done with that (a bar, JSON lines, nothing) is the app's business.
+// The interface through which long tasks report progress. The application shows a bar, writes JSON lines, or ignores
+// it.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +7,7 @@
 
 namespace gnomon {
 
-/// Receives progress. Calls may come from any thread; implementations lock.
+/// A receiver of progress. Any thread can call it, so implementations lock.
 class Progress {
 public:
     Progress() = default;
@@ -16,23 +17,23 @@ public:
     Progress(Progress&&) = delete;
     Progress& operator=(Progress&&) = delete;
 
-    /// A new stage of `total` units (triangles, bytes, frames) begins.
+    /// Begins a new stage of `total` units (triangles, bytes, frames).
     virtual void stage(std::string_view name, std::string_view unit, std::uint64_t total) = 0;
 
-    /// The stage, as is known better by now, takes `total` units in all.
+    /// Corrects the total number of units of the current stage.
     virtual void expect(std::uint64_t /*total*/) {}
 
-    /// `count` more units of the stage are done. Throws gnomon::Interrupted if the user asked to stop.
+    /// Reports `count` more finished units of the stage. Throws gnomon::Interrupted if the user requested a stop.
     virtual void advance(std::uint64_t count) = 0;
 
-    /// So many bytes of temporary files are in use now.
+    /// Reports the number of bytes that temporary files use now.
     virtual void temporarySpace(std::uint64_t /*bytes*/) {}
 };
 
-/// Thrown out of `Progress::advance` after Ctrl-C, so that work unwinds and leaves nothing half-written.
+/// Thrown by `Progress::advance` after Ctrl-C, so that the stack unwinds and removes unfinished files.
 struct Interrupted {};
 
-/// The progress that nobody watches.
+/// A receiver that ignores all progress.
 class NoProgress final : public Progress {
 public:
     void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}

@@ -1,4 +1,4 @@
-// Wall-clock time between two lines of code, by a clock that never goes back.
+// Measurement of wall-clock time with a monotonic clock.
 #pragma once
 
 #include "core/units.h"
@@ -7,10 +7,10 @@
 
 namespace gnomon {
 
-/// Measures from its construction.
+/// A stopwatch that starts at its construction.
 class Stopwatch {
 public:
-    /// The time since it was made.
+    /// Returns the time since the construction.
     Milliseconds elapsed() const { return {std::chrono::duration<double, std::milli>(Clock::now() - start_).count()}; }
 
 private:
@@ -18,7 +18,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// Adds the time that `work` takes, in milliseconds, to `sum`.
+/// Runs `work` and adds its duration in milliseconds to `sum`.
 template <class Work>
 void addTime(double& sum, const Work& work) {
     const Stopwatch watch;

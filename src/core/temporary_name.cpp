@@ -12,11 +12,12 @@ namespace gnomon {
 
 namespace {
 
-// A handler of signals reaches nothing else. It waits for the lock, which is sound: whoever has it takes no signals.
+// The signal handler uses only these two objects. It may wait for the lock without a deadlock, because the thread with
+// the lock blocks signals.
 constinit std::atomic_flag isLocked;       // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 constinit TemporaryName* newest = nullptr; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
-/// While it lives, no other thread has the list and this one takes no signals; `errno` outlives it.
+/// A guard of the list of names: other threads wait, and this thread blocks signals. It preserves `errno`.
 class Lock {
 public:
     Lock() {
@@ -79,7 +80,7 @@ void TemporaryName::removeAll() {
 }
 
 void TemporaryName::removeAllAndExit(int status) {
-    const Lock lock; // for ever: from here on nothing is made
+    const Lock lock; // never released, so that no thread creates a new name
     removeNames();
     ::_exit(status);
 }

@@ -1,5 +1,4 @@
-// The names of files and folders that are not finished: they go with their object, or with a process that a signal
-// ends.
+// Names of unfinished files and folders. They are removed with their object, or when a signal ends the process.
 #pragma once
 
 #include <functional>
@@ -7,11 +6,11 @@
 
 namespace gnomon {
 
-/// A file or an empty folder that is removed in the end unless `keep` was called; one that holds something stays.
+/// A file or folder that the destructor removes unless `keep` was called. A folder with content is not removed.
 class TemporaryName {
 public:
-    /// Runs `make`, which brings `path` into being and returns whether it did: if not, there is nothing to remove. No
-    /// signal comes in between.
+    /// Runs `make`, which creates `path` and returns true on success. If `make` fails, nothing will be removed. Signals
+    /// are blocked during the call.
     TemporaryName(std::string path, const std::function<bool()>& make);
     ~TemporaryName();
     TemporaryName(const TemporaryName&) = delete;
@@ -21,16 +20,17 @@ public:
 
     const std::string& path() const { return path_; }
 
-    /// Whether the name is to be removed.
+    /// Returns true if the destructor will remove the name.
     bool isHeld() const { return isHeld_; }
 
-    /// Runs `finish`, such as a rename, and leaves the name alone from then on if that returns true; so it returns.
+    /// Runs `finish`, for example a rename, and returns its result. If `finish` returns true, the name is no longer
+    /// removed.
     bool keep(const std::function<bool()>& finish);
 
-    /// Removes all temporary names, newest first, whose objects will not do it: the process is about to end.
+    /// Removes all temporary names, newest first. Used when the process ends without running the destructors.
     static void removeAll();
 
-    /// Does that and ends the process at once. May be called by a signal's handler.
+    /// Removes all temporary names and ends the process immediately. A signal handler can call this function.
     [[noreturn]] static void removeAllAndExit(int status);
 
 private:

@@ -10,7 +10,7 @@ namespace gnomon {
 
 namespace {
 
-/// The number in front of an optional suffix of k, M, G or T, times `base` to the suffix's power.
+/// Parses a number with an optional suffix k, M, G or T, and scales it by the matching power of `base`.
 std::optional<std::uint64_t> parseScaled(std::string_view text, double base) {
     double number = 0;
     const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -43,7 +43,7 @@ std::string scaled(double value, double base, const std::array<const char*, 5>& 
 } // namespace
 
 std::optional<Bytes> parseBytes(std::string_view text) {
-    if (text.ends_with("iB")) { // says what is meant without it, too
+    if (text.ends_with("iB")) { // the suffix letter alone already means a power of 1024
         text.remove_suffix(2);
         if (text.empty() || std::isalpha(static_cast<unsigned char>(text.back())) == 0) return std::nullopt;
     } else if (text.ends_with('B')) {

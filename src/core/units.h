@@ -1,4 +1,4 @@
-// Sizes and counts as people write them, and strong ids.
+// Sizes, counts and durations as strong types, with conversion from and to readable text.
 #pragma once
 
 #include <cstdint>
@@ -28,16 +28,17 @@ constexpr Bytes gibibytes(std::uint64_t n) {
     return {n << 30U};
 }
 
-/// A memory size with a binary suffix (`2G`, `1.5M`, `64k`, `1000`; `2GB`, `2GiB` are `2G`); nothing if it is not one.
+/// Parses a memory size with a binary suffix: `2G`, `1.5M`, `64k`, `1000`. `2GB` and `2GiB` mean `2G`. Returns nullopt
+/// for other text.
 std::optional<Bytes> parseBytes(std::string_view text);
 
-/// A count with a decimal suffix (`13M`, `1G`, `2.5k`, `42`); nothing if it is not one.
+/// Parses a count with a decimal suffix: `13M`, `1G`, `2.5k`, `42`. Returns nullopt for other text.
 std::optional<std::uint64_t> parseCount(std::string_view text);
 
-/// "1.50 GiB", for people.
+/// Returns a readable size such as "1.50 GiB".
 std::string readableBytes(Bytes bytes);
 
-/// "13.0M", for people.
+/// Returns a readable count such as "13.0M".
 std::string readableCount(std::uint64_t count);
 
 } // namespace gnomon

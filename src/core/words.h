@@ -1,4 +1,4 @@
-// Lists of the words that stand for the values of a type: each stands once, beside the type, as an array of Word.
+// Tables of the names of enumerators and other values. Each table is an array of Word next to its type.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace gnomon {
 
-/// A value and the word for it. A list may have entries with more to them, as long as they have these two.
+/// A value and its name. Entries of a table can have more members.
 template <class T>
 struct Word {
     T value;
     const char* word;
 };
 
-/// The word for `value` in `words`; empty if it has none.
+/// Returns the name of `value` in `words`, or an empty string if `words` does not contain the value.
 template <class Words, class T>
 constexpr std::string_view wordOf(const Words& words, const T& value) {
     for (const auto& each : words)
@@ -24,7 +24,7 @@ constexpr std::string_view wordOf(const Words& words, const T& value) {
     return {};
 }
 
-/// The value that `word` stands for in `words`; nothing if there is none.
+/// Returns the value with the name `word` in `words`, or nullopt.
 template <class Words>
 constexpr auto valueOf(const Words& words, std::string_view word)
     -> std::optional<std::decay_t<decltype(std::begin(words)->value)>> {
@@ -33,7 +33,7 @@ constexpr auto valueOf(const Words& words, std::string_view word)
     return std::nullopt;
 }
 
-/// All words with `between` before each but the first, and `beforeLast` before the last: "off, maps or rays".
+/// Joins all names. `beforeLast` separates the last name and `between` separates the others: "off, maps or rays".
 template <class Words>
 std::string enumerated(const Words& words, std::string_view between, std::string_view beforeLast) {
     std::string text;

@@ -13,10 +13,11 @@ namespace gnomon {
 
 namespace {
 
-/// Whether half of the least normal number is there, and twice that the number again.
+/// Returns true if half of the smallest normal number is not 0, and twice this half is the number again.
 template <class Number>
 bool keepsSubnormals() {
-    volatile Number value = std::numeric_limits<Number>::min(); // a compiler knows the answer by its own arithmetic
+    // volatile, so that the processor computes the result and not the compiler
+    volatile Number value = std::numeric_limits<Number>::min();
     volatile Number half = value / 2;
     volatile Number whole = half * 2;
     return half > 0 && whole == value;

@@ -1,11 +1,11 @@
-// What all arithmetic here takes for granted and a library loaded before us may have changed: IEEE 754 as it is by
-// default.
+// A check of the floating-point mode. All arithmetic here assumes default IEEE 754, but a loaded library can change the
+// mode.
 #pragma once
 
 namespace gnomon {
 
-/// Throws Error where this thread rounds otherwise than to nearest, or takes subnormal numbers for zero or makes them
-/// zero (FTZ and DAZ, which start-up code of libraries compiled with fast math sets for the whole process).
+/// Throws Error if this thread does not round to nearest, or flushes subnormal numbers to zero (FTZ and DAZ). Libraries
+/// compiled with fast math set these modes for the whole process when they are loaded.
 void requireUsualFloatingPoint();
 
 } // namespace gnomon

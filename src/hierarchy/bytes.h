@@ -1,4 +1,4 @@
-// Little-endian byte streams: one that grows, one that never reads past its end.
+// Little-endian byte streams: a writer that grows, and a reader that checks the end of its bytes.
 #pragma once
 
 #include "core/error.h"
@@ -17,12 +17,12 @@ namespace gnomon::hierarchy {
 
 static_assert(std::endian::native == std::endian::little, "a .gnm is little-endian and copied as it is");
 
-/// What is wrong with stored bytes; the reader of the file turns it into an Error with path and offset.
+/// A fault in stored bytes. The reader of the file converts it to an Error with path and offset.
 struct Damage {
     std::string what;
 };
 
-/// Collects values one after the other.
+/// A writer that appends values to a growing array of bytes.
 class ByteWriter {
 public:
     template <class T>
@@ -37,7 +37,7 @@ public:
         }
     }
 
-    /// Seven bits a byte, low ones first; 1 to 10 bytes.
+    /// Appends `value` with seven bits per byte, low bits first, in 1 to 10 bytes.
     void putVarint(std::uint64_t value) {
         while (value >= 0x80U) {
             put(static_cast<std::uint8_t>(value | 0x80U));
@@ -53,7 +53,7 @@ public:
         put(std::as_bytes(std::span(text)));
     }
 
-    /// Appends `count` bytes for the caller to fill before the next call.
+    /// Appends `count` bytes and returns them. The caller must fill them before the next call.
     std::span<std::byte> room(std::size_t count) {
         bytes_.resize(bytes_.size() + count);
         return std::span(bytes_).last(count);
@@ -69,7 +69,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// Takes values one after the other; throws Damage where the bytes end too early.
+/// A reader that takes values in sequence. It throws Damage if the bytes end too early.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -107,7 +107,7 @@ public:
 
     std::size_t remaining() const { return rest_.size(); }
 
-    /// Throws Damage unless every byte was taken.
+    /// Throws Damage if unread bytes remain.
     void expectEnd() const {
         if (!rest_.empty()) throw Damage{std::to_string(rest_.size()) + " bytes too many"};
     }

@@ -1,4 +1,4 @@
-// Which cut of a model tells enough of its shape as a whole, and costs the same to read for a model of any size.
+// Selection of a coarse cut that shows the whole shape of a model. Its read cost does not grow with the model.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -8,13 +8,14 @@
 
 namespace gnomon::hierarchy {
 
-/// Whether a uniform cut of `error` draws anything of the page `info`.
+/// Returns true if a uniform cut of `error` draws clusters of the page `info`.
 inline bool isDrawnOf(const PageInfo& info, double error) {
     return info.maxError == std::numeric_limits<double>::infinity() || info.maxError > error;
 }
 
-/// The error of that cut of the pages whose bounds have this diagonal: 1/400 of it, or as much more as it takes to read
-/// `mostBytes` of decoded pages beside those of the roots. `pages` is a range of ranges of PageInfo.
+/// Returns the error of this cut, for pages whose bounds have this diagonal. The error is 1/400 of the diagonal, or
+/// larger if the decoded pages without root groups would otherwise exceed `mostBytes`. `pages` is a range of ranges of
+/// PageInfo.
 template <class Pages>
 double coarseError(const Pages& pages, double diagonal, std::uint64_t mostBytes = std::uint64_t{16} << 20U) {
     double error = diagonal / 400;
@@ -28,8 +29,8 @@ double coarseError(const Pages& pages, double diagonal, std::uint64_t mostBytes 
     }
 }
 
-/// The error of the cut of a model, whose main part has this diagonal, by which up is guessed: finer, but of fewer
-/// bytes.
+/// Returns the error of the cut from which the up direction is guessed. This cut has a smaller error but fewer bytes.
+/// `diagonal` belongs to the main part of the model.
 template <class Pages>
 double upError(const Pages& pages, double diagonal) {
     return coarseError(pages, 0.4 * diagonal, std::uint64_t{4} << 20U);

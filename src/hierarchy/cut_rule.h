@@ -1,4 +1,4 @@
-// The rule of every cut, spelled out page by page: slow, and obviously right.
+// The rule that selects the clusters of a cut, page by page. This slow version is the reference for the fast ones.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -7,9 +7,9 @@
 
 namespace gnomon::hierarchy {
 
-/// Calls `use(group, cluster)` for each cluster of `page` that is drawn where `isRefined(drawn error, bounds)` decides
-/// which groups are refined: its own group is, and its refinement, if it has one, is not. Infinite errors need no
-/// question.
+/// Calls `use(group, cluster)` for each drawn cluster of `page`. A cluster is drawn if its own group is refined and its
+/// refinement is absent or not refined. `isRefined(drawn error, bounds)` says if a group is refined. Groups with
+/// infinite error are refined without a call.
 template <class IsRefined, class Use>
 requires std::predicate<const IsRefined&, double, const Sphere&>
 
@@ -28,12 +28,13 @@ void forEachDrawn(const Page& page, const IsRefined& isRefined, const Use& use) 
     }
 }
 
-/// The stored error of a cluster: what its refinement costs to leave out; `snapError` at level 0.
+/// Returns the stored error of a cluster: the error of its refinement, or `snapError` at level 0.
 inline double storedError(const Page& page, const Cluster& cluster, double snapError) {
     return cluster.refinement == kNone ? snapError : page.refinements[cluster.refinement].error;
 }
 
-/// What a cluster's stored error and that of its attributes come to: from this limit on a uniform cut may draw it.
+/// Returns the larger of the stored error and the attribute error of a cluster. A uniform cut with at least this error
+/// can draw the cluster.
 inline double drawnError(const Page& page, const Cluster& cluster, double snapError) {
     return cluster.refinement == kNone ? snapError : page.refinements[cluster.refinement].drawnError();
 }

@@ -43,7 +43,7 @@ glm::dvec3 takeVector(ByteReader& in) {
     return v;
 }
 
-/// A row without children.
+/// The size of a row without children.
 constexpr std::uint64_t kRowBytes = 112;
 
 } // namespace
@@ -101,7 +101,7 @@ void putMap(ByteWriter& out, const std::map<std::string, Value>& map, Put put) {
     }
 }
 
-/// Keys must ascend, so that the same map has one form only.
+/// Reads a map. Throws Damage if the keys do not ascend, so that each map has exactly one encoding.
 template <class Value, class Take>
 std::map<std::string, Value> takeMap(ByteReader& in, Take take) {
     std::map<std::string, Value> map;
@@ -269,7 +269,7 @@ Field takeField(ByteReader& in) {
     return field;
 }
 
-/// What format 4 added, after all that format 3 has.
+/// Reads the data that format 4 appends to the summary of format 3.
 void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.up.direction = takeVector(in);
     constexpr double kRounding = 1e-6;
@@ -279,7 +279,8 @@ void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.unit = static_cast<Unit>(unit);
     const std::uint64_t fieldCount = in.takeVarint();
     for (std::uint64_t i = 0; i < fieldCount; ++i)
-        summary.fields.push_back(takeField(in)); // each takes bytes, so that these bound their number
+        // each field needs bytes, so a damaged count cannot allocate without limit
+        summary.fields.push_back(takeField(in));
     for (LevelInfo& level : summary.levels) {
         level.maxAttributeError = in.take<double>();
         if (!std::isfinite(level.maxAttributeError) || level.maxAttributeError < 0)

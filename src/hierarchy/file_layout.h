@@ -1,10 +1,10 @@
-// Where what lies in a .gnm, and its tables as bytes. Little-endian throughout:
-//   header    magic 8, format version u32, flags u32, checksum of these and the hash u64, content hash 16
-//   pages     one after the other without gaps, in the order of the page table
-//   pages'    one row each
-//   summary   what `gnomon info` prints
-//   footer    places, sizes and checksums of both tables, the size of the file, the number of pages, its own checksum
-// Everything after the hash is written once, in order; only the checksum and the hash are filled in at the end.
+// The byte layout of a .gnm file and its tables. All numbers are little-endian:
+//   header      magic 8, format version u32, flags u32, checksum of these and the hash u64, content hash 16
+//   pages       in sequence without gaps, in the order of the page table
+//   page table  one row per page
+//   summary     the values that `gnomon info` prints
+//   footer      places, sizes and checksums of both tables, the size of the file, the number of pages, its own checksum
+// All bytes after the hash are written once, in order. The checksum and the hash of the header are written last.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -20,22 +20,22 @@ constexpr std::uint64_t kHeaderBytes = 40;
 constexpr std::uint64_t kHashOffset = kHeaderBytes - kHashBytes;
 constexpr std::uint64_t kFooterBytes = 72;
 
-/// xxh3-64 of `bytes`.
+/// Returns the xxh3-64 hash of `bytes`.
 std::uint64_t checksum64(std::span<const std::byte> bytes);
 
-/// An xxh3-128 in its canonical (big-endian) bytes.
+/// An xxh3-128 hash in its canonical (big-endian) bytes.
 using ContentHash = std::array<std::byte, kHashBytes>;
 
-/// Two lower-case digits a byte.
+/// Returns the hash as text with two lower-case hexadecimal digits per byte.
 std::string hexText(const ContentHash& hash);
 
-/// The whole header of a file of a format. Flag bit 0: normals, bit 1: colours.
+/// Returns the header of a file. Bit 0 of `flags` means normals, and bit 1 means colours.
 std::vector<std::byte> encodeHeader(
     std::uint32_t flags, const ContentHash& hash, std::uint32_t version = kFormatVersion);
 
 std::uint32_t flagsOf(const ModelSummary& summary);
 
-/// Where one table lies.
+/// Place and checksum of one table in the file.
 struct TablePlace {
     std::uint64_t offset = 0;
     std::uint64_t bytes = 0;
@@ -51,28 +51,29 @@ struct Footer {
 
 std::vector<std::byte> encodeFooter(const Footer& footer);
 
-/// Throws Damage.
+/// Decodes the footer. Throws Damage if its checksum is wrong.
 Footer decodeFooter(std::span<const std::byte> bytes);
 
-/// One row of the page table: all of `page` but its offset, which follows from the rows before.
+/// Writes one row of the page table: all members of `page` except its offset, which follows from the earlier rows.
 void putPageRow(ByteWriter& out, const PageInfo& page);
 
-/// What `putPageRow` put, unchecked; its offset is 0. Throws Damage where the bytes end too early.
+/// Reads a row that `putPageRow` wrote. Does not check the values, and leaves the offset 0. Throws Damage if the bytes
+/// end too early.
 PageInfo takePageRow(ByteReader& in);
 
 std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages);
 
-/// What reading and decoding the page table that `footer` tells of takes at most, in bytes. Throws Damage where the
-/// file has not the bytes for so many rows and pages.
+/// Returns the max memory, in bytes, for reading and decoding the page table. Throws Damage if the file is too small
+/// for the number of pages in `footer`.
 std::uint64_t tableMemory(const Footer& footer);
 
-/// The rows of the page table that `footer` tells of, of a model on `grid`. Throws Damage, also where a row is none of
-/// a page and where the pages do not fill the file between the header and the table.
+/// Decodes the page table of a model on `grid`. Throws Damage if a row is invalid, or if the pages do not fill the file
+/// between header and table.
 std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer, const Grid& grid);
 
 std::vector<std::byte> encodeSummary(const ModelSummary& summary);
 
-/// Of a file of format `version`. Throws Damage.
+/// Decodes the summary of a file of format `version`. Throws Damage if it is invalid.
 ModelSummary decodeSummary(std::span<const std::byte> bytes, std::uint32_t version = kFormatVersion);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,5 @@
-// The one global grid on which every position of a model lies, so that shared borders agree to the bit.
+// The integer grid of all positions of a model. With one global grid, shared borders of clusters are identical to the
+// bit.
 #pragma once
 
 #include "core/box.h"
@@ -9,12 +10,12 @@
 
 namespace gnomon::hierarchy {
 
-/// Grid coordinates stay below 2^31, so that differences of two fit an int32 (the shaders subtract the eye's cell
-/// first).
+/// The max grid coordinate is below 2^31, so the difference of two coordinates fits in an int32. The shaders subtract
+/// the grid point of the eye first.
 constexpr std::uint32_t kMaxGridCoordinate = 0x7FFFFFFFU;
 
-/// The exponents that a grid's step may have, and how far from 0 its points may lie in the world: squares of distances
-/// are doubles then, neither infinite nor denormal.
+/// Limits of the exponent of the grid's step, and of world coordinates. Within these limits, squared distances in
+/// double precision neither overflow nor become denormal.
 constexpr int kLeastStepExponent = -600;
 constexpr int kMostStepExponent = 320;
 constexpr double kMostCoordinate = 0x1p340;
@@ -43,11 +44,12 @@ struct GridBox {
     }
 };
 
-/// World position = origin + step * grid point. LOCAL space is world space minus `origin`, in world units: spheres,
-/// boxes and errors of a model are stored in it, and everything at run time works in it or relative to the eye.
+/// The mapping from grid points to world positions: world = origin + step * grid point. LOCAL space is world space
+/// minus `origin`, in world units. Spheres, boxes and errors of a model are stored in local space. All code at run time
+/// uses local space or eye-relative space.
 struct Grid {
     glm::dvec3 origin{0};
-    int stepExponent = 0; // step = 2^stepExponent, exact in every float format
+    int stepExponent = 0; // step = 2^stepExponent, exact in each floating-point format
 
     double step() const { return std::ldexp(1.0, stepExponent); }
 
@@ -57,7 +59,7 @@ struct Grid {
 
     Box local(const GridBox& box) const { return {local(box.min), local(box.max)}; }
 
-    /// How far a source position may have moved when it was snapped: half a cell's diagonal.
+    /// Returns the max distance between a source position and its snapped grid point: half the diagonal of a cell.
     double snapError() const { return 0.5 * std::sqrt(3.0) * step(); }
 };
 

@@ -1,15 +1,16 @@
-// The main part of a model: all of it but strays. Views frame it.
+// The main part of a model: the model without stray geometry. Default views frame this part.
 #pragma once
 
 #include "hierarchy/model.h"
 
 namespace gnomon::hierarchy {
 
-/// Stores `mainPart` (world space) in the options of `summary` as grid coordinates, unless it contains the bounds.
+/// Stores `mainPart` (world space) as grid coordinates in the options of `summary`. Does nothing if it contains the
+/// bounds.
 void setMainPart(ModelSummary& summary, const Box& mainPart);
 
-/// Returns the box of the main part, world space: what `setMainPart` stored, without the rest of the bounds. Returns
-/// the bounds of a model without strays, and of one that stores no main part or a damaged one.
+/// Returns the box of the main part in world space, clipped to the bounds. Returns the bounds if the model stores no
+/// main part or a damaged one.
 Box mainPartOf(const ModelSummary& summary);
 
 } // namespace gnomon::hierarchy

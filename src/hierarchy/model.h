@@ -1,4 +1,4 @@
-// What is known of a whole model without reading a page: the page table and the summary.
+// The data of a model that is known without its pages: the page table and the summary.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -10,31 +10,32 @@
 
 namespace gnomon::hierarchy {
 
-/// Raised whenever the bytes of a .gnm change their meaning; a reader takes those from the oldest on.
-/// 2: a vertex of several clusters is stored once a page, and normals take ten bits a number.
-/// 3: refinements name their pages by their place among the page's children.
-/// 4: errors of attributes, a list of fields, which way is up and the unit; a file of format 3 has none of the first
-/// two and the defaults of the others.
+/// The version of the .gnm format. It increases when the bytes change their meaning. A reader accepts all versions
+/// since kOldestFormatVersion.
+/// - 2: a vertex of several clusters is stored once per page; a component of a normal has ten bits.
+/// - 3: refinements name a page by its index among the children of their own page.
+/// - 4: attribute errors, a list of fields, the up direction and the unit. A file of format 3 has no attribute errors
+///   and no fields, and the default up direction and unit.
 constexpr std::uint32_t kFormatVersion = 4;
 constexpr std::uint32_t kOldestFormatVersion = 3;
 
-/// The decoded size that a page aims at; a single group larger than this still makes one page.
+/// Target of the decoded size of a page. A group larger than this makes a page of its own.
 constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
 
-/// What no writer exceeds and no reader takes: so that what a file claims can be held against it before memory is asked
-/// for. A page's decoded bytes (a group is far below), the levels of a model, and the bytes of its summary.
+/// Limits that each writer respects and each reader checks before it allocates memory: the decoded bytes of a page (a
+/// group is far smaller), the levels of a model, and the bytes of its summary.
 constexpr std::uint64_t kMostPageBytes = 4U << 20U;
 constexpr std::uint32_t kMaxLevels = 64;
 constexpr std::uint64_t kMostSummaryBytes = 1U << 20U;
 constexpr std::uint32_t kMostFieldBits = 16;
 
-/// What the tables of a model may take while it opens where nobody says how much, in bytes: those of 1.8 million pages,
-/// a mesh of over ten billion triangles.
+/// Default limit, in bytes, of the memory for the tables of a model while it opens. This is sufficient for 1.8 million
+/// pages, a mesh of more than ten billion triangles.
 constexpr std::uint64_t kMostTableBytes = std::uint64_t{512} << 20U;
 
-/// One row of the page table: all that stays resident.
+/// One row of the page table. The rows of all pages stay in memory.
 struct PageInfo {
-    std::uint64_t offset = 0; // in the file
+    std::uint64_t offset = 0; // in bytes from the start of the file
     std::uint32_t storedBytes = 0;
     std::uint64_t checksum = 0; // xxh3-64 of the stored bytes
     std::uint32_t level = 0;
@@ -43,14 +44,14 @@ struct PageInfo {
     std::uint32_t refinementCount = 0;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
-    GridBox box;         // of its vertices
-    Sphere bounds;       // encloses the bounds of its groups; local space
-    double minError = 0; // least and largest of its groups' drawn errors; infinite if it holds a root group
+    GridBox box;         // box of the vertices
+    Sphere bounds;       // encloses the bounds of the groups; local space
+    double minError = 0; // smallest and largest drawn error of the groups; infinite if the page contains a root group
     double maxError = 0;
-    std::vector<std::uint32_t> children; // the pages that its refinements name, each once, ascending
+    std::vector<std::uint32_t> children; // the pages that the refinements name, without duplicates, ascending
 };
 
-/// The bytes that the page of a row takes when decoded.
+/// Returns the decoded size, in bytes, of the page that `info` describes.
 constexpr std::uint64_t decodedPageBytes(const PageInfo& info) {
     return sizeof(Page) + std::uint64_t{info.groupCount} * sizeof(Group) +
            std::uint64_t{info.clusterCount} * sizeof(Cluster) +
@@ -62,41 +63,41 @@ struct LevelInfo {
     std::uint64_t triangles = 0;
     std::uint64_t clusters = 0;
     std::uint64_t groups = 0;
-    double maxError = 0; // the largest stored error of the clusters of this level: snap error at level 0; finite
-    double maxAttributeError = 0; // likewise of their attributes: 0 at level 0
+    double maxError = 0; // largest stored error of the clusters of this level: the snap error at level 0; finite
+    double maxAttributeError = 0; // largest attribute error of the clusters of this level: 0 at level 0
 };
 
-/// A value that each vertex carries besides normal and colour, as a number n of `bits` bits:
-/// least + n (greatest - least) / (2^bits - 1), so half such a step off at most.
+/// A scalar property of the vertices besides normal and colour. A vertex stores it as an integer n of `bits` bits,
+/// which means least + n (greatest - least) / (2^bits - 1). The rounding error is at most half a step.
 struct Field {
     std::string name;
     double least = 0;
     double greatest = 0;
-    std::uint32_t bits = kMostFieldBits; // 1 to kMostFieldBits
+    std::uint32_t bits = kMostFieldBits; // from 1 to kMostFieldBits
 
-    /// The most that a stored value is off by.
+    /// Returns the max rounding error of a stored value.
     double error() const { return (greatest - least) / (2 * static_cast<double>((1U << bits) - 1U)); }
 
     bool operator==(const Field&) const = default;
 };
 
-/// What `gnomon info` prints.
+/// The summary of a model, which `gnomon info` prints.
 struct ModelSummary {
     Grid grid;
-    Box bounds; // of the snapped source, world space
+    Box bounds; // of the snapped source, in world space
     std::uint64_t sourceTriangles = 0;
     std::uint64_t sourceVertices = 0;
-    std::map<std::string, std::uint64_t> dropped; // reason -> source triangles
-    std::uint64_t coarsestTriangles = 0;          // of all clusters without a parent
+    std::map<std::string, std::uint64_t> dropped; // number of dropped source triangles per reason
+    std::uint64_t coarsestTriangles = 0;          // triangles of all clusters without a parent
     bool hasNormals = false;
     bool hasColors = false;
-    std::vector<LevelInfo> levels;              // finest first
-    std::map<std::string, std::string> options; // those of the build that change bytes
+    std::vector<LevelInfo> levels;              // finest level first
+    std::map<std::string, std::string> options; // the build options that change bytes of the file
     UpAxis up;
     Unit unit = Unit::Metre;
-    std::vector<Field> fields; // in the order in which vertices carry them
+    std::vector<Field> fields; // in the order of the vertex data
 
-    /// The largest error of attributes of any cut.
+    /// Returns the largest attribute error of all cuts.
     double attributeError() const {
         double largest = 0;
         for (const LevelInfo& level : levels)

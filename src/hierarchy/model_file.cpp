@@ -15,14 +15,15 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// `count` must be known to lie within the file.
+/// Reads `count` bytes. The range must be within the file.
 std::vector<std::byte> readBytes(const storage::Source& source, std::uint64_t offset, std::uint64_t count) {
     std::vector<std::byte> bytes(count);
     source.readAt(offset, bytes);
     return bytes;
 }
 
-/// Whether `bytes` have the checksum of `place`, if need be once they are read again from behind all caches.
+/// Returns true if `bytes` have the checksum of `place`. If the checksum is wrong, reads the bytes again without caches
+/// first.
 bool isAsWritten(const storage::Source& source, const TablePlace& place, std::span<std::byte> bytes) {
     const auto isRight = [&] { return checksum64(bytes) == place.checksum; };
     return isRight() || (source.readAnew(place.offset, bytes) && isRight());
@@ -36,7 +37,7 @@ struct Header {
 
 constexpr const char* kNoModel = "not a model (gnomon build MESH -o MODEL.gnm makes one)";
 
-/// The header after its checks.
+/// Reads and checks the header.
 Header readHeader(const storage::Source& source, std::uint64_t fileBytes) {
     if (fileBytes < kHeaderBytes + kFooterBytes)
         throw Error(
@@ -63,7 +64,7 @@ Header readHeader(const storage::Source& source, std::uint64_t fileBytes) {
     return header;
 }
 
-/// The footer, whose tables lie within the file and take no more than `tableMemory` while they are read.
+/// Reads and checks the footer. Its tables must be within the file and need at most `tableMemory` for reading.
 Footer readFooter(const storage::Source& source, std::uint64_t fileBytes, Bytes tableMemory) {
     const std::uint64_t offset = fileBytes - kFooterBytes;
     try {
@@ -154,13 +155,13 @@ std::string ModelFile::computedContentHash() const {
 }
 
 Page ModelFile::readPage(std::uint32_t page) const {
-    thread_local PageFields fields; // kept likewise
+    thread_local PageFields fields; // reused to avoid an allocation per page
     return readPage(page, fields);
 }
 
 Page ModelFile::readPage(std::uint32_t page, PageFields& fields) const {
     const PageInfo& info = pages_.at(page);
-    thread_local std::vector<std::byte> bytes; // kept from page to page, as what decoding needs is
+    thread_local std::vector<std::byte> bytes; // reused to avoid an allocation per page, as all buffers of the decoder
     bytes.resize(info.storedBytes);
     source_->readAt(info.offset, bytes);
     try {

@@ -1,4 +1,4 @@
-// Reading a .gnm: tables once, pages on demand from any thread.
+// Reading of a .gnm file: the tables once, and pages on demand from any thread.
 #pragma once
 
 #include "core/error.h"
@@ -12,21 +12,21 @@
 
 namespace gnomon::hierarchy {
 
-/// A page whose bytes were read, but are not those that were written: what a checksum or a rule of the format says.
+/// A damaged page: its bytes were read, but the checksum is wrong or a rule of the format is violated.
 class PageDamage : public Error {
 public:
     using Error::Error;
 };
 
-/// An open model. The tables are validated when it opens: a damaged table throws Error. Pages come coarsest level
+/// An open model. The constructor validates the tables and throws Error if a table is damaged. The coarsest pages come
 /// first, so the root groups are in the first pages.
 class ModelFile {
 public:
-    /// Throws Error if at `path`, or at such an address, is no whole model, or if its tables would take more than
-    /// `tableMemory` while it opens.
+    /// Opens the model at `path`, which is a file or an address. Throws Error if it is not a complete model, or if
+    /// reading its tables would need more memory than `tableMemory`.
     explicit ModelFile(const std::string& path, Bytes tableMemory = {kMostTableBytes});
 
-    /// The same of what `source` reads.
+    /// Opens the model that `source` reads. Errors are the same as for a path.
     explicit ModelFile(std::unique_ptr<storage::Source> source, Bytes tableMemory = {kMostTableBytes});
 
     const std::string& path() const { return source_->name(); }
@@ -41,18 +41,19 @@ public:
 
     std::uint64_t fileBytes() const { return fileBytes_; }
 
-    /// The hash stored in the file: xxh3-128, lower hex, over all bytes after the hash field.
+    /// Returns the content hash that the file stores: xxh3-128 of all bytes after the hash field, in lower-case
+    /// hexadecimal digits.
     const std::string& contentHash() const { return contentHash_; }
 
-    /// The hash of the bytes as they are now; reads the whole file.
+    /// Reads the whole file and returns the hash of its current bytes.
     std::string computedContentHash() const;
 
-    /// Reads, checks and decodes one page; safe from many threads. Throws PageDamage (path, byte offset) if it is
-    /// damaged: wrong checksum, or any index, count or range that does not fit; Error if it cannot be read, though it
-    /// was tried several times.
+    /// Reads, checks and decodes one page. Any thread can call this. Throws PageDamage with path and byte offset if the
+    /// checksum is wrong, or if an index, count or range is invalid. Throws Error if reading fails after several
+    /// attempts.
     Page readPage(std::uint32_t page) const;
 
-    /// The same with the `fields` of its vertices, as the summary lists them.
+    /// Reads one page, and also the `fields` of its vertices in the order of the summary.
     Page readPage(std::uint32_t page, PageFields& fields) const;
 
 private:

@@ -21,20 +21,20 @@ ordered_json vectorJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// The digits that tell apart two coordinates of `summary` that are a step of its grid from each other; six at least.
+/// Returns the number of decimal digits that distinguish coordinates one grid step apart. The result is at least six.
 int coordinateDigits(const ModelSummary& summary) {
     double largest = 0;
     for (int i = 0; i < 3; ++i)
         largest = std::max({largest, std::abs(summary.bounds.min[i]), std::abs(summary.bounds.max[i])});
     const double digits = std::ceil(std::log10(std::max(1.0, largest / summary.grid.step()))) + 1;
-    return static_cast<int>(std::clamp(digits, 6.0, 17.0)); // 17 tell any two doubles apart
+    return static_cast<int>(std::clamp(digits, 6.0, 17.0)); // 17 digits distinguish any two doubles
 }
 
 void putVector(std::ostream& out, const glm::dvec3& v) {
     out << v.x << ',' << v.y << ',' << v.z;
 }
 
-/// The options that a user gave. The cameras are no option of the build and too long to print.
+/// Returns the options of the build. The cameras are removed, because they are not an option and too long to print.
 std::map<std::string, std::string> optionsWithoutCameras(const ModelSummary& summary) {
     std::map<std::string, std::string> options = summary.options;
     options.erase(kCamerasOption);
@@ -80,7 +80,7 @@ void putLevels(std::ostream& out, const ModelSummary& summary) {
 UpConfidence upConfidenceOf(const ModelSummary& summary) {
     if (const auto found = summary.options.find("up_confidence"); found != summary.options.end())
         return valueOf(kUpConfidences, found->second).value_or(UpConfidence::Guess);
-    const auto because = summary.options.find("up"); // of a model that older builds wrote
+    const auto because = summary.options.find("up"); // written by older builds
     const bool isTold = because != summary.options.end() && !because->second.starts_with("guessed");
     return isTold ? UpConfidence::Told : UpConfidence::Guess;
 }

@@ -1,4 +1,4 @@
-// What a model says of itself, as text for people and as JSON.
+// The description of a model as readable text and as JSON.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -8,16 +8,17 @@
 
 namespace gnomon::hierarchy {
 
-/// Returns how well it is known which way is up in the model. Guesses of older builds were never sure.
+/// Returns the confidence in the up direction of the model. Guesses of older builds have the confidence Guess.
 UpConfidence upConfidenceOf(const ModelSummary& summary);
 
-/// Returns the axis that is up, how well that is known and why: "z, sure by its shape".
+/// Returns the up axis, the confidence and the reason: "z, sure by its shape".
 std::string upText(const ModelSummary& summary);
 
-/// Source, bounds, grid, file, levels and options of `file`, line by line; what names in it hold is made printable.
+/// Returns source, bounds, grid, file, levels and options of `file`, one per line. Unsafe characters in names are
+/// escaped.
 std::string modelText(const ModelFile& file);
 
-/// The same as one JSON document, without the pages.
+/// Returns the same data as a JSON document, without the pages.
 std::string modelJson(const ModelFile& file);
 
 } // namespace gnomon::hierarchy

@@ -28,7 +28,8 @@ struct ModelWriter::State {
         XXH3_128bits_reset(hash.get());
     }
 
-    /// Everything after the header goes through here, in file order, but what others write.
+    /// Appends `bytes`. All bytes after the header pass through this function in file order, except the pages that
+    /// other processes write.
     void write(std::span<const std::byte> bytes) {
         output.file().writeAt(offset, bytes);
         XXH3_128bits_update(hash.get(), bytes.data(), bytes.size());
@@ -41,7 +42,8 @@ struct ModelWriter::State {
         pages.push_back(std::move(info));
     }
 
-    /// The file is opened anew, as network file systems ask of those who want to read what others have written.
+    /// Hashes the pages that other processes wrote. The file is opened again, because network file systems only
+    /// guarantee the visibility of such bytes to a new descriptor.
     void hashReserved() {
         constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
         const File file(output.temporaryPath().value(), File::Mode::Read, output.file().path());

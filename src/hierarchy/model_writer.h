@@ -1,4 +1,5 @@
-// Writing a .gnm: pages in their final order as they come, tables last, the final name when all is there.
+// Writing of a .gnm file: first the pages in their final order, then the tables. The file gets its final name when it
+// is complete.
 #pragma once
 
 #include "core/file.h"
@@ -12,18 +13,18 @@
 
 namespace gnomon::hierarchy {
 
-/// A page encoded for the file together with its row of the page table (without the offset).
+/// A page, encoded for the file, with its row of the page table. The row has no offset yet.
 struct EncodedPage {
     PageInfo info;
     std::vector<std::byte> bytes;
 };
 
-/// Encodes `page` and the `fields` of its vertices; a pure function, so pages can be encoded on many threads. The same
-/// page gives the same bytes everywhere.
+/// Encodes `page` and the `fields` of its vertices. This is a pure function, so many threads can encode pages. The same
+/// page gives identical bytes on all platforms.
 EncodedPage encodePage(const Page& page, const PageFields& fields = {});
 
-/// Writes pages in file order (coarsest level first; ids count from 0 in the order of `append`). Nothing appears under
-/// the final name before `finish`.
+/// A writer of pages in file order, with the coarsest level first. Ids start at 0 and follow the order of `append`. The
+/// final name does not exist before `finish`.
 class ModelWriter {
 public:
     explicit ModelWriter(const std::string& path);
@@ -36,19 +37,21 @@ public:
     /// Appends a page and returns its id.
     std::uint32_t append(const EncodedPage& page);
 
-    /// The same for a page whose bytes others write; returns where in the file. They must be there before `finish`,
-    /// which then reads all pages for the hash.
+    /// Reserves space for a page that another process writes, and returns its offset in the file. The bytes must be
+    /// complete before `finish`, which then reads all pages for the hash.
     std::uint64_t reserve(const PageInfo& page);
 
-    /// The unfinished file, for others to write pages to; nothing if the output is no file that waits for its name.
+    /// Returns the path of the unfinished file, so that other processes can write pages to it. Returns nullopt if the
+    /// output is a device or a pipe.
     std::optional<std::string> unfinishedPath() const;
 
-    /// Writes the tables, the content hash, flushes and renames. Returns the content hash in lower hex.
+    /// Writes the tables and the content hash, flushes and renames the file. Returns the content hash in lower-case
+    /// hexadecimal digits.
     std::string finish(const ModelSummary& summary);
 
     std::uint64_t bytesWritten() const;
 
-    /// By `finish`, of pages that others have written.
+    /// Returns the number of bytes that `finish` read of pages that other processes wrote.
     std::uint64_t bytesRead() const;
 
 private:

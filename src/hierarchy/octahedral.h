@@ -1,4 +1,4 @@
-// Unit normals as two snorm16 on the octahedron: what Vertex::normal holds.
+// Octahedral encoding of unit normals in two snorm16, the format of Vertex::normal.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -11,12 +11,12 @@
 
 namespace gnomon::hierarchy {
 
-/// The bits of each of the two numbers that a packed normal has; lower ones are 0 and cost nothing in the file. Ten are
-/// within 0.28 degrees and save a sixth of a statue's bytes against sixteen.
+/// The number of significant bits of each component of a packed normal. The lower bits are 0, so they use no space in
+/// the file. Ten bits have an error of at most 0.28 degrees. A statue has a sixth less bytes than with sixteen bits.
 constexpr unsigned kNormalBits = 10;
 
-/// The packed form of a direction of any length, rounded to kNormalBits; kNoNormal for none (zero or not finite). Plain
-/// arithmetic only, so it is the same everywhere.
+/// Packs a direction of any length, rounded to kNormalBits. Returns kNoNormal for a zero or infinite vector. Uses only
+/// basic arithmetic, so the result is identical on all platforms.
 inline std::uint32_t packNormal(const glm::dvec3& direction) {
     const double sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
     if (!(sum > 0) || !std::isfinite(sum)) return kNoNormal;
@@ -36,7 +36,7 @@ inline std::uint32_t packNormal(const glm::dvec3& direction) {
     return snorm(x) | snorm(y) << 16U;
 }
 
-/// The unit vector that a packed normal stands for; zero for kNoNormal. Cigolle et al., "A Survey of Efficient
+/// Unpacks a normal to a unit vector, or to a zero vector for kNoNormal. Source: Cigolle et al., "A Survey of Efficient
 /// Representations for Independent Unit Vectors", 2014.
 inline glm::dvec3 unpackNormal(std::uint32_t packed) {
     if (packed == kNoNormal) return glm::dvec3(0);

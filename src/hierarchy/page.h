@@ -1,5 +1,4 @@
-// A page as it lies in memory once decoded: whole groups of clusters of one level, their geometry and what refines
-// them.
+// A decoded page: complete groups of clusters of one level, their geometry and their refinements.
 #pragma once
 
 #include "hierarchy/grid.h"
@@ -13,10 +12,11 @@ namespace gnomon::hierarchy {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// No source normal and no smooth one: the shader takes the face's.
+/// Marks a vertex without a source normal and without a smooth normal. The shader then uses the normal of the triangle.
 constexpr std::uint32_t kNoNormal = 0x80008000U;
 
-/// A corner of a cluster. Vertices with the same position are welded; those whose normal or colour differ stay apart.
+/// A vertex of a cluster. Vertices with equal position, normal and colour are welded. Vertices with the same position
+/// but a different normal or colour remain separate.
 struct Vertex {
     GridPoint position;
     std::uint32_t normal = kNoNormal;  // octahedral, two snorm16 (x low, y high), or kNoNormal
@@ -24,26 +24,27 @@ struct Vertex {
     auto operator<=>(const Vertex&) const = default;
 };
 
-/// A group's address: the page that holds it and its index there.
+/// The address of a group: its page and its index in the page.
 struct GroupRef {
     std::uint32_t page = kNone;
     std::uint32_t group = kNone;
     auto operator<=>(const GroupRef&) const = default;
 };
 
-/// The finer group from which some clusters of this page were simplified; drawn in their place when it is refined.
-/// Bounds and errors are copies of that group's own, so that the decision needs nothing but this page.
+/// The finer group from which some clusters of this page were simplified. If it is refined, its clusters are drawn
+/// instead of these. Bounds and errors are copies of the values of that group, so a cut needs only this page for its
+/// test.
 struct Refinement {
     GroupRef group;
     Sphere bounds; // local space
     double error = 0;
     double attributeError = 0;
 
-    /// As Group::drawnError.
+    /// Returns the same value as Group::drawnError.
     double drawnError() const { return std::max(error, attributeError); }
 };
 
-/// At most 128 triangles (the build's --cluster-triangles) over at most 256 vertices.
+/// A cluster with at most 128 triangles by default (--cluster-triangles of the build) and at most 256 vertices.
 struct Cluster {
     std::uint32_t firstVertex = 0;
     std::uint32_t firstTriangle = 0;
@@ -53,27 +54,28 @@ struct Cluster {
     GridBox box;                      // of its vertices
 };
 
-/// Clusters that are simplified together. A group is REFINED in a view if `drawnError`, seen from the eye at the
-/// distance of `bounds`, is too large to draw what replaces it; a root group (error infinite) always is.
-/// A cluster is drawn exactly if its own group is refined and its refinement, if it has one, is not.
-/// Along every chain of refinement neither error decreases and bounds nest towards the root.
+/// A group of clusters that are simplified together. A group is REFINED in a view if its `drawnError` is too large for
+/// this view at the distance of `bounds`. A root group has an infinite error, so it is always refined. A cluster is
+/// drawn if its own group is refined and its refinement is absent or not refined. Along each path to the root, both
+/// errors never decrease, and each `bounds` encloses the earlier ones.
 struct Group {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
-    GridBox box;   // of its clusters' vertices: for culling
-    Sphere bounds; // local space, encloses `box` and the bounds of all its clusters' refinements: for the error
-    double error = std::numeric_limits<double>::infinity(); // world units: what drawing the coarser clusters costs
-    double attributeError = 0; // world units: how far what is coloured or shaded wrongly reaches, if that is seen
+    GridBox box;   // box of the vertices, for culling
+    Sphere bounds; // for the error rule: encloses `box` and the bounds of all refinements of the group; local space
+    // error of drawing the coarser clusters instead, in world units
+    double error = std::numeric_limits<double>::infinity();
+    double attributeError = 0; // size of wrongly coloured or shaded surface, in world units
 
-    /// What a cut obeys: the larger of both.
+    /// Returns the error that a cut uses: the larger of both errors.
     double drawnError() const { return std::max(error, attributeError); }
 };
 
 using Triangle = std::array<std::uint8_t, 3>; // vertex indices within the cluster
 
-/// A decoded page. Clusters of a group are contiguous and so are the vertices and triangles of a cluster.
+/// A decoded page. The clusters of a group are contiguous, and so are the vertices and triangles of a cluster.
 struct Page {
-    std::uint32_t level = 0; // 0 is the source's detail
+    std::uint32_t level = 0; // level 0 has the full detail of the source
     std::vector<Group> groups;
     std::vector<Cluster> clusters;
     std::vector<Refinement> refinements;

@@ -18,21 +18,22 @@ namespace {
 
 enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
 
-/// In the byte of the packing: the page's groups and refinements have an error of attributes each. Without the bit none
-/// is stored and all are 0, so that a page without them is the same in every format.
+/// Bit of the packing byte: groups and refinements of the page store an attribute error. Without this bit all attribute
+/// errors are 0. A page without them has the same bytes in all formats.
 constexpr std::uint8_t kAttributeErrorsBit = 2;
 
-/// In the byte of the packing: the page's vertices have fields.
+/// Bit of the packing byte: the vertices of the page have fields.
 constexpr std::uint8_t kFieldsBit = 4;
 
-/// No page may decompress to more than this times its stored bytes, so that a small file cannot claim a large buffer.
+/// Limit of the decompressed size relative to the stored size, so that a small file cannot request a large buffer.
 constexpr std::uint64_t kMaxExpansion = 256;
 
-/// Below this a block's own code costs more bytes and more time than it saves.
+/// Smallest size of a separate zstd block. In a smaller block, the entropy table costs more bytes and time than it
+/// saves.
 constexpr std::size_t kLeastBlockBytes = 5000;
 
-/// A page that packs to less than this share repeats itself, as plants do: one block for all of it decompresses a
-/// seventh sooner there, and is hardly longer.
+/// Compression ratio below which a page is repetitive, for example a plant. One block for the whole page then
+/// decompresses a seventh faster, and its size is almost the same.
 constexpr double kRepetitiveShare = 0.4;
 
 void putSphere(ByteWriter& out, const Sphere& sphere) {
@@ -128,7 +129,7 @@ void takeRefinements(ByteReader& in, const PageInfo& info, bool withAttributeErr
 }
 
 void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
-    std::uint64_t vertices = 0; // what all clusters of a page claim together may not fit 32 bits
+    std::uint64_t vertices = 0; // 64 bits, because the sum over all clusters of a damaged page can exceed 32 bits
     std::uint64_t triangles = 0;
     for (std::uint32_t i = 0; i < info.clusterCount; ++i) {
         Cluster cluster;
@@ -149,19 +150,19 @@ void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
         throw Damage{"the clusters' counts do not sum up to those of the page table"};
 }
 
-/// `result` of a call of zstd; throws bad_alloc if it says that there was no memory.
+/// Returns the `result` of a zstd call. Throws bad_alloc if zstd reports that memory is exhausted.
 std::size_t withMemory(std::size_t result) {
     if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation) throw std::bad_alloc();
     return result;
 }
 
-/// A context of zstd's that a thread keeps: making one costs a tenth of decoding a page.
+/// A zstd context that a thread reuses. Its creation costs a tenth of the time to decode a page.
 template <class Context>
 class KeptContext {
 public:
     KeptContext(Context* (*make)(), std::size_t (*free)(Context*)) : make_(make), context_(nullptr, free) {}
 
-    /// Made where there is none; throws bad_alloc if it cannot be.
+    /// Returns the context, and creates it at the first call. Throws bad_alloc if that fails.
     Context* made() {
         if (!context_) context_.reset(make_());
         if (!context_) throw std::bad_alloc();
@@ -173,14 +174,14 @@ private:
     std::unique_ptr<Context, std::size_t (*)(Context*)> context_;
 };
 
-/// Appends `bytes` to what `context` packs, as a block of its own. There must be room.
+/// Compresses `bytes` as a separate block and appends it to `packed`, which must have space.
 void packBlock(ZSTD_CCtx* context, std::span<const std::byte> bytes, ZSTD_EndDirective then, ZSTD_outBuffer& packed) {
     ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
     GNOMON_CHECK_OP(withMemory(ZSTD_compressStream2(context, &packed, &in, then)), ==, std::size_t{0});
 }
 
-/// One frame of zstd, with a block for every run of `streamEnds` that is long enough: bytes of different kinds in one
-/// block share one code, which fits none of them.
+/// Compresses `plain` to one zstd frame. Each sufficiently long run between `streamEnds` gets its own block. Bytes of
+/// different kinds in one block would share an entropy table that fits none of them.
 std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
     thread_local KeptContext<ZSTD_CCtx> kept(ZSTD_createCCtx, ZSTD_freeCCtx);
     ZSTD_CCtx* const context = kept.made();
@@ -215,8 +216,8 @@ std::vector<std::byte> pack(
     return out.take();
 }
 
-/// The plain bytes of a page, at most `most`; `storage` holds them where they had to be decompressed. What the byte of
-/// the packing says besides goes to `packingBits`.
+/// Returns the uncompressed bytes of a page. Throws Damage if there are more than `most` bytes. `storage` contains them
+/// if decompression was necessary. `packingBits` receives the additional bits of the packing byte.
 std::span<const std::byte> unpack(
     std::span<const std::byte> stored, std::uint64_t most, std::vector<std::byte>& storage, std::uint8_t& packingBits) {
     ByteReader in(stored);
@@ -266,7 +267,7 @@ Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info) {
 
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info, PageFields& fields) {
     if (const auto fault = countsFault(info)) throw Damage{*fault};
-    thread_local std::vector<std::byte> storage; // kept from page to page, as zstd's context is
+    thread_local std::vector<std::byte> storage; // reused to avoid an allocation per page
     std::uint8_t packingBits = 0;
     ByteReader in(unpack(bytes, mostPlainBytes(info), storage, packingBits));
     const bool withAttributeErrors = (packingBits & kAttributeErrorsBit) != 0;

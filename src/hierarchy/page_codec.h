@@ -1,4 +1,5 @@
-// A page as bytes: tables of groups, refinements and clusters, then their geometry, the whole through zstd.
+// The encoding of a page as bytes: tables of groups, refinements and clusters, then the geometry, all compressed by
+// zstd.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -9,20 +10,21 @@
 
 namespace gnomon::hierarchy {
 
-/// The zstd level of every page, by measurement (bytes against build time; decoding is alike at all levels).
+/// The zstd level of all pages. It was chosen by measuring file size against build time. Decoding is equally fast at
+/// all levels.
 constexpr int kCompressionLevel = 1;
 
-/// The stored form of `page` and of the `fields` of its vertices: a pure function of both. Other pages are named by
-/// their place among the page's children in the page table, never by their ids; so a page can be encoded before it is
-/// known where in the file it will lie, as long as its children's ids are in the right order.
+/// Encodes `page` and the `fields` of its vertices. This is a pure function. A refinement names another page by its
+/// index among the children in the page table, not by its id. Therefore a page can be encoded before its place in the
+/// file is known, if the ids of its children are in the correct order.
 std::vector<std::byte> encodePageBytes(const Page& page, const PageFields& fields = {});
 
-/// The page whose stored form is `bytes` and whose row in the page table is `info`. Every count, index and range is
-/// checked before it is used, and no more is allocated than a page may take. Throws Damage; bad_alloc where there is no
-/// memory.
+/// Decodes the page with the row `info` of the page table. Checks each count, index and range before its use, and never
+/// allocates more than the size limit of a page. Throws Damage if the bytes are invalid, and bad_alloc if memory is
+/// exhausted.
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info);
 
-/// The same with the `fields` of its vertices.
+/// Decodes the page and the `fields` of its vertices.
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info, PageFields& fields);
 
 } // namespace gnomon::hierarchy

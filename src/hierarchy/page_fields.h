@@ -1,4 +1,4 @@
-// What the vertices of a page carry besides normal and colour: some numbers each, that share a word.
+// Fields: scalar properties of the vertices of a page besides normal and colour. The fields of a vertex share one word.
 #pragma once
 
 #include <array>
@@ -7,15 +7,15 @@
 
 namespace gnomon::hierarchy {
 
-/// The most fields of a model: their numbers share a word of 32 bits.
+/// The max number of fields of a model, because they share a word of 32 bits.
 constexpr std::size_t kMostFields = 4;
 
-/// How the fields of a vertex share a word: the first in the lowest bits.
+/// The bit layout of the fields in the word of a vertex. The first field has the lowest bits.
 struct FieldLayout {
-    std::array<std::uint8_t, kMostFields> bits{}; // of each, 0 behind the last; 32 together at most
+    std::array<std::uint8_t, kMostFields> bits{}; // bits per field, 0 after the last field; at most 32 in total
 
-    /// That of `count` fields, at most kMostFields, as builds lay them out: 16 bits each, or as many as there is room
-    /// for.
+    /// Returns the layout that a build uses for `count` fields (at most kMostFields). Each field has 16 bits, or an
+    /// equal share of the 32 bits.
     static constexpr FieldLayout of(std::size_t count) {
         FieldLayout layout;
         for (std::size_t field = 0; field < count; ++field)
@@ -37,10 +37,10 @@ struct FieldLayout {
         return shift;
     }
 
-    /// The greatest number of a field.
+    /// Returns the largest number of a field.
     constexpr std::uint32_t greatest(std::size_t field) const { return (1U << bits[field]) - 1U; }
 
-    /// The number of a field, which must be there.
+    /// Returns the number of `field`, which must exist.
     constexpr std::uint32_t number(std::uint32_t word, std::size_t field) const {
         return word >> shift(field) & greatest(field);
     }
@@ -51,7 +51,7 @@ struct FieldLayout {
 /// The fields of all vertices of a page.
 struct PageFields {
     FieldLayout layout;
-    std::vector<std::uint32_t> words; // by vertex; empty without fields
+    std::vector<std::uint32_t> words; // one word per vertex; empty without fields
 
     bool operator==(const PageFields&) const = default;
 };

@@ -1,4 +1,4 @@
-// What streaming and selection tell each other about pages: which are in memory, which are used and which are wanted.
+// The data that streaming and selection exchange about pages: resident pages, used pages and requested pages.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -8,16 +8,16 @@
 
 namespace gnomon::hierarchy {
 
-/// The decoded pages by page id; null where a page is not resident. Residency is closed upwards: where a page is
-/// resident, so is every page with a refinement into it, but for damaged ones, and but for pages of frames that draw
-/// nothing until their cut is complete.
+/// The decoded pages by page id, or null if a page is not resident. Residency is ancestor-complete: if a page is
+/// resident, each page with a refinement into it is resident too. Exceptions are damaged pages, and pages of frames
+/// that draw nothing until their cut is complete.
 using ResidentPages = std::span<const Page* const>;
 
-/// Groups of resident pages that may not be refined because some of what they replace lies below a damaged page.
+/// Groups of resident pages that must not be refined, because a part of their finer geometry is below a damaged page.
 using BlockedGroups = std::set<GroupRef>;
 
-/// A page that a view uses or wants, and why: the pixels of error that it removes from the screen. Infinite for a page
-/// that holds a root group.
+/// A page that a view uses or requests, with its priority: the error in pixels that this page removes from the screen.
+/// The priority is infinite for a page with a root group.
 struct PageDemand {
     std::uint32_t page = kNone;
     double pixels = 0;

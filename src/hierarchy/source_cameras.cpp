@@ -14,7 +14,7 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-constexpr std::size_t kNumbers = 10; // eye, target, up, angle
+constexpr std::size_t kNumbers = 10; // eye, target, up and angle
 
 void putNumber(std::string& text, double number) {
     std::array<char, 32> digits{};

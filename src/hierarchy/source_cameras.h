@@ -1,4 +1,4 @@
-// The cameras of a model's source, which the model stores as text among the options of its build.
+// The cameras of a model's source. The model stores them as text among the options of its build.
 #pragma once
 
 #include "core/camera.h"
@@ -10,13 +10,13 @@
 
 namespace gnomon::hierarchy {
 
-/// The key of this text in ModelSummary::options. A model whose source has no camera lacks the key.
+/// The key of this text in ModelSummary::options. The key is absent if the source has no camera.
 inline constexpr const char* kCamerasOption = "cameras";
 
 /// Returns one line per camera: projection, eye, target, up, and the full vertical angle in radians.
 std::string camerasText(std::span<const Camera> cameras);
 
-/// Returns how many cameras the model stores.
+/// Returns the number of cameras that the model stores.
 std::size_t cameraCount(const ModelSummary& summary);
 
 /// Returns the cameras that the model stores. Throws Error if their text is damaged.

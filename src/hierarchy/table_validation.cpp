@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Spheres that enclose what lies on the grid grow from level to level, but never by so many times the grid.
+/// Limit of enclosing spheres, in grid steps. Spheres grow from level to level, but never by this much.
 constexpr double kMostSphereSteps = 0x1p44;
 
 std::string found(const std::string& what, const std::string& expected, const std::string& found) {
@@ -26,7 +26,7 @@ std::string numberText(double value) {
     return text.data();
 }
 
-/// Whether `value` is in [least, most]; no if it is no number.
+/// Returns true if `value` is in [least, most]. Returns false for NaN.
 template <class T>
 bool isWithin(T value, T least, T most) {
     return value >= least && value <= most;
@@ -69,14 +69,15 @@ std::optional<std::string> boundsFault(const PageInfo& info, const Grid& grid) {
     return {};
 }
 
-/// Whether `inner` lies in `outer` but for `slack`, along each axis.
+/// Returns true if `outer` contains `inner` with a tolerance of `slack` per axis.
 bool holds(const Box& outer, const Box& inner, const glm::dvec3& slack) {
     for (int k = 0; k < 3; ++k)
         if (!(inner.min[k] >= outer.min[k] - slack[k]) || !(inner.max[k] <= outer.max[k] + slack[k])) return false;
     return true;
 }
 
-/// By how much positions in the world may differ that were rounded on other ways: a step of the grid and of doubles.
+/// Returns the tolerance between world positions that were rounded in different ways: one grid step plus the rounding
+/// of doubles.
 glm::dvec3 roundingOf(const Grid& grid, const Box& bounds) {
     const glm::dvec3 far = glm::max(glm::abs(grid.origin), glm::max(glm::abs(bounds.min), glm::abs(bounds.max)));
     return glm::dvec3(grid.step()) + far * 1e-12;
@@ -96,13 +97,14 @@ std::string pageName(std::size_t page) {
 } // namespace
 
 std::uint64_t mostPlainBytes(const PageInfo& info) {
-    constexpr std::uint64_t kIndex = 5; // a number of 32 bits, seven a byte
+    constexpr std::uint64_t kIndex = 5; // a varint of 32 bits, with seven bits per byte
     constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     constexpr std::uint64_t kVertex =
-        (1 + 3 + 2 + 4 + 4) * sizeof(std::uint32_t); // a reference, a position, a normal, a colour, fields: words
-    constexpr std::uint64_t kTriangle = 1 + 3;       // its code, and indices
-    constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex; // its counts, what refines it, where it begins
-    constexpr std::uint64_t kRest = 64;                         // sizes of streams, numbers of planes
+        // words of a reference, a position, a normal, a colour and the fields
+        (1 + 3 + 2 + 4 + 4) * sizeof(std::uint32_t);
+    constexpr std::uint64_t kTriangle = 1 + 3;                  // a code byte and three indices
+    constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex; // its counts, its refinement, and the anchor
+    constexpr std::uint64_t kRest = 64;                         // sizes of streams and numbers of planes
     return info.groupCount * (kIndex + kSphereAndErrors) + info.refinementCount * (2 * kIndex + kSphereAndErrors) +
            info.clusterCount * kCluster + info.vertexCount * kVertex + info.triangleCount * kTriangle + kRest;
 }
@@ -166,7 +168,7 @@ std::optional<std::string> summaryFault(const ModelSummary& summary) {
         return found("the bounds", "a box on the grid, from " + boxText(reach), boxText(bounds));
     if (!isWithin<std::size_t>(summary.levels.size(), 1, kMaxLevels))
         return found("levels", "1 to " + std::to_string(kMaxLevels), std::to_string(summary.levels.size()));
-    std::uint32_t fieldBits = 0; // of as many as there may be: each has at most kMostFieldBits
+    std::uint32_t fieldBits = 0; // only of the first kMostFields fields, so the sum cannot overflow
     for (std::size_t field = 0; field < std::min(summary.fields.size(), kMostFields); ++field)
         fieldBits += summary.fields[field].bits;
     if (summary.fields.size() > kMostFields || fieldBits > 32)
@@ -202,7 +204,8 @@ std::optional<std::string> modelFault(std::span<const PageInfo> pages, const Mod
 }
 
 std::optional<std::string> drawingFault(std::span<const PageInfo> pages, const Grid& grid) {
-    constexpr int kLeastExponent = std::numeric_limits<float>::min_exponent - 1; // of a normal float
+    // exponent of the smallest normal float
+    constexpr int kLeastExponent = std::numeric_limits<float>::min_exponent - 1;
     constexpr double kMostExtent = 0x1p62;
     if (grid.stepExponent < kLeastExponent)
         return found(

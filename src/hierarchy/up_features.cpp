@@ -10,10 +10,10 @@ namespace gnomon::hierarchy {
 namespace {
 
 constexpr double kSamples = 20'000;
-constexpr double kMaxSplits = 100; // of a side of a triangle
-constexpr int kColumns = 48;       // on each side
+constexpr double kMaxSplits = 100; // max number of parts of a side of a triangle
+constexpr int kColumns = 48;       // per side of the grid
 constexpr int kVoxels = 32;
-constexpr double kWithin10 = 0.985; // the cosine; its sine is 0.17
+constexpr double kWithin10 = 0.985; // cosine of 10 degrees; the sine is 0.17
 constexpr double kWithin20 = 0.94;
 constexpr double kTiny = 1e-9;
 
@@ -21,10 +21,10 @@ using Corners = std::array<glm::vec3, 3>;
 using Outline = std::vector<glm::dvec2>;
 using Cells = std::vector<char>;
 
-/// A piece of the surface.
+/// A sample of the surface.
 struct Sample {
     glm::dvec3 at{0};
-    glm::dvec3 facing{0}; // the area as a vector
+    glm::dvec3 facing{0}; // area vector
     double area = 0;
 };
 
@@ -32,12 +32,12 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// `position` without its coordinate along `axis`.
+/// Returns `position` without its coordinate along `axis`.
 glm::dvec2 across(const glm::dvec3& position, int axis) {
     return {position[(axis + 1) % 3], position[(axis + 2) % 3]};
 }
 
-/// The convex hull, counter-clockwise (Andrew 1979).
+/// Returns the convex hull, counter-clockwise (Andrew 1979).
 Outline hullOf(Outline points) {
     std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
         return a.x < b.x || (a.x == b.x && a.y < b.y);
@@ -66,7 +66,7 @@ double areaOf(const Outline& hull) {
     return twice / 2;
 }
 
-/// How far `point` is within the hull; below 0 outside, -1 for a hull without area.
+/// Returns the depth of `point` inside the hull. The depth is negative outside, and -1 for a hull without area.
 double depthIn(const Outline& hull, const glm::dvec2& point) {
     if (hull.size() < 3) return -1;
     double depth = std::numeric_limits<double>::infinity();
@@ -78,7 +78,7 @@ double depthIn(const Outline& hull, const glm::dvec2& point) {
     return depth;
 }
 
-/// Connected parts of the cells that are set, also across corners.
+/// Returns the number of connected parts of the set cells. Cells that share a corner are connected.
 double partsOf(Cells cells) {
     int parts = 0;
     std::vector<int> open;
@@ -106,7 +106,7 @@ double countOf(const Cells& cells) {
     return static_cast<double>(std::count(cells.begin(), cells.end(), 1));
 }
 
-/// A surface in a cube of side 1 around 0, in pieces of about equal area.
+/// A surface, scaled to a cube of side 1 around 0, with samples of approximately equal area.
 class Surface {
 public:
     explicit Surface(std::span<const Corners> triangles) {
@@ -153,8 +153,8 @@ private:
         return 0.5 * glm::cross(vertices_[first + 1] - vertices_[first], vertices_[first + 2] - vertices_[first]);
     }
 
-    /// Cuts each side of a large triangle into as many parts, and takes the middles of the small triangles. Of small
-    /// triangles one stands for those since the last one that was taken.
+    /// Adds the samples of a triangle. A large triangle is subdivided into equal small triangles with one sample each.
+    /// For small triangles, one sample represents all triangles since the last sample.
     void addSamples(std::size_t first, double areaOfAll) {
         const glm::dvec3 facing = areaVector(first);
         const double area = glm::length(facing);
@@ -174,7 +174,8 @@ private:
         for (double i = 0; i < splits; ++i)
             for (double j = 0; i + j < splits; ++j)
                 for (const double third : {1.0 / 3, 2.0 / 3}) {
-                    if (third > 0.5 && i + j + 2 > splits) continue; // turned ones do not reach the far side
+                    // the last cell of a row contains no inverted triangle
+                    if (third > 0.5 && i + j + 2 > splits) continue;
                     samples_.push_back(
                         {vertices_[first] + (i + third) * u + (j + third) * v, share * facing, share * area});
                 }
@@ -189,7 +190,7 @@ private:
     glm::dvec3 facing_{0};
 };
 
-/// The area of a surface in voxels, each sample shared by the eight nearest.
+/// The area of a surface in a grid of voxels. Each sample is distributed to the eight nearest voxels.
 class Voxels {
 public:
     explicit Voxels(const Surface& surface) : area_(static_cast<std::size_t>(kVoxels * kVoxels * kVoxels)) {
@@ -207,7 +208,7 @@ public:
         }
     }
 
-    /// The part of the area that lies where it lies after `turn`, which takes a voxel to another.
+    /// Returns the share of the area in common with the surface after `turn`, which maps voxels to voxels.
     template <class Turn>
     double overlap(const Turn& turn) const {
         double common = 0;
@@ -228,7 +229,7 @@ private:
 
 using Features = std::array<double, kUpFeatures>;
 
-/// Measures a surface with one direction up.
+/// Computes the features of a surface for one up direction.
 class Measure {
 public:
     Measure(const Surface& surface, int axis, bool isDown)
@@ -252,7 +253,7 @@ public:
 private:
     void set(UpFeature feature, double value) { features_[static_cast<std::size_t>(feature)] = value; }
 
-    /// From 0 at the bottom to 1 at the top.
+    /// Returns the relative height, from 0 at the bottom to 1 at the top.
     double heightOf(const glm::dvec3& at) const { return 0.5 + sign_ * at[axis_] / height_; }
 
     static std::size_t columnOf(const glm::dvec2& at) {
@@ -261,7 +262,7 @@ private:
         return static_cast<std::size_t>(cell.x * kColumns + cell.y);
     }
 
-    /// The hull of the samples below a height.
+    /// Returns the hull of the samples below a height.
     Outline hullBelow(double height) const {
         Outline points;
         for (const Sample& sample : surface_.samples())
@@ -269,7 +270,8 @@ private:
         return hullOf(std::move(points));
     }
 
-    /// The hull of the lowest vertices: of legs that end in a point, too.
+    /// Returns the hull of the lowest vertices. Vertices also represent legs that end in a point, where samples can be
+    /// absent.
     Outline base() const {
         constexpr double kLowest = 0.02;
         Outline points;

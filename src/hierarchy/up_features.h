@@ -1,4 +1,4 @@
-// What a surface looks like if one of the six axis directions is up: numbers that say how well it stands that way.
+// Features of a surface that show if one of the six axis directions is its up direction.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,51 +10,51 @@
 
 namespace gnomon::hierarchy {
 
-/// The directions +x, -x, +y, -y, +z, -z.
+/// The number of directions: +x, -x, +y, -y, +z, -z.
 constexpr int kUpDirections = 6;
 
-/// Numbers of one direction. "Lowest" and "below" are seen with this direction up; the outline is the convex hull of
-/// the surface seen along the axis; columns are the cells of a square grid of 48 x 48 across the axis that contain
-/// surface.
+/// The features of one direction. "Lowest" and "below" assume that this direction is up. The outline is the convex hull
+/// of the surface, projected along the axis. Columns are the cells with surface of a square grid of 48 x 48 cells,
+/// perpendicular to the axis.
 enum class UpFeature : std::size_t {
-    Base,         // area of the hull of the vertices in the lowest 2% of the height, of the outline
-    Balance,      // how deep the middle of the surface is within that hull, of how deep it is within the outline
-    MiddleHeight, // height of the middle of the surface, of the height
-    Sole,         // level area in the lowest 2.5%, of the outline
-    Facing,       // sum of the area vectors along the direction, of the outline: 0 for a closed surface
+    Base,         // area of the hull of the vertices in the lowest 2% of the height, relative to the outline
+    Balance,      // depth of the surface's centroid inside that hull, relative to its depth inside the outline
+    MiddleHeight, // height of the centroid, relative to the height of the surface
+    Sole,         // level area in the lowest 2.5%, relative to the outline
+    Facing,       // sum of the area vectors along the direction, relative to the outline: 0 for a closed surface
     Level,        // share of the area that is level within 10 degrees
-    Wall,         // share of the area that is upright within 10 degrees
+    Wall,         // share of the area that is vertical within 10 degrees
     Mirror,       // overlap with the surface mirrored from bottom to top
-    Turn,         // overlap with the surface turned by a quarter around the axis
-    Contact,      // share of the columns that reach into the lowest 3%
-    Feet,         // connected parts of these columns
-    Gap,          // mean height of the lowest surface of the columns, of the height
+    Turn,         // overlap with the surface rotated by 90 degrees around the axis
+    Contact,      // share of the columns with surface in the lowest 3%
+    Feet,         // number of connected parts of these columns
+    Gap,          // mean height of the lowest surface of the columns, relative to the height
     LevelBelow,   // share of the columns whose lowest surface is level within 20 degrees
-    LowHull,      // area of the hull of the lowest quarter, of the outline
-    LegParts,     // connected parts of the columns between 3% and 15% of the height
-    LegCells,     // share of the columns that these are
-    BodyParts,    // the same between 15% and 35%
+    LowHull,      // area of the hull of the lowest quarter, relative to the outline
+    LegParts,     // number of connected parts of the columns between 3% and 15% of the height
+    LegCells,     // share of all columns that have surface between 3% and 15% of the height
+    BodyParts,    // number of connected parts of the columns between 15% and 35% of the height
     BodyCells,
-    Lowest,      // share of the area in the lowest tenth
-    Low,         // from there to 30%
-    Middle,      // from there to the middle of the height
+    Lowest,      // share of the area in the lowest 10%
+    Low,         // share of the area between 10% and 30% of the height
+    Middle,      // share of the area between 30% and 50% of the height
     LevelUp,     // share of the area that is level within 20 degrees and faces up
-    Height,      // of the longest extent
-    Slenderness, // height by the side of a square as large as the outline
-    Area,        // of the outline
+    Height,      // height, relative to the longest extent
+    Slenderness, // height, relative to the side of a square with the area of the outline
+    Area,        // area of the surface, relative to the outline
     Count
 };
 
 constexpr auto kUpFeatures = static_cast<std::size_t>(UpFeature::Count);
 
-/// What is compared between directions: the feature; less that of the opposite direction; less the largest and the
-/// smallest of the four directions across.
+/// The numbers per direction. Each feature gives four numbers: its value; its difference to the opposite direction; and
+/// its differences to the largest and the smallest of the four perpendicular directions.
 constexpr std::size_t kUpNumbers = 4 * kUpFeatures;
 
 using UpNumbers = std::array<float, kUpNumbers>;
 
-/// Returns the numbers of each direction. A surface that is turned to another axis has the same numbers, turned
-/// likewise, up to rounding. `triangles` are corners in any unit. Empty for a surface without area or of no extent.
+/// Returns the numbers of each direction. If the surface is rotated to another axis, the numbers rotate with it, except
+/// for rounding. `triangles` are corners in any unit. Returns an empty list if the surface has no area or no extent.
 std::vector<UpNumbers> upNumbers(std::span<const std::array<glm::vec3, 3>> triangles);
 
 } // namespace gnomon::hierarchy

@@ -20,7 +20,7 @@ UpAxis axisOf(std::size_t direction) {
     return up;
 }
 
-/// The votes of a decision tree for a direction.
+/// Returns the votes of a decision tree for a direction.
 int votesOf(const UpTree& tree, const UpNumbers& numbers) {
     std::size_t node = 0;
     while (node < tree.features.size())
@@ -28,17 +28,17 @@ int votesOf(const UpTree& tree, const UpNumbers& numbers) {
     return tree.votes[node - tree.features.size()];
 }
 
-/// The two directions of `from` with the most votes, the first one first.
+/// Returns the two directions of `from` with the most votes, the winner first.
 std::pair<std::size_t, std::size_t> leadersOf(const UpVotes& votes, std::vector<std::size_t> from) {
     std::stable_sort(from.begin(), from.end(), [&](std::size_t a, std::size_t b) { return votes[a] > votes[b]; });
     return {from[0], from[1]};
 }
 
-/// Up of planar survey coordinates: large on two axes.
+/// Returns the up axis of planar survey coordinates, which are large on the two other axes.
 std::optional<UpAxis> upOfMap(const Box& box) {
     constexpr double kFar = 1e5;
     constexpr double kHigh = 9000;
-    constexpr double kWidths = 5; // of the box
+    constexpr double kWidths = 5; // in extents of the box
     const glm::dvec3 middle = glm::abs(box.center());
     const glm::dvec3 extent = box.extent();
     const double width = std::max({extent.x, extent.y, extent.z});
@@ -50,12 +50,14 @@ std::optional<UpAxis> upOfMap(const Box& box) {
     return {};
 }
 
-/// Up of earth-centred coordinates: the normal of the ellipsoid, as exact as the height above it allows.
+/// Returns the up direction of earth-centred coordinates: the normal of the ellipsoid. It is exact on the ellipsoid,
+/// and its error grows with the height above it.
 std::optional<UpAxis> upOfGlobe(const glm::dvec3& at) {
     constexpr double kEquator = 6378137.0;
     constexpr double kFlattening = 1 / 298.257223563;
     constexpr double kNear = 1e4;
-    constexpr double kPoleRatio = (1 - kFlattening) * (1 - kFlattening); // squared
+    // squared ratio of the polar to the equatorial radius
+    constexpr double kPoleRatio = (1 - kFlattening) * (1 - kFlattening);
     const double radius = glm::length(at);
     if (!(radius > 0)) return {};
     const double sine = at.z / radius;

@@ -1,13 +1,13 @@
-// The axes of a model's world as someone sees them who stands on its ground.
+// The axes of a model's world for an observer who stands on its ground.
 #pragma once
 
 #include "core/box.h"
 
 namespace gnomon::hierarchy {
 
-/// Right-handed and orthonormal, in world space: `front` points towards who looks at the model's front, and `right`
-/// lies to the right of them. UPRIGHT space has its x, y and z along right, up and front, so a world with y up is
-/// upright as it is.
+/// A right-handed orthonormal frame in world space. `front` points from the model's front to its viewer, and `right` to
+/// the right of that viewer. UPRIGHT space has its x, y and z axes along right, up and front. If y is up, world space
+/// and upright space are identical.
 struct UprightFrame {
     glm::dvec3 right{1, 0, 0};
     glm::dvec3 up{0, 1, 0};
@@ -22,11 +22,12 @@ struct UprightFrame {
     }
 };
 
-/// The frame in which `up`, of any length above 0, is up: a turn of the world by quarters where `up` is an axis, which
-/// moves no digit of a number. The front is that which the usual programs have: +z where y is up, -y where z is.
+/// Returns the frame for the direction `up`, which can have any length greater than 0. If `up` is an axis, the frame is
+/// a rotation by multiples of 90 degrees, so coordinates stay exact. The front follows common modelling programs: +z if
+/// y is up, and -y if z is up.
 UprightFrame uprightFrame(const glm::dvec3& up);
 
-/// The least box along upright axes that holds `box` of the world, and the other way round; empty stays empty.
+/// Return the smallest axis-aligned box around a box of the other space. An empty box stays empty.
 Box uprightBox(const UprightFrame& frame, const Box& box);
 Box worldBox(const UprightFrame& frame, const Box& box);
 

@@ -74,7 +74,8 @@ std::optional<std::string> groupFault(const Page& page, std::size_t index) {
     return {};
 }
 
-/// Ranges must follow each other without gap or overlap, so that nothing of a page is hidden.
+/// Returns the first gap or overlap of the ranges of clusters and groups, or nullopt. Ranges that tile leave no hidden
+/// bytes in a page.
 std::optional<std::string> tilingFault(const Page& page) {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;

@@ -1,4 +1,4 @@
-// The rules that a page keeps by itself, and the enclosure of spheres on which every cut rests.
+// The rules that a page and the tables of a model must satisfy, and enclosing spheres, which each cut relies on.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -9,49 +9,51 @@
 
 namespace gnomon::hierarchy {
 
-/// The most triangles and vertices that a cluster may have in the file.
+/// The max number of triangles and vertices of a cluster in the file.
 constexpr std::uint32_t kMaxClusterTriangles = 256;
 constexpr std::uint32_t kMaxClusterVertices = 256;
 
-/// Whether `outer` holds all of `inner`, but for rounding of a part in 1e9.
+/// Returns true if `outer` contains `inner`, with a relative tolerance of 1e-9 for rounding.
 bool encloses(const Sphere& outer, const Sphere& inner);
 
-/// Whether `outer` holds all of `inner`, but for rounding of a part in 1e9.
+/// Returns true if `outer` contains `inner`, with a relative tolerance of 1e-9 for rounding.
 bool encloses(const Sphere& outer, const Box& inner);
 
-/// A sphere that encloses all of `spheres`, centred on the box around them: not the least, but the same everywhere.
+/// Returns a sphere that encloses all of `spheres`, centred at the centre of their box. It is not the smallest sphere,
+/// but identical on all platforms.
 Sphere enclosingSphere(std::span<const Sphere> spheres);
 
-/// What of `page` breaks a rule of page.h: ranges that do not tile, indices out of range, boxes that are not those of
-/// the vertices, bounds or errors that are not numbers; nothing if all is well. Nesting is judged elsewhere.
+/// Returns the first violated rule of page.h, or nullopt if `page` is valid. The rules cover ranges that do not tile,
+/// indices out of range, boxes that differ from the vertices, and bounds or errors that are not finite. Other functions
+/// check the nesting of bounds.
 std::optional<std::string> pageFault(const Page& page);
 
-/// The most bytes that the tables and the geometry of the page of a row take before they are packed.
+/// Returns the max uncompressed size, in bytes, of the tables and the geometry of the page that `info` describes.
 std::uint64_t mostPlainBytes(const PageInfo& info);
 
-/// What of a row's level and counts no page has, in 64 bits: clusters without vertices or with too many, more decoded
-/// or stored bytes than a page may have; nothing if all is well.
+/// Returns the first fault of a row's level and counts, or nullopt. Faults are clusters without vertices or with too
+/// many, and more decoded or stored bytes than a page may have. All sums have 64 bits.
 std::optional<std::string> countsFault(const PageInfo& info);
 
-/// What of a row's counts, box, bounds, errors or children no page of a model on `grid` has; nothing if all is well.
+/// Returns the first fault of a row's counts, box, bounds, errors or children for a model on `grid`, or nullopt.
 std::optional<std::string> rowFault(const PageInfo& info, const Grid& grid);
 
-/// What of a summary no model has by itself: a grid beyond doubles, bounds that are no box on it, too many levels;
-/// nothing if all is well.
+/// Returns the first fault of a summary, or nullopt. Faults are a grid outside its limits, bounds that are not a box on
+/// the grid, and too many levels.
 std::optional<std::string> summaryFault(const ModelSummary& summary);
 
-/// Where page table and summary contradict each other: no page or no root, levels that are not those of the pages,
-/// finest pages outside the bounds; nothing if all is well. Rows and summary must be without fault by themselves.
+/// Returns the first contradiction between page table and summary, or nullopt. Contradictions are a missing page or
+/// root, a wrong number of levels, and finest pages outside the bounds. Rows and summary must be valid on their own.
 std::optional<std::string> modelFault(std::span<const PageInfo> pages, const ModelSummary& summary);
 
-/// Why nothing of the model can be drawn: positions are floats then, as are squares of their distances; nothing if it
-/// can be.
+/// Returns the reason why the model cannot be drawn, or nullopt if it can. Drawing uses floats for positions and
+/// squared distances, so extent and step have limits.
 std::optional<std::string> drawingFault(std::span<const PageInfo> pages, const Grid& grid);
 
-/// The pages that the refinements of `page` name, each once, ascending.
+/// Returns the pages that the refinements of `page` name, without duplicates, ascending.
 std::vector<std::uint32_t> childPages(const Page& page);
 
-/// The row of the page table that describes `page`; offset, stored bytes and checksum are left 0.
+/// Returns the row of the page table that describes `page`. Offset, stored bytes and checksum are 0.
 PageInfo describePage(const Page& page);
 
 } // namespace gnomon::hierarchy

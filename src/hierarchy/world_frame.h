@@ -1,4 +1,4 @@
-// Which way is up in a model's world, and how long its unit is.
+// The up direction of a model's world, and the length of its unit.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,20 +11,21 @@
 
 namespace gnomon::hierarchy {
 
-/// The direction away from the ground in the source's own coordinates, which a model keeps as they are; unit length.
+/// The direction away from the ground, with unit length, in the coordinates of the source. The model stores these
+/// coordinates unchanged.
 struct UpAxis {
     glm::dvec3 direction{0, 1, 0};
 
     bool operator==(const UpAxis& other) const { return direction == other.direction; }
 };
 
-/// How a word names an axis: x, y, z, -x, -y or -z, else the direction as X,Y,Z.
+/// Returns the name of an axis: x, y, z, -x, -y or -z. Other directions return X,Y,Z.
 std::string upAxisText(const UpAxis& up);
 
-/// The axis of one of the six words; nothing for any other.
+/// Returns the axis with one of the six names, or nullopt.
 std::optional<UpAxis> upAxisNamed(std::string_view name);
 
-/// The length that a coordinate of 1 stands for. The numbers are those of the file.
+/// The length of one coordinate unit. The enumerators have the numbers of the file format.
 enum class Unit : std::uint8_t { Metre = 0, Centimetre = 1, Millimetre = 2, Foot = 3, Inch = 4 };
 
 struct UnitRow {
@@ -40,12 +41,12 @@ constexpr std::array<UnitRow, 5> kUnits = {
      {Unit::Foot, "ft", 0.3048},
      {Unit::Inch, "in", 0.0254}}};
 
-/// The name and the length of a unit of the file.
+/// Returns name and length of `unit`.
 constexpr const UnitRow& rowOf(Unit unit) {
     return kUnits.at(static_cast<std::size_t>(unit));
 }
 
-/// The unit of a name of kUnits; nothing for any other.
+/// Returns the unit with this name in kUnits, or nullopt.
 std::optional<Unit> unitNamed(std::string_view name);
 
 } // namespace gnomon::hierarchy

@@ -15,16 +15,16 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Numbers of one kind for some vertices of a page, one after the other.
+/// One component (such as x, or red) of some vertices of a page, as integers in sequence.
 using Channel = std::vector<std::uint32_t>;
 
-/// The code of `value` after `prediction`, both of `width` bits.
+/// Returns the zigzag code of the difference between `value` and `prediction`, modulo 2^width.
 std::uint32_t wrapped(std::uint32_t value, std::uint32_t prediction, unsigned width) {
     const auto difference = static_cast<std::int32_t>((value - prediction) << (32U - width)) >> (32U - width);
     return zigzag(static_cast<std::uint32_t>(difference));
 }
 
-/// Notes the end of each plane in `streamEnds`.
+/// Writes the byte planes of `channel`, and appends the end of each plane to `streamEnds`.
 void putPlanes(const Channel& channel, ByteWriter& out, std::vector<std::size_t>& streamEnds) {
     std::uint32_t any = 0;
     for (const std::uint32_t value : channel)
@@ -51,10 +51,10 @@ GridPoint predictedPosition(std::span<const Vertex> vertices, std::size_t v, con
     return {a.x + b.x - c.x, a.y + b.y - c.y, a.z + b.z - c.z};
 }
 
-/// Stands before the first vertex of a cluster.
+/// The predecessor of the first vertex of a cluster.
 constexpr Vertex kNoVertex{};
 
-/// The two vertices whose mean predicts the attributes of vertex `v`.
+/// Returns the two vertices whose mean predicts the attributes of vertex `v`.
 std::pair<const Vertex&, const Vertex&> attributeParents(
     std::span<const Vertex> vertices, std::size_t v, const Parents& parents) {
     if (v == 0) return {kNoVertex, kNoVertex};
@@ -68,15 +68,18 @@ std::uint64_t hashOf(const Vertex& vertex, std::uint32_t fields) {
     return mix64(a ^ mix64(b));
 }
 
-/// All numbers that the vertices of a page become.
+/// All channels of the vertices of a page.
 struct VertexChannels {
-    Channel references; // by vertex: 0, or 1 + the zigzag of how far from the one after the last reference
-    std::array<Channel, 3> positions; // these and the following by vertex that is no reference
+    // per vertex: 0 for a new vertex; for a reference 1 + zigzag(distance from the successor of the last referenced
+    // vertex)
+    Channel references;
+    // this and the following channels have one entry per vertex that is not a reference
+    std::array<Channel, 3> positions;
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
     std::array<Channel, kMostFields> fields;
 
-    /// Room for what most sources have of so many vertices.
+    /// Reserves memory for references, positions and normals, which most sources have.
     void reserve(std::size_t vertices) {
         references.reserve(vertices);
         for (Channel& channel : positions)
@@ -98,7 +101,7 @@ AttributeLayout layoutOf(std::span<const Vertex> vertices) {
     return layout;
 }
 
-/// Turns the vertices of a page, cluster by cluster, into numbers.
+/// An encoder that converts the vertices of a page to channels, cluster by cluster.
 class VertexEncoder {
 public:
     VertexEncoder(const Page& page, const PageFields& fields)
@@ -159,7 +162,7 @@ private:
         return page_.vertices[a] == page_.vertices[b] && fieldsOf(a) == fieldsOf(b);
     }
 
-    /// The last vertex of the clusters so far that is equal to `v`, or kNone.
+    /// Returns the last vertex of the earlier clusters that equals `v`, or kNone.
     std::uint32_t seen(std::uint32_t v, std::uint64_t hash) const {
         const auto isEqual = [&](std::uint32_t entry) { return areEqual(last_[entry], v); };
         const std::uint32_t entry = table_.find(hash, isEqual);
@@ -217,7 +220,8 @@ private:
         }
     }
 
-    /// The first vertex of a cluster, far from all others, goes where it makes no other number longer.
+    /// Writes the position of the first vertex of a cluster to a separate stream. It is far from its predecessor, so it
+    /// would lengthen the byte planes of all positions.
     void putAnchor(const GridPoint& p) {
         anchors_.putVarint(zigzag(p.x - anchor_.x));
         anchors_.putVarint(zigzag(p.y - anchor_.y));
@@ -230,9 +234,9 @@ private:
     AttributeLayout layout_;
     VertexChannels channels_;
     ByteWriter anchors_;
-    IndexTable table_;                  // of the different vertices so far
-    std::vector<std::uint32_t> last_;   // which vertex was the last of each
-    std::vector<std::uint64_t> hashes_; // of the vertices of the cluster
+    IndexTable table_;                  // the distinct vertices so far
+    std::vector<std::uint32_t> last_;   // the last occurrence of each distinct vertex
+    std::vector<std::uint64_t> hashes_; // hashes of the vertices of the current cluster
     GridPoint anchor_;
 };
 

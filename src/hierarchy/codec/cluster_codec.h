@@ -1,5 +1,5 @@
-// How the triangles and vertices of a page's clusters become bytes: an edge-and-vertex code for the triangles, and
-// what prediction from the triangle next door leaves over of the vertices.
+// The codec of the clusters of a page: an edge code for the triangles, and differences from a prediction for the
+// vertices.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,13 +8,13 @@
 
 namespace gnomon::hierarchy {
 
-/// Appends vertices and triangles of all clusters of `page`, and what `fields` its vertices have. Exact for any valid
-/// page; short for one that went through orderForCoding. Returns the places in `out` where bytes of one kind end:
-/// compressors do better by treating each kind by itself. The last is the end.
+/// Encodes vertices and triangles of all clusters of `page`, and the `fields` of the vertices. The encoding is lossless
+/// for each valid page, and short for a page in the order of orderForCoding. Returns the offsets in `out` at which
+/// bytes of one kind end, because compressors do better with each kind on its own. The last offset is the end.
 std::vector<std::size_t> encodeClusters(const Page& page, ByteWriter& out, const PageFields& fields = {});
 
-/// The reverse: fills `page.vertices`, `page.triangles` and the boxes of `page.clusters`, whose ranges are already
-/// there and tile; and `fields`, if there is any. Throws Damage.
+/// Decodes `page.vertices`, `page.triangles` and the boxes of `page.clusters`, and `fields` if it is not null. The
+/// ranges of the clusters must be filled and must tile. Throws Damage if the bytes are invalid.
 void decodeClusters(ByteReader& in, Page& page, PageFields* fields = nullptr);
 
 } // namespace gnomon::hierarchy

@@ -13,7 +13,7 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Which triangles have a directed edge, listed by the vertex that it comes from.
+/// A table of the directed edges of all triangles, sorted by start vertex.
 class EdgeTable {
 public:
     explicit EdgeTable(std::span<const Triangle> triangles) {
@@ -29,7 +29,7 @@ public:
                 edges_[--begin_[triangles[t][k]]] = {triangles[t][(k + 1) % 3], static_cast<std::uint8_t>(t)};
     }
 
-    /// The first triangle with edge (from, to) that is not `done`.
+    /// Returns the first triangle with the edge (from, to) that is not `done`.
     std::optional<std::uint32_t> find(std::uint32_t from, std::uint32_t to, std::span<const bool> done) const {
         for (std::size_t i = begin_[from]; i < end_[from]; ++i)
             if (edges_[i].to == to && !done[edges_[i].triangle]) return edges_[i].triangle;
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostTriangles = 256; // and as many vertices
+    static constexpr std::size_t kMostTriangles = 256; // the max number of vertices is the same
 
     struct Edge {
         std::uint8_t to = 0;
@@ -49,7 +49,7 @@ private:
     std::array<Edge, 3 * kMostTriangles> edges_{};
 };
 
-/// `triangle` turned so that it begins with edge (from, to).
+/// Returns `triangle`, rotated so that it begins with the edge (from, to).
 Triangle turned(const Triangle& triangle, std::uint32_t from, std::uint32_t to) {
     for (std::size_t k = 0; k < 3; ++k)
         if (triangle[k] == from && triangle[(k + 1) % 3] == to)
@@ -57,14 +57,16 @@ Triangle turned(const Triangle& triangle, std::uint32_t from, std::uint32_t to) 
     return triangle;
 }
 
-/// Triangles one after the other across the newest open edge that leads to one.
+/// Orders the triangles so that each one follows across the newest open edge that leads to a remaining triangle.
 std::vector<Triangle> walk(std::span<const Triangle> triangles) {
     const EdgeTable edges(triangles);
     std::array<bool, 256> done{};
     std::vector<Triangle> order;
     order.reserve(triangles.size());
     EdgeWindow window;
-    std::uint32_t hopeful = 0; // bit k: the open edge of age k may lead to a triangle; one that does not never will
+    // bit k: the open edge of age k may lead to a triangle; a cleared bit stays cleared, because triangles only
+    // disappear
+    std::uint32_t hopeful = 0;
     std::uint32_t firstLeft = 0;
     const auto take = [&](std::uint32_t index, const Triangle& triangle, bool entered) {
         done[index] = true;
@@ -92,7 +94,7 @@ std::vector<Triangle> walk(std::span<const Triangle> triangles) {
     return order;
 }
 
-/// Renumbers vertices by first use; those that no triangle uses come last.
+/// Renumbers vertices in the order of their first use. Unused vertices come last.
 void renumber(std::span<Triangle> triangles, std::span<Vertex> vertices, std::span<std::uint32_t> fields) {
     constexpr int kUnused = -1;
     std::array<int, 256> place{};

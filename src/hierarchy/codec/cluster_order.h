@@ -1,4 +1,4 @@
-// The order of triangles, corners and vertices inside a cluster that makes it short in the file.
+// The order of triangles, corners and vertices within a cluster that makes its encoding short.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -6,13 +6,13 @@
 
 namespace gnomon::hierarchy {
 
-/// Reorders triangles, their corners (keeping the winding) and vertices inside each cluster of `page` so that each
-/// triangle follows across an edge that is still open; vertices come in the order of their first use. The surface is
-/// the same and so is the result everywhere; `fields` go with the vertices. Call it before encodePage. Needs ranges
-/// that tile and corners in range.
+/// Reorders the triangles, their corners and the vertices within each cluster of `page`. Each triangle then follows
+/// across an edge that is still open, and vertices are in the order of their first use. The surface and the winding
+/// stay the same. The result is identical on all platforms. `fields` are reordered with the vertices. Call this before
+/// encodePage. Ranges must tile and corners must be in range.
 void orderForCoding(Page& page, PageFields& fields);
 
-/// Of a page whose vertices have no fields.
+/// Reorders a page whose vertices have no fields.
 inline void orderForCoding(Page& page) {
     PageFields none;
     orderForCoding(page, none);

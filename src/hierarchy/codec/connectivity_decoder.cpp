@@ -12,9 +12,9 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// What a triangle takes and means, by its code.
+/// The meaning of a code byte of a triangle, and the data that the triangle consumes.
 struct CodeMeaning {
-    std::uint32_t age = 0;          // 1 + that of the edge
+    std::uint32_t age = 0;          // 1 + the age of the entered edge
     std::uint32_t distance = 0;     // of the third corner from the next new vertex
     std::uint32_t explicitMask = 0; // all ones if the third corner is explicit
     std::uint32_t newVertices = 0;
@@ -38,20 +38,22 @@ constexpr std::array<CodeMeaning, 256> kMeanings = [] {
 
 constexpr std::uint32_t kFirstUnentered = kNotEntered << 4U;
 
-/// Set in what is no edge and in what is no vertex.
+/// The flag bit of an invalid edge or an invalid vertex.
 constexpr std::uint32_t kBad = 0x80000000U;
 
-/// One cluster on its way. Kept in locals of one function, since stores through byte pointers may alias every member
-/// of an object that is known elsewhere: members would be reloaded all the time.
+/// The state while one cluster is decoded. It lives in local variables of one function. Stores through byte pointers
+/// may alias each member of an object with a known address, so the compiler would reload such members after each store.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filling the arrays first would cost more than what is read
 struct ClusterRun {
-    const std::uint8_t* indices = nullptr; // the next; one past the last may be looked at
-    std::size_t next = 0;                  // the next new vertex
+    const std::uint8_t* indices = nullptr; // next index; the byte after the last one may be read
+    std::size_t next = 0;                  // next new vertex
     std::size_t openCount = kNotEntered;
-    std::uint32_t bad = 0; // kBad if something was bad
+    std::uint32_t bad = 0; // kBad if an edge or a vertex was invalid
     std::array<Triangle, kMaxClusterTriangles> triangles;
-    std::array<std::uint32_t, kMaxClusterVertices + 1> edges; // by vertex; one more, for what turns out to be none
-    // Every edge that the triangles leave open, oldest first: from, to and the opposite corner, a byte each.
+    // per vertex; the additional entry absorbs writes for corners that are not new
+    std::array<std::uint32_t, kMaxClusterVertices + 1> edges;
+    // All edges that the triangles left open, oldest first. A word contains from, to and the opposite corner, one byte
+    // each.
     std::array<std::uint32_t, kNotEntered + 3 * kMaxClusterTriangles> open;
 };
 
@@ -72,10 +74,11 @@ inline void takeUnentered(ClusterRun& run, std::size_t t, std::uint32_t code) {
     run.openCount += 3;
 }
 
-/// Nothing here is a branch: whether a vertex is new is as good as random.
+/// Decodes a triangle across an open edge. The code has no branches, because new vertices are unpredictable.
 inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code) {
     const std::uint32_t edge = run.open[run.openCount - code.age];
-    const std::uint32_t near = static_cast<std::uint32_t>(run.next) - code.distance; // with kBad where there is none
+    // has kBad set if there is no such vertex
+    const std::uint32_t near = static_cast<std::uint32_t>(run.next) - code.distance;
     const std::uint32_t third = near ^ ((near ^ *run.indices) & code.explicitMask);
     run.bad |= edge | third;
     run.edges[run.next] = edge;
@@ -91,8 +94,8 @@ inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code)
     run.openCount += 2;
 }
 
-/// How many indices the triangles of `cluster` take. Throws Damage where they take more than there are or name vertices
-/// that are not there, so that decoding need not look.
+/// Returns the number of indices of the triangles of `cluster`. Throws Damage if the stream has too few indices or a
+/// corner is out of range, so that decoding needs no checks.
 std::size_t checkedIndexCount(
     std::span<const std::uint8_t> codes, std::span<const std::uint8_t> indices, const Cluster& cluster) {
     std::uint32_t newVertices = 0;
@@ -110,7 +113,7 @@ std::size_t checkedIndexCount(
     return count;
 }
 
-/// Appends the triangles to the page and fills the `edges` of the cluster's vertices.
+/// Decodes the triangles of one cluster. Appends them to the page and fills the `edges` of the cluster's vertices.
 void decodeCluster(
     std::span<const std::uint8_t> codes,
     const std::uint8_t* indices,

@@ -1,4 +1,4 @@
-// Reads the triangles of a page's clusters.
+// The decoder of the triangles of a page's clusters.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,13 +8,14 @@
 
 namespace gnomon::hierarchy {
 
-/// By vertex of a page, the open edge across which it was new: from, to and the opposite corner, a byte each, low ones
-/// first; kNoEdge if there was none.
+/// Per vertex of a page, the open edge across which the vertex was new. A word contains from, to and the opposite
+/// corner, one byte each, low byte first. The word is kNoEdge if there was no such edge.
 constexpr std::uint32_t kNoEdge = 0xFFFFFFU;
 using EdgeWords = std::vector<std::uint32_t>;
 
-/// Fills `page.triangles` from a code byte each and the stream of `indices`, behind which one byte may be looked at.
-/// `edges` gets one word a vertex, and kMostLanes more. Throws Damage.
+/// Decodes `page.triangles` from one code byte per triangle and the stream of `indices`. One byte after the end of
+/// `indices` may be read. `edges` receives one word per vertex, and kMostLanes additional words. Throws Damage if the
+/// codes are invalid.
 void decodeConnectivity(
     std::span<const std::byte> codes, std::span<const std::byte> indices, Page& page, EdgeWords& edges);
 

@@ -1,4 +1,4 @@
-// Writes the triangles of a cluster as codes.
+// The encoder of the triangles of a cluster.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -12,16 +12,16 @@
 
 namespace gnomon::hierarchy {
 
-/// What a vertex is predicted from if it was new across an edge; else the vertex before it.
+/// The three corners that predict a vertex that was new across an edge. Otherwise the vertex before predicts it.
 struct Parents {
     std::uint8_t from = 0;
     std::uint8_t to = 0;
     std::uint8_t opposite = 0;
-    std::uint8_t acrossEdge = 0; // 0 or 1
+    std::uint8_t acrossEdge = 0; // 1 if the vertex was new across an edge, otherwise 0
 
     Parents() = default;
 
-    /// Of vertex `v`, which can follow from earlier ones only.
+    /// Makes the parents of vertex `v`. They are valid only if all three corners come before `v`.
     Parents(const OpenEdge& edge, unsigned v)
         : from(static_cast<std::uint8_t>(edge.from)),
           to(static_cast<std::uint8_t>(edge.to)),
@@ -31,9 +31,10 @@ struct Parents {
               static_cast<unsigned>(edge.opposite < v))) {}
 };
 
-using ParentTable = std::array<Parents, 257>; // by vertex; one more for what is written before it is known to be new
+// per vertex; the additional entry absorbs writes before a vertex is known to be new
+using ParentTable = std::array<Parents, 257>;
 
-/// Writes the codes of one cluster's triangles.
+/// An encoder that writes the codes of one cluster's triangles.
 class ConnectivityEncoder {
 public:
     ConnectivityEncoder(ByteWriter& codes, ByteWriter& indices) : codes_(codes), indices_(indices) {}
@@ -43,7 +44,7 @@ public:
             encode(triangle);
     }
 
-    /// By vertex.
+    /// Returns the parents of each vertex.
     const ParentTable& parents() const { return parents_; }
 
 private:

@@ -1,4 +1,4 @@
-// The last directed edges that a run of triangles left open: what encoder, decoder and the ordering before them share.
+// The window of recent open edges of a run of triangles. Encoder, decoder and triangle ordering share it.
 #pragma once
 
 #include <array>
@@ -6,19 +6,21 @@
 
 namespace gnomon::hierarchy {
 
-/// An edge as the triangle on its other side would have it, and the corner opposite on this side.
+/// A directed edge in the order of the neighbouring triangle, and the opposite corner of the triangle that left it
+/// open.
 struct OpenEdge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
     std::uint32_t opposite = 0;
 };
 
-/// A ring of the most recent open edges. `recent(0)` is the newest.
+/// A ring buffer of the most recent open edges. `recent(0)` is the newest.
 class EdgeWindow {
 public:
     static constexpr unsigned kSize = 16;
 
-    /// The edges that triangle (a, b, c) offers to its neighbours; one that was entered across (a, b) offers two.
+    /// Pushes the edges that triangle (a, b, c) offers to its neighbours: two edges if the triangle was entered across
+    /// (a, b), otherwise three.
     void pushTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool entered) {
         if (!entered) push({b, a, c});
         push({a, c, b});
@@ -33,7 +35,7 @@ public:
     }
 
 private:
-    /// An edge is stored and loaded as one word: bytes stored one by one would stall the load that follows at once.
+    /// Stores an edge as one word. Separate byte stores would stall the load of the word that follows immediately.
     void push(const OpenEdge& edge) {
         edges_[head_ & (kSize - 1)] = edge.from | edge.to << 8U | edge.opposite << 16U;
         ++head_;

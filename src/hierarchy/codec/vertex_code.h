@@ -1,11 +1,13 @@
-// The vertices of a page as numbers: what encoder and decoder share.
-//
-// Vertices come cluster by cluster. One that lies in an earlier cluster of the page too, with the same normal and
-// colour, is a reference to it: a quarter to a third of them, along the clusters' borders. Any other is what remains of
-// it after prediction: its position from the parallelogram over the edge across which it is new (Touma, Gotsman 1998),
-// its normal and colour from the mean of the edge's, else all from the vertex before it; before the first of a cluster
-// stands one of no normal, white, whose position is stored apart. Differences are zigzag-coded and stored byte plane by
-// byte plane, since the entropy coder that follows works on bytes.
+// The code of the vertices of a page, shared by encoder and decoder.
+// Vertices are coded cluster by cluster. If an earlier cluster of the page contains an equal vertex, the vertex is a
+// reference to it. A quarter to a third of all vertices are references, along the borders of clusters. All other
+// vertices are coded as differences from a prediction:
+// - If the vertex is new across an edge, the parallelogram over this edge predicts its position (Touma, Gotsman 1998).
+//   The mean of the edge's ends predicts its normal and colour.
+// - Otherwise the vertex before predicts all values.
+// - The first vertex of a cluster is predicted from a white vertex without normal, whose position is stored separately.
+// Differences are zigzag-coded and stored byte plane by byte plane, because the subsequent entropy coder works on
+// bytes.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +15,7 @@
 namespace gnomon::hierarchy {
 
 constexpr std::uint32_t kWhite = 0xFFFFFFFFU;
-constexpr std::uint32_t kOffsetBinary = 0x80008000U; // turns two snorm16 into numbers that ascend
+constexpr std::uint32_t kOffsetBinary = 0x80008000U; // converts two snorm16 to unsigned numbers in ascending order
 
 constexpr std::uint32_t zigzag(std::uint32_t difference) {
     return (difference << 1U) ^ (0U - (difference >> 31U));
@@ -23,9 +25,10 @@ constexpr std::uint32_t unzigzag(std::uint32_t code) {
     return (code >> 1U) ^ (0U - (code & 1U));
 }
 
-/// Normals without the low bits that all of a page lack, as offset binary, so that a mean of two lies between them.
+/// The code of normals: offset binary, without the low bits that are 0 in all normals of a page. The mean of two codes
+/// is therefore between both.
 struct NormalCode {
-    unsigned shift = 0; // at most 15
+    unsigned shift = 0; // number of removed low bits, at most 15
 
     std::uint32_t x(std::uint32_t normal) const { return ((normal ^ kOffsetBinary) & 0xFFFFU) >> shift; }
 
@@ -40,7 +43,7 @@ struct NormalCode {
     std::uint32_t mask() const { return (1U << width()) - 1U; }
 };
 
-/// What the vertices of a page have.
+/// The attributes that the vertices of a page have.
 struct AttributeLayout {
     bool hasNormals = false;
     bool hasColors = false;

@@ -8,10 +8,10 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Decodes cluster after cluster.
+/// A decoder of the vertices of a page, cluster by cluster.
 class VertexDecoder {
 public:
-    /// `numbers` is where it keeps what it reads.
+    /// Reads all numbers of the vertices into `numbers`, which the caller owns.
     VertexDecoder(ByteReader& in, std::size_t vertexCount, Page& page, const EdgeWords& edges, VertexNumbers& numbers)
         : page_(page), edges_(edges), numbers_(numbers), anchors_(in.take(in.takeVarint())) {
         layout_.hasNormals = in.take<std::uint8_t>() != 0;
@@ -51,7 +51,7 @@ public:
     void expectEnd() const { anchors_.expectEnd(); }
 
 private:
-    /// Copies the references among the vertices from `first` to `end`; how many there are.
+    /// Copies the referenced vertices among the vertices from `first` to `end`. Returns the number of references.
     std::size_t refer(std::uint32_t first, std::uint32_t end) {
         const std::size_t before = referring_;
         std::uint32_t expected = first;
@@ -69,7 +69,7 @@ private:
         return referring_ - before;
     }
 
-    /// Puts the position that the cluster's first vertex is predicted from before it.
+    /// Updates the anchor, the position that predicts the first vertex of the cluster.
     void takeAnchor() {
         for (std::size_t k = 0; k < 3; ++k)
             vertices_.positions[0].word[k] += unzigzag(static_cast<std::uint32_t>(anchors_.takeVarint()));
@@ -80,7 +80,7 @@ private:
     VertexNumbers& numbers_;
     ByteReader anchors_;
     AttributeLayout layout_;
-    std::size_t referring_ = 0; // taken so far
+    std::size_t referring_ = 0; // references processed so far
     std::size_t fresh_ = 0;
     ClusterVertices vertices_{};
     std::array<Vertex, kMaxClusterVertices> stored_{};
@@ -100,8 +100,8 @@ FieldLayout takeFieldLayout(ByteReader& in) {
     return layout;
 }
 
-/// Takes the differences of one field after the other and adds them to what they are predicted from, the mean of the
-/// edge's ends or the vertex before; `numbers` says which vertices are references, and to which.
+/// A decoder of the fields, one field after the other. It adds each difference to its prediction: the mean of the ends
+/// of the edge, or the value of the vertex before. `numbers` says which vertices are references, and their targets.
 class FieldDecoder {
 public:
     FieldDecoder(ByteReader& in, const VertexNumbers& numbers, PageFields& fields)
@@ -121,7 +121,8 @@ public:
             for (std::uint32_t v = 0; v < cluster.vertexCount; ++v) {
                 const std::uint32_t at = cluster.firstVertex + v;
                 if (const std::uint32_t reference = numbers_.references[at]; reference != 0) {
-                    const std::uint32_t earlier = expected + unzigzag(reference - 1); // checked with the vertices
+                    // range already checked by the vertex decoder
+                    const std::uint32_t earlier = expected + unzigzag(reference - 1);
                     expected = earlier + 1;
                     fields_.words[at] = fields_.words[earlier];
                 } else {
@@ -132,7 +133,8 @@ public:
     }
 
 private:
-    /// The word of the next vertex that is no reference, number `v` of its cluster, new across `edge`.
+    /// Returns the word of the next vertex that is not a reference. It has the index `v` in its cluster and was entered
+    /// across `edge`.
     std::uint32_t next(std::span<const std::uint32_t> words, std::uint32_t v, std::uint32_t edge) {
         const std::uint32_t from = edge & 0xFFU;
         const std::uint32_t to = edge >> 8U & 0xFFU;
@@ -153,7 +155,7 @@ private:
     const VertexNumbers& numbers_;
     PageFields& fields_;
     std::array<std::vector<std::uint32_t>, kMostFields> differences_;
-    std::size_t next_ = 0; // of the vertices that are no references
+    std::size_t next_ = 0; // index among the vertices that are not references
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// Reads the vertices of a page's clusters.
+// The decoder of the vertices of a page's clusters.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,9 +8,8 @@
 
 namespace gnomon::hierarchy {
 
-/// Fills `page.vertices`, which has its size, and the boxes of `page.clusters` from what `in` has next. `edges` is what
-/// decodeConnectivity found. Where `fields` are stored, which is so if there is any, they are filled too. Throws
-/// Damage.
+/// Decodes `page.vertices` and the boxes of `page.clusters` from `in`. `edges` are the result of decodeConnectivity. If
+/// `fields` is not null, the page stores fields, and they are decoded too. Throws Damage if the bytes are invalid.
 void decodeVertices(ByteReader& in, const EdgeWords& edges, Page& page, PageFields* fields);
 
 } // namespace gnomon::hierarchy

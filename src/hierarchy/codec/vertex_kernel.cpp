@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
 
-/// Four words, one after the other.
+/// Four words without vector instructions.
 struct Four {
     std::array<std::uint32_t, 4> word;
 };
@@ -82,8 +82,8 @@ HWY_INLINE void store(Four words, std::uint32_t* to) {
 
 using ParentPlaces = std::array<std::uint32_t, kMaxClusterVertices + kMostLanes>;
 
-/// Turns the edges across which vertices were new into the places of what predicts them: those behind the edge's
-/// corners if all come before the vertex, else three times that of the vertex before.
+/// Converts the edge of each new vertex to the places of its three predictors. If the three corners of the edge come
+/// before the vertex, the places are those of the corners. Otherwise all three places are that of the vertex before.
 HWY_INLINE void placeParents(std::span<const std::uint32_t> edges, ParentPlaces& parents) {
     constexpr hn::CappedTag<std::int32_t, kMostLanes> kLanes;
     const auto byte = hn::Set(kLanes, 0xFF);
@@ -101,18 +101,19 @@ HWY_INLINE void placeParents(std::span<const std::uint32_t> edges, ParentPlaces&
     }
 }
 
-/// The means of four bytes each, rounded down.
+/// Returns the means of four pairs of bytes, rounded down.
 HWY_INLINE std::uint32_t byteMeans(std::uint32_t a, std::uint32_t b) {
     return (a & b) + (((a ^ b) >> 1U) & 0x7F7F7F7FU);
 }
 
-/// The sums of four bytes each, modulo 256.
+/// Returns the sums of four pairs of bytes, modulo 256.
 HWY_INLINE std::uint32_t byteSums(std::uint32_t a, std::uint32_t b) {
     return ((a & 0x7F7F7F7FU) + (b & 0x7F7F7F7FU)) ^ ((a ^ b) & 0x80808080U);
 }
 
 template <bool kNormals, bool kColors>
-HWY_INLINE void predict(const FreshVertices fresh, ClusterVertices& cluster) { // by value: no store can change it
+// by value, so that no store can alias it
+HWY_INLINE void predict(const FreshVertices fresh, ClusterVertices& cluster) {
     ParentPlaces parents;
     placeParents(fresh.edges, parents);
     for (std::size_t i = 0; i < fresh.vertices.size(); ++i) {

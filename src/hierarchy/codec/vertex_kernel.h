@@ -1,4 +1,4 @@
-// The vertices of one cluster from what is stored of them, in vector lanes.
+// Reconstruction of the vertices of one cluster from their stored differences, with vector instructions.
 #pragma once
 
 #include "hierarchy/codec/vertex_numbers.h"
@@ -6,29 +6,29 @@
 
 namespace gnomon::hierarchy {
 
-/// The vertices of one cluster, each one place behind its number: place 0 is what the first is predicted from.
+/// The vertices of one cluster. Vertex i has the place i + 1. Place 0 contains the prediction of the first vertex.
 struct ClusterVertices {
     std::array<PositionWords, kMaxClusterVertices + 1> positions;
-    std::array<std::uint64_t, kMaxClusterVertices + 1> normals; // joinedNormal
+    std::array<std::uint64_t, kMaxClusterVertices + 1> normals; // as joinedNormal
     std::array<std::uint32_t, kMaxClusterVertices + 1> colors;
 };
 
-/// Those vertices of a cluster that refer to none before it.
+/// The vertices of a cluster that are not references, with their differences.
 struct FreshVertices {
-    std::span<const std::uint32_t> vertices; // their numbers, in the page
+    std::span<const std::uint32_t> vertices; // their indices in the page
     std::span<const PositionWords> positions;
-    std::span<const std::uint64_t> normals; // empty if there are none
-    std::span<const std::uint32_t> colors;  // empty if there are none
-    std::uint64_t normalMask = 0;           // joinedNormal of the bits that normals have
-    std::uint32_t first = 0;                // the cluster's first vertex in the page
-    // By vertex of the cluster, as decodeConnectivity leaves them; read in whole vectors.
+    std::span<const std::uint64_t> normals; // empty without normals
+    std::span<const std::uint32_t> colors;  // empty without colours
+    std::uint64_t normalMask = 0;           // joinedNormal of the significant bits of both components
+    std::uint32_t first = 0;                // first vertex of the cluster in the page
+    // Edge of each vertex of the cluster, as decodeConnectivity returns it. Read in whole vectors.
     std::span<const std::uint32_t> edges;
 };
 
-/// Fills the places of `fresh`; those of references and place 0 must be there.
+/// Reconstructs the `fresh` vertices in `cluster`. The places of references and place 0 must be filled.
 void predictVertices(const FreshVertices& fresh, ClusterVertices& cluster);
 
-/// Copies the vertices of a cluster to where they belong and returns their box.
+/// Copies the vertices of a cluster to `vertices` and returns their box.
 GridBox storeVertices(const ClusterVertices& cluster, const NormalCode& code, std::span<Vertex> vertices);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// What a file stores of the vertices of a page, as numbers.
+// The stored numbers of the vertices of a page.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -9,22 +9,25 @@
 
 namespace gnomon::hierarchy {
 
-/// What is stored of the vertices of a page, and which vertices it is of. To be kept from page to page: memory given
-/// back to the system is paid for again, a page fault every four KiB. All but `referring` have kMostLanes too many.
+/// The stored numbers of the vertices of a page, and the vertices that they belong to. Reuse this object from page to
+/// page, because newly allocated memory costs a page fault per 4 KiB. All arrays except `referring` and `fresh` have
+/// kMostLanes additional elements.
 struct VertexNumbers {
-    std::vector<std::uint32_t> references; // by vertex: 0, or 1 + the zigzag of how far from the one after the last
-    std::vector<std::uint32_t> referring;  // the vertices that are references, ascending
-    std::vector<std::uint32_t> fresh;      // the others, ascending; the following are of these
-    std::vector<PositionWords> positions;  // differences
-    std::vector<std::uint64_t> normals;    // differences, joinedNormal modulo their width; nothing if there are none
-    std::vector<std::uint32_t> colors;     // differences, a byte each; nothing if there are none
+    // per vertex: 0 for a new vertex; for a reference 1 + zigzag(distance from the successor of the last referenced
+    // vertex)
+    std::vector<std::uint32_t> references;
+    std::vector<std::uint32_t> referring; // the vertices that are references, ascending
+    std::vector<std::uint32_t> fresh;     // all other vertices, ascending; the following arrays refer to these
+    std::vector<PositionWords> positions; // differences
+    std::vector<std::uint64_t> normals;   // differences: joinedNormal modulo their width; empty without normals
+    std::vector<std::uint32_t> colors;    // differences, one byte per channel; empty without colours
 };
 
-/// One channel of numbers of vertices. Throws Damage.
+/// Reads the byte planes of one channel. Throws Damage if the bytes are invalid.
 Planes takePlanes(ByteReader& in, std::size_t numbers);
 
-/// Takes what is stored of `vertices` vertices, but for what stands before the references. Nothing is allocated that
-/// the bytes cannot fill. Throws Damage.
+/// Reads the stored numbers of `vertices` vertices, from the references on. Never allocates more than the bytes can
+/// fill. Throws Damage if the bytes are invalid.
 void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers);
 
 } // namespace gnomon::hierarchy

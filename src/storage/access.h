@@ -1,4 +1,4 @@
-// How servers are asked, and what of their answers is kept.
+// Settings for reading from servers: certificates, cache and timeouts.
 #pragma once
 
 #include "core/units.h"
@@ -9,13 +9,13 @@
 namespace gnomon::storage {
 
 struct Access {
-    std::string authorityFile{};                // certificates that a server's is signed by, PEM; empty: the system's
-    Bytes cache = gibibytes(1);                 // of what was read, on this machine's disk; 0: none
+    std::string authorityFile{};                // PEM file of certificate authorities; empty: the system's
+    Bytes cache = gibibytes(1);                 // max size of the cache on the local disk; 0: no cache
     std::string cacheFolder{};                  // empty: XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges
-    std::chrono::milliseconds patience{30'000}; // how long a server that says nothing is asked again
+    std::chrono::milliseconds patience{30'000}; // time limit of retries for a server that does not respond
 };
 
-/// That of the whole process: what its command line says, before anything is opened.
+/// Returns the settings of the whole process, which the command line sets before a model is opened.
 Access& commonAccess();
 
 } // namespace gnomon::storage

@@ -11,7 +11,7 @@ namespace gnomon::storage {
 FileSource::FileSource(const std::string& path)
     : file_(path, File::Mode::Read), size_(file_.size()), changed_(file_.changeTime()) {}
 
-/// Tries again where a read fails, for what fails once on a network or a disk that wakes up is there a little later.
+/// Retries a failed read, because a network file system or a disk that wakes up can fail temporarily.
 void FileSource::readAt(std::uint64_t offset, std::span<std::byte> out) const {
     constexpr int kRetries = 3;
     std::chrono::milliseconds pause(1);

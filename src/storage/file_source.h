@@ -1,4 +1,4 @@
-// A model in a file of this machine.
+// A model in a local file.
 #pragma once
 
 #include "core/file.h"
@@ -8,7 +8,7 @@ namespace gnomon::storage {
 
 class FileSource final : public Source {
 public:
-    /// Throws Error if there is no file at `path`.
+    /// Opens the file. Throws Error if there is no file at `path`.
     explicit FileSource(const std::string& path);
 
     const std::string& name() const override { return file_.path(); }
@@ -23,7 +23,7 @@ public:
 
     std::string stamp() const override;
 
-    unsigned parallelReads() const override { return 4; } // measured: enough to keep a disk busy while two decode
+    unsigned parallelReads() const override { return 4; } // measured: 4 keep a disk busy while two threads decode
 
     bool isRemote() const override { return false; }
 

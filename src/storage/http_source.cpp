@@ -10,15 +10,16 @@ namespace gnomon::storage {
 
 namespace {
 
-constexpr std::uint64_t kHeadBytes = 1024;                     // a header, and no page of most models
-constexpr std::uint64_t kTailBytes = std::uint64_t{64} << 10U; // the tables of a small model
+constexpr std::uint64_t kHeadBytes = 1024;                     // for the header; contains no page of most models
+constexpr std::uint64_t kTailBytes = std::uint64_t{64} << 10U; // for the tables of a small model
 constexpr std::chrono::milliseconds kFirstPause{100};
 constexpr std::chrono::milliseconds kLongestPause{3000};
-constexpr std::chrono::milliseconds kMostToOpen{1000}; // a server that was never there is not waited for long
-// Less than that, or less than all that is left, is no progress: whoever gives a byte at a time gives none.
+constexpr std::chrono::milliseconds kMostToOpen{1000}; // short limit at the start, because the server may not exist
+// Min number of bytes of an answer that counts as progress, unless fewer bytes remain. A server that sends a byte at a
+// time makes no progress.
 constexpr std::size_t kLeastPart = std::size_t{16} << 10U;
 
-/// `address` without a user's name and password, and without what follows the path.
+/// Returns `address` without user name, password, query and fragment.
 std::string toldAddress(const std::string& address) {
     const std::size_t scheme = address.find("//");
     const std::size_t host = scheme == std::string::npos ? 0 : scheme + 2;
@@ -39,7 +40,8 @@ std::string toldAddress(const std::string& address) {
 HttpSource::HttpSource(const std::string& address, const Access& access)
     : name_(toldAddress(address)), access_(access), connections_(address, access) {
     open(std::min(access.patience, kMostToOpen));
-    if (identity_.tag.empty() && identity_.modified.empty()) return; // nothing tells old ranges from new ones
+    // without tag and date, old ranges in the cache cannot be recognised
+    if (identity_.tag.empty() && identity_.modified.empty()) return;
     const std::string folder = access.cacheFolder.empty() ? defaultCacheFolder() : access.cacheFolder;
     if (access.cache.count > 0 && !folder.empty()) cache_.emplace(folder, access.cache, address + "\n" + stamp());
 }
@@ -76,13 +78,13 @@ void HttpSource::stop() const {
     stopped_.notify_all();
 }
 
-/// False if it was stopped meanwhile.
+/// Waits for the pause. Returns false if the source was stopped meanwhile.
 bool HttpSource::waitFor(std::chrono::milliseconds pause) const {
     std::unique_lock lock(mutex_);
     return !stopped_.wait_for(lock, pause, [this] { return connections_.isStopped(); });
 }
 
-/// Fills `out`, asking again after pauses that grow while nothing comes.
+/// Fills `out`. Retries after pauses that grow as long as there is no progress.
 void HttpSource::fetch(std::uint64_t offset, std::span<std::byte> out) const {
     std::size_t done = 0;
     std::chrono::milliseconds pause = kFirstPause;
@@ -92,7 +94,7 @@ void HttpSource::fetch(std::uint64_t offset, std::span<std::byte> out) const {
         RangeAnswer answer = connections_.get(offset + done, out.subspan(done), &identity_);
         const bool hasProgressed = answer.received >= std::min(left, kLeastPart);
         done += answer.received;
-        if (done == out.size()) break; // whatever came after it
+        if (done == out.size()) break; // a failure after the last byte does not matter
         const std::string where = atByte(name_, offset + done);
         if (!answer.failure && !hasProgressed)
             answer.failure = {

@@ -1,4 +1,4 @@
-// A model on a server, read by ranges.
+// A model on a server, read by byte ranges.
 #pragma once
 
 #include "storage/access.h"
@@ -13,11 +13,11 @@
 
 namespace gnomon::storage {
 
-/// What lies at an address of any server that knows byte ranges (RFC 9110, section 14). What is asked for once is kept
-/// in a cache on disk; the start and the end, where a model's tables are, come in one piece each.
+/// A file at an address of a server that supports byte ranges (RFC 9110, section 14). A cache on disk stores the
+/// received ranges. The start and the end of the file, which contain the model's tables, are read in one piece each.
 class HttpSource final : public Source {
 public:
-    /// Asks for the start. Throws Error if `address` cannot be read by ranges.
+    /// Requests the start of the file. Throws Error if `address` cannot be read by ranges.
     HttpSource(const std::string& address, const Access& access);
 
     const std::string& name() const override { return name_; }
@@ -28,12 +28,12 @@ public:
 
     bool readAnew(std::uint64_t offset, std::span<std::byte> out) const override;
 
-    /// By what the server said last.
+    /// Returns the state according to the last answer of the server.
     Fate fate() const override { return fate_; }
 
     std::string stamp() const override;
 
-    unsigned parallelReads() const override { return 8; } // which hide from one another how long an answer takes
+    unsigned parallelReads() const override { return 8; } // parallel requests hide the latency of the server
 
     bool isRemote() const override { return true; }
 
@@ -57,9 +57,9 @@ private:
     std::vector<std::byte> head_;
     std::optional<RangeCache> cache_;
     mutable std::atomic<Fate> fate_{Fate::Same};
-    mutable std::mutex mutex_; // of what follows
+    mutable std::mutex mutex_; // protects the following members
     mutable std::condition_variable stopped_;
-    mutable std::vector<std::byte> tail_; // empty until it is asked for
+    mutable std::vector<std::byte> tail_; // empty until its first use
 };
 
 } // namespace gnomon::storage

@@ -1,4 +1,4 @@
-// Finds out where a model lies by its name.
+// Opening of a model by path or address.
 #pragma once
 
 #include "storage/access.h"
@@ -9,10 +9,10 @@
 
 namespace gnomon::storage {
 
-/// Whether `name` is an address, http:// or https://, and not a path.
+/// Returns true if `name` is an http:// or https:// address and not a path.
 bool isAddress(const std::string& name);
 
-/// Opens the file at the path `name`, or what the server has at the address `name`. Throws Error.
+/// Opens the file at the path `name`, or the content at the address `name`. Throws Error if that fails.
 std::unique_ptr<Source> openSource(const std::string& name, const Access& access = commonAccess());
 
 } // namespace gnomon::storage

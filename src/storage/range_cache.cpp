@@ -53,12 +53,13 @@ bool isFolder(const fs::path& path) {
     return fs::is_directory(fs::symlink_status(path, error));
 }
 
-/// Whether a folder of the cache has this name: the digits of a Sum.
+/// Returns true if `name` is a valid name of a folder of the cache: the hexadecimal digits of a Sum.
 bool isNameOfFolder(const std::string& name) {
     return name.size() == 2 * sizeof(Sum) && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Whether a file of the cache has this name: "OFFSET-SIZE", or "OFFSET-SIZE.PROCESS.NUMBER.partial".
+/// Returns true if `name` is a valid name of a file of the cache: "OFFSET-SIZE", or
+/// "OFFSET-SIZE.PROCESS.NUMBER.partial".
 bool isNameOfFile(std::string_view name) {
     const auto takeDigits = [&name] {
         const std::size_t end = std::min(name.find_first_not_of("0123456789"), name.size());
@@ -74,7 +75,7 @@ bool isNameOfFile(std::string_view name) {
     return name.empty() || (take(".") && takeDigits() && take(".") && takeDigits() && name == ".partial");
 }
 
-/// Calls `use(entry)` for each entry of `folder`, as far as it can be listed.
+/// Calls `use(entry)` for each entry of `folder`. Stops without an error if the folder cannot be read.
 template <class Use>
 void forEachEntry(const fs::path& folder, const Use& use) {
     std::error_code error;
@@ -82,11 +83,11 @@ void forEachEntry(const fs::path& folder, const Use& use) {
         use(*it);
 }
 
-/// The files of the cache in `folder`. Other people's files can lie beside them, and links can lead to more of those.
+/// Returns the files of the cache in `folder`. Skips foreign files and does not follow links.
 std::vector<Kept> keptIn(const std::string& folder) {
     std::vector<Kept> result;
     const auto add = [&result](const fs::directory_entry& file) {
-        std::error_code gone; // another process makes room, too
+        std::error_code gone; // another process may delete the file at the same time
         if (!isNameOfFile(file.path().filename().string())) return;
         if (!fs::is_regular_file(file.symlink_status(gone))) return;
         Kept kept{file.last_write_time(gone), 0, file.path()};
@@ -132,7 +133,7 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
     if (size > cap_.count) return;
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (!isFolder(folder_)) return; // a link leads to a folder of another purpose
+    if (!isFolder(folder_)) return; // a link could lead to a folder with foreign files
     if (fs::create_directory(place_, error)) fs::permissions(place_, fs::perms::owner_all, error);
     if (!isFolder(place_)) return;
     makeRoom(size);
@@ -150,12 +151,12 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
         file->writeAt(sizeof(Sum), bytes);
         temporary.keep([&] { return std::rename(partial.c_str(), path.c_str()) == 0; });
     } catch (const Error&) {
-        return; // the disk is full, or the folder is not ours: then there is no cache
+        return; // the disk is full or the folder is not writable; the cache is optional
     }
 }
 
-/// Counts `bytes` as kept, and where that is beyond the cap removes what was not used for the longest time. Others'
-/// files are counted now and then.
+/// Adds `bytes` to the size of the cache, and evicts the least recently used files if the size exceeds the limit. From
+/// time to time, recounts the files of other processes.
 void RangeCache::makeRoom(std::uint64_t bytes) const {
     const std::lock_guard lock(mutex_);
     const bool isKnown = uncounted_ <= cap_.count / 8;
@@ -169,7 +170,8 @@ void RangeCache::makeRoom(std::uint64_t bytes) const {
         total_ += file.bytes;
     if (total_ <= cap_.count) return;
     std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
-    const std::uint64_t least = cap_.count - cap_.count / 8; // not one by one
+    // frees an eighth at once, so that not each call evicts files
+    const std::uint64_t least = cap_.count - cap_.count / 8;
     std::error_code error;
     for (const Kept& file : kept) {
         if (total_ <= std::max(least, bytes)) return;

@@ -1,4 +1,4 @@
-// Ranges of what lies at an address, kept on this machine's disk under a cap.
+// A disk cache of byte ranges with a size limit.
 #pragma once
 
 #include "core/units.h"
@@ -11,19 +11,20 @@
 
 namespace gnomon::storage {
 
-/// Files in a folder that many processes may share, each a range with its checksum; the longest unused go first. It is
-/// a help and never a fault: where a disk is full or a file is damaged, nothing was kept. It removes only files with
-/// names that it makes, and it follows no link from that folder on. Safe from many threads.
+/// A cache folder that many processes can share. Each file is a range with its checksum, and the least recently used
+/// files are evicted first. Errors are ignored: if the disk is full or a file is damaged, the range is simply absent.
+/// The cache removes only files whose names it could have made, and follows no links in its folder. Many threads can
+/// use one cache.
 class RangeCache {
 public:
-    /// Keeps ranges of the content that `content` tells from all others, in `folder`, which all of them together fill
-    /// up to `cap`.
+    /// Makes a cache in `folder` for the content with the key `content`. The size limit `cap` covers the ranges of all
+    /// contents in the folder.
     RangeCache(const std::string& folder, Bytes cap, const std::string& content);
 
-    /// Fills `out` from `offset` if that very range was kept, and is whole.
+    /// Fills `out` from `offset` and returns true if this exact range is in the cache and undamaged.
     bool get(std::uint64_t offset, std::span<std::byte> out) const;
 
-    /// Keeps `bytes` from `offset` in place of what was kept there.
+    /// Stores `bytes` for the range from `offset`, and replaces an earlier file of this range.
     void put(std::uint64_t offset, std::span<const std::byte> bytes) const;
 
 private:
@@ -31,14 +32,16 @@ private:
     void makeRoom(std::uint64_t bytes) const;
 
     std::string folder_;
-    std::string place_; // the content's own folder within
+    std::string place_; // the folder of this content
     Bytes cap_;
     mutable std::mutex mutex_;
-    mutable std::uint64_t total_ = 0;                     // in the folder, others' since it was counted left out
-    mutable std::uint64_t uncounted_ = ~std::uint64_t{0}; // bytes put since then
+    // size of the folder, without files that other processes wrote since the last count
+    mutable std::uint64_t total_ = 0;
+    mutable std::uint64_t uncounted_ = ~std::uint64_t{0}; // bytes written since the last count
 };
 
-/// XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges; empty where the environment names neither.
+/// Returns XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges. Returns an empty text if the environment has
+/// neither variable.
 std::string defaultCacheFolder();
 
 } // namespace gnomon::storage

@@ -21,10 +21,10 @@ namespace {
 constexpr std::size_t kMostHeaderBytes = std::size_t{64} << 10U;
 constexpr long kMostRedirections = 5;
 constexpr long kConnectSeconds = 10;
-constexpr long kSlowSeconds = 15; // below kSlowRate for so long is no answer
-constexpr long kSlowRate = 100;   // bytes a second
+constexpr long kSlowSeconds = 15; // a transfer below kSlowRate for this long counts as no answer
+constexpr long kSlowRate = 100;   // bytes per second
 
-/// The library's one initialisation, which its threads must not meet in.
+/// Initialises libcurl once, because this is not thread-safe.
 bool isLibraryReady() {
     static const bool isReady = curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
     return isReady;
@@ -56,7 +56,8 @@ bool takeText(std::string_view& text, std::string_view start) {
     return true;
 }
 
-/// Codes of what asking again does not change: a server that could not prove its name, or sends in circles.
+/// Returns true for errors that a retry does not change, for example a failed verification of the server or endless
+/// redirects.
 bool isLasting(CURLcode code) {
     constexpr std::array kCodes = {
         CURLE_PEER_FAILED_VERIFICATION,
@@ -76,15 +77,15 @@ RangeFailure endlessHeader() {
         Refusal::Lasting, "the server's header does not end", "at most " + readableBytes({kMostHeaderBytes}), "more"};
 }
 
-/// What a code of libcurl means that came before any byte of a part. A line of a header that is longer than 100 KiB is
-/// "out of memory" to it, or "too large" (100) from version 8.6 on.
+/// Returns the failure for a code of libcurl before the first byte of the body. libcurl reports a header line longer
+/// than 100 KiB as "out of memory", or as "too large" (100) since version 8.6.
 RangeFailure failureOf(CURLcode code, const char* reason) {
     constexpr int kTooLarge = 100;
     if (code == CURLE_OUT_OF_MEMORY || code == kTooLarge) return endlessHeader();
     return {isLasting(code) ? Refusal::Lasting : Refusal::Passing, *reason != 0 ? reason : curl_easy_strerror(code)};
 }
 
-/// What a status other than that of a part means.
+/// Returns the failure for an HTTP status other than 206.
 RangeFailure failureOf(long status, const Identity* known) {
     const std::string found = std::to_string(status);
     if (status == 200)
@@ -136,7 +137,7 @@ std::optional<PartPlace> partPlace(const std::string& range) {
     return place;
 }
 
-/// While it lives, a server that hangs up is not told by a signal, which would end the process.
+/// A guard that suppresses SIGPIPE, which would end the process if a server closes the connection.
 class NoBrokenPipe {
 public:
     NoBrokenPipe() {
@@ -162,7 +163,7 @@ private:
     sigset_t before_{};
 };
 
-/// A request under way.
+/// A request in progress.
 struct Connections::Request {
     CURL* handle = nullptr;
     std::uint64_t offset = 0;
@@ -171,10 +172,10 @@ struct Connections::Request {
     const std::atomic<bool>* isStopped = nullptr;
     PartHeader header{};
     std::size_t headerBytes = 0;
-    std::size_t wanted = 0; // of the body, once the header was looked at
+    std::size_t wanted = 0; // size of the body, known after the check of the header
     RangeAnswer answer{};
 
-    /// The first reason counts. False, which ends a callback.
+    /// Records the first failure. Returns false, which ends a callback.
     bool refuse(RangeFailure failure) {
         if (!answer.failure) answer.failure = std::move(failure);
         return false;
@@ -186,7 +187,7 @@ struct Connections::Request {
         return status;
     }
 
-    /// Looks at the header before the first byte of the body is taken.
+    /// Checks the header before the first byte of the body is stored.
     bool isPart() {
         if (status() != 206) return refuse(failureOf(status(), known));
         const std::optional<PartPlace> place = partPlace(header.range);
@@ -237,7 +238,7 @@ struct Connections::Request {
     }
 };
 
-/// A connection, idle or in a request.
+/// A connection, idle or in use.
 class Connections::Handle {
 public:
     Handle(const std::string& address, const std::string& authorityFile) : curl_(curl_easy_init(), curl_easy_cleanup) {
@@ -245,7 +246,7 @@ public:
         const bool isSecure = lowered(address.substr(0, 6)) == "https:";
         set(CURLOPT_URL, address.c_str());
         set(CURLOPT_PROTOCOLS_STR, "http,https");
-        // Who asked to be told in secret is not told in the open.
+        // An address with https must not be redirected to plain http.
         set(CURLOPT_REDIR_PROTOCOLS_STR, isSecure ? "https" : "http,https");
         set(CURLOPT_FOLLOWLOCATION, 1L);
         set(CURLOPT_MAXREDIRS, kMostRedirections);
@@ -262,11 +263,11 @@ public:
         set(CURLOPT_ERRORBUFFER, reason_.data());
         if (!authorityFile.empty()) {
             set(CURLOPT_CAINFO, authorityFile.c_str());
-            set(CURLOPT_CAPATH, static_cast<const char*>(nullptr)); // those and no others
+            set(CURLOPT_CAPATH, static_cast<const char*>(nullptr)); // uses only the given authorities
         }
     }
 
-    /// Carries `request` out; it then has its answer.
+    /// Executes `request` and stores its answer.
     void perform(Request& request) {
         const std::string range =
             std::to_string(request.offset) + "-" + std::to_string(request.offset + request.out.size() - 1);
@@ -283,7 +284,7 @@ public:
             request.refuse({Refusal::Lasting, "given up"});
         } else if (code != CURLE_OK && code != CURLE_PARTIAL_FILE) {
             request.refuse(failureOf(code, reason_.data()));
-        } else if (request.wanted == 0) { // no body, and so perhaps not all of the header
+        } else if (request.wanted == 0) { // no body, so the header may be incomplete
             const long status = request.status();
             if (status != 206)
                 request.refuse(failureOf(status, request.known));
@@ -298,7 +299,7 @@ public:
         }
     }
 
-    /// Returns the protocol, host and port that the last request was redirected to; empty if it was not.
+    /// Returns protocol, host and port of the target if the last request was redirected, otherwise an empty text.
     std::string redirectedTo() const {
         long count = 0;
         char* url = nullptr;
@@ -333,7 +334,7 @@ std::unique_ptr<Connections::Handle> Connections::taken() const {
     {
         const std::lock_guard lock(mutex_);
         if (!idle_.empty()) {
-            std::unique_ptr<Handle> last = std::move(idle_.back()); // the one whose connection is the freshest
+            std::unique_ptr<Handle> last = std::move(idle_.back()); // the most recently used connection
             idle_.pop_back();
             return last;
         }
@@ -356,7 +357,7 @@ RangeAnswer Connections::get(std::uint64_t offset, std::span<std::byte> out, con
     if (request.answer.received > 0) {
         redirectedTo_ = host;
     } else if (failure && failure->refusal == Refusal::Passing && host != redirectedTo_ && !host.empty()) {
-        // No server came back that had answered before: asking again does not help.
+        // The target of the redirect has never answered, so retries do not help.
         failure->refusal = Refusal::Lasting;
         failure->what = "redirected to " + host + ": " + failure->what;
     }

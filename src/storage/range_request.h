@@ -1,4 +1,4 @@
-// One question to a server, for a range of what lies at an address, and its answer, taken with distrust.
+// Requests of byte ranges from a server, with strict checks of the answers.
 #pragma once
 
 #include "storage/access.h"
@@ -15,47 +15,49 @@
 
 namespace gnomon::storage {
 
-/// What tells whether the content at an address is what it was; empty texts are what the server does not say.
+/// The identity of the content at an address. If it is unchanged, the content is unchanged. Texts are empty if the
+/// server does not send them.
 struct Identity {
     std::uint64_t size = 0;
-    std::string tag;      // ETag
-    std::string modified; // Last-Modified
+    std::string tag;      // the field ETag
+    std::string modified; // the field Last-Modified
 
     bool operator==(const Identity&) const = default;
 };
 
-/// Why a request got less than it asked for.
+/// The reason why a request received fewer bytes than requested.
 enum class Refusal : std::uint8_t {
-    Passing,  // no answer, a broken one, or one that says later
-    Lasting,  // whoever asks again is told the same
-    Changed,  // what lies there is no longer what it was
-    Vanished, // there is nothing any more
+    Passing,  // no answer, a broken answer, or a request to retry later
+    Lasting,  // a retry would have the same result
+    Changed,  // the content at the address has changed
+    Vanished, // the content no longer exists
 };
 
 struct RangeFailure {
     Refusal refusal = Refusal::Passing;
     std::string what;
-    std::string expected{}; // or empty, as the next
+    std::string expected{}; // can be empty, as `found`
     std::string found{};
 };
 
 struct RangeAnswer {
-    std::size_t received = 0; // bytes at the range's start that are there and right, whatever came after
-    Identity identity;        // once the whole of the header was good
+    std::size_t received = 0; // valid bytes from the start of the range, also if an error followed
+    Identity identity;        // set when the whole header is valid
     std::optional<RangeFailure> failure;
 };
 
-/// The whole header of a part as its lines say it, each field the last of its name.
+/// The header fields of a partial answer. If a field occurs twice, the last one counts.
 struct PartHeader {
-    std::string range;    // Content-Range
-    std::string encoding; // Content-Encoding
-    Identity identity;    // its size is that of the whole, of Content-Range
+    std::string range;    // the field Content-Range
+    std::string encoding; // the field Content-Encoding
+    Identity identity;    // its size is the size of the whole content, from Content-Range
 
-    /// Takes one line, with its name in any case; one that begins an answer forgets those before it.
+    /// Parses one header line; names ignore case. A status line starts a new header and clears all fields.
     void take(std::string_view line);
 };
 
-/// The bytes first to last that `range`, a Content-Range, tells of, and of how many; nothing unless it is whole.
+/// The position of a part from Content-Range: bytes `first` to `last` of `of` bytes. `partPlace` returns nullopt if the
+/// field is incomplete.
 struct PartPlace {
     std::uint64_t first = 0;
     std::uint64_t last = 0;
@@ -64,10 +66,10 @@ struct PartPlace {
 
 std::optional<PartPlace> partPlace(const std::string& range);
 
-/// Connections to a server, kept between requests. Safe from many threads at once, each of which has its own.
+/// A pool of connections to a server. Many threads can use it, and each request has its own connection.
 class Connections {
 public:
-    /// `address` is http:// or https://. Throws Error where the library is missing what it takes.
+    /// Makes a pool for an http:// or https:// address. Throws Error if libcurl does not start.
     Connections(std::string address, const Access& access);
     ~Connections();
     Connections(const Connections&) = delete;
@@ -75,11 +77,11 @@ public:
     Connections(Connections&&) = delete;
     Connections& operator=(Connections&&) = delete;
 
-    /// Fills `out` from `offset` of what lies there, which has to be `known`; while that is not known, there may be
-    /// less than `out` has room for. Takes no more than that of whatever the server sends.
+    /// Fills `out` from `offset`, and checks that the content is still `known`. If `known` is null, the content may be
+    /// shorter than `out`. Ignores additional bytes from the server.
     RangeAnswer get(std::uint64_t offset, std::span<std::byte> out, const Identity* known) const;
 
-    /// Ends requests that wait, now and from now on.
+    /// Ends all waiting requests and all later ones.
     void stop() const { isStopped_ = true; }
 
     bool isStopped() const { return isStopped_; }
@@ -94,7 +96,7 @@ private:
     std::string authorityFile_;
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Handle>> idle_;
-    mutable std::string redirectedTo_; // the host that sent the last part, if that was another than the address's
+    mutable std::string redirectedTo_; // host of the last received part, if the address was redirected
     mutable std::atomic<bool> isStopped_{false};
 };
 

@@ -1,4 +1,4 @@
-// The bytes of a model, wherever they lie: all that reads one reads through this.
+// The interface for reading the bytes of a model from a file or a server.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace gnomon::storage {
 
-/// What became of a source's content since it was opened.
+/// The state of a source's content compared with its state at opening.
 enum class Fate : std::uint8_t { Same, Changed, Gone };
 
-/// Bytes at offsets, of which there are as many as when it was opened. Safe from many threads at once.
+/// A sequence of bytes with the size that it had at opening. Many threads can read at the same time.
 class Source {
 public:
     Source() = default;
@@ -21,30 +21,30 @@ public:
     Source(Source&&) = delete;
     Source& operator=(Source&&) = delete;
 
-    /// What messages call it: a path, or an address without what it tells a server in secret.
+    /// Returns the name for messages: a path, or an address without passwords and query.
     virtual const std::string& name() const = 0;
 
     virtual std::uint64_t size() const = 0;
 
-    /// Fills `out` from `offset`, trying again where that may help. Throws Error if it cannot be read for now, or ends
-    /// before.
+    /// Fills `out` from `offset`, with retries for temporary failures. Throws Error if reading fails or the content is
+    /// too short.
     virtual void readAt(std::uint64_t offset, std::span<std::byte> out) const = 0;
 
-    /// The same where what `readAt` gave is not what was written, from behind all caches; false if there are none.
+    /// Reads the bytes again without caches, for use after a checksum error. Returns false if the source has no cache.
     virtual bool readAnew(std::uint64_t offset, std::span<std::byte> out) const = 0;
 
     virtual Fate fate() const = 0;
 
-    /// What changes with the content: its size, and when or as what it was written.
+    /// Returns a text that changes with the content: its size, and its date or tag.
     virtual std::string stamp() const = 0;
 
-    /// How many reads at a time are worth it.
+    /// Returns the useful number of parallel reads.
     virtual unsigned parallelReads() const = 0;
 
-    /// Whether what could not be read may come later, without a person's doing.
+    /// Returns true if a failed read can succeed later without action by the user.
     virtual bool isRemote() const = 0;
 
-    /// Ends reads that wait: they and all later ones throw Error.
+    /// Ends waiting reads. They and all later reads throw Error.
     virtual void stop() const = 0;
 };
 

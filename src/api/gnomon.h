@@ -1,5 +1,6 @@
-// Gnomon as a library: builds level-of-detail models of meshes, cuts them, draws them with their shadows, and answers
-// what shadow maps cost. All of it fails by std::runtime_error, what() being one line: what, where, expected, found.
+// The public interface of the Gnomon library. It builds level-of-detail models from meshes, exports their cuts, draws
+// them with shadows, and computes the cost of shadow maps. Functions fail with std::runtime_error. what() is one line
+// with the failure, its place, the expected value and the found value.
 #pragma once
 
 #include <array>
@@ -14,32 +15,34 @@
 
 namespace gnomon::api {
 
-/// "MAJOR.MINOR.PATCH": versions of one MAJOR, and before 1 of one MINOR, replace each other without compiling anew.
+/// Returns the version as "MAJOR.MINOR.PATCH". Versions with the same MAJOR (before 1.0: the same MINOR) are binary
+/// compatible.
 GNOMON_API std::string version();
 
-/// Options of `gnomon render` that say what a view is and how good, by their names without dashes, and their values as
-/// a command line has them: {{"size", "800x600"}, {"eye", "60,2,100"}, {"shadows", "exact"}}. `gnomon render --help`
-/// lists them; what is not given is as it is by default.
+/// The options of a view and its quality, as in `gnomon render`. Keys are the option names without dashes, and values
+/// have the format of the command line: {{"size", "800x600"}, {"eye", "60,2,100"}, {"shadows", "exact"}}. `gnomon
+/// render --help` lists all options. Missing options have their defaults.
 using Options = std::map<std::string, std::string>;
 
-/// Told how far long work is: `done` of `total` units of a stage; may be called from any thread. Where it returns false
-/// the work ends, and throws.
+/// A callback for the progress of long tasks: `done` of `total` units of a stage are finished. Any thread can call it.
+/// If it returns false, the task stops and throws.
 using OnProgress = std::function<bool(const std::string& stage, std::uint64_t done, std::uint64_t total)>;
 
 // Builds -------------------------------------------------------------------------------------------------------------
 
 struct BuildOptions {
-    std::uint64_t memory = std::uint64_t{2} << 30U; // bytes that the process may take
-    int threads = 0;                                // 0: as many as there are cores
-    std::string temporaryFolder{};                  // empty: beside the output
-    std::vector<std::string> fields{};              // scalar properties of the vertices of a PLY to keep
-    std::string up = "auto";                        // x, y, z, -x, -y, -z, a direction "x,y,z", or guessed
-    std::string unit = "m";                         // m, cm, mm, ft, in: of the coordinates
-    std::string sourceRoot{};                       // folder of textures, buffers, libraries; empty: the input's
+    std::uint64_t memory = std::uint64_t{2} << 30U; // max memory of the process, in bytes
+    int threads = 0;                                // 0: one thread per core
+    std::string temporaryFolder{};                  // empty: the folder of the output
+    std::vector<std::string> fields{};              // scalar vertex properties of a PLY file that the model stores
+    std::string up = "auto";                        // x, y, z, -x, -y, -z, a direction "x,y,z", or "auto" for a guess
+    std::string unit = "m";                         // unit of the coordinates: m, cm, mm, ft or in
+    // folder of textures, buffers and libraries; empty: the folder of the input
+    std::string sourceRoot{};
 };
 
-/// Builds the model `output`, a .gnm, of `inputs` (PLY, glTF, OBJ, STL, OFF), out of core. Returns what `gnomon build
-/// --json` prints. The bytes are the same for any memory and any number of threads.
+/// Builds the model `output` (.gnm) from `inputs` (PLY, glTF, OBJ, STL, OFF) out of core. Returns the report that
+/// `gnomon build --json` prints. The bytes of the model do not depend on memory or the number of threads.
 GNOMON_API std::string build(
     const std::vector<std::string>& inputs,
     const std::string& output,
@@ -48,26 +51,27 @@ GNOMON_API std::string build(
 
 // Models: hierarchy and selection ------------------------------------------------------------------------------------
 
-/// Triangles of one cut of a model.
+/// The triangles of one cut of a model.
 struct Mesh {
-    std::vector<double> positions;        // x, y, z of each vertex, in the source's axes and units
-    std::vector<float> normals;           // x, y, z of each, unit vectors; 0, 0, 0 where the source has none
-    std::vector<std::uint8_t> colors;     // red, green, blue, alpha of each, sRGB
-    std::vector<std::uint32_t> triangles; // three vertices each, counter-clockwise from outside
-    double error = 0;                     // no point of the source is farther from it by more than that, units
+    std::vector<double> positions;        // x, y, z per vertex, in the axes and units of the source
+    std::vector<float> normals;           // x, y, z per vertex, unit length; 0, 0, 0 if the source has no normals
+    std::vector<std::uint8_t> colors;     // red, green, blue, alpha per vertex, sRGB
+    std::vector<std::uint32_t> triangles; // three vertex indices per triangle, counter-clockwise seen from outside
+    double error = 0;                     // upper bound of the distance between the source and this mesh, in units
 };
 
-/// A picture as a person sees it: rows from top to bottom, red, green, blue and alpha of each pixel, sRGB.
+/// An image with rows from top to bottom. Each pixel has red, green, blue and alpha in sRGB.
 struct Picture {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels;
 };
 
-/// An open model. Several may be used at once, but each by one thread at a time.
+/// An open model. Different threads can use different models at the same time, but only one thread at a time can use
+/// one model.
 class GNOMON_API Model {
 public:
-    /// Opens a .gnm on disk or at an http(s):// address. Tables and pages take at most `memory` bytes.
+    /// Opens a .gnm model from a path or an http(s):// address. Tables and pages use at most `memory` bytes.
     explicit Model(const std::string& path, std::uint64_t memory = std::uint64_t{1} << 30U);
     ~Model();
     Model(Model&&) noexcept;
@@ -75,26 +79,30 @@ public:
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
 
-    /// What `gnomon info --json` prints: triangles, levels, errors, bounds, up, unit, hash.
+    /// Returns the JSON that `gnomon info --json` prints: triangles, levels, errors, bounds, up direction, unit and
+    /// hash.
     std::string info() const;
 
-    /// The coarsest uniform cut that is nowhere farther off than `error`, in units.
+    /// Returns the coarsest uniform cut whose error is at most `error`, in units of the model.
     Mesh cutByError(double error) const;
 
-    /// The finest uniform cut of at most so many triangles.
+    /// Returns the finest uniform cut with at most `most` triangles.
     Mesh cutByTriangles(std::uint64_t most) const;
 
-    /// What a view shows: nothing in it is off by more than the option error-pixels. Vertices on borders of clusters
-    /// are there several times; `error` is the largest of all clusters.
+    /// Returns the cut of a view, whose error on the screen is at most the option error-pixels. Vertices on borders of
+    /// clusters are duplicated. `error` is the largest error of all clusters.
     Mesh cutForView(const Options& options) const;
 
-    /// What `gnomon explain --json` prints: the plan of one frame, and why it leaves out what it leaves out.
+    /// Returns the JSON that `gnomon explain --json` prints: the plan of one frame, with a reason for each skipped
+    /// effect.
     std::string plan(const Options& options) const;
 
-    /// Draws a view on the processor, as `gnomon render` does, to the byte: the mean of so many frames.
+    /// Draws a view on the CPU and returns the mean of `samples` frames. The result has the same bytes as that of
+    /// `gnomon render`.
     Picture render(const Options& options, int samples = 16) const;
 
-    /// What of the model could not be read since it was opened, a line each; its parents are drawn in its place.
+    /// Returns one line per part of the model that could not be read since it was opened. Coarser geometry is drawn
+    /// instead of these parts.
     const std::vector<std::string>& damage() const;
 
 private:
@@ -104,19 +112,20 @@ private:
 
 // Shadow maps --------------------------------------------------------------------------------------------------------
 
-/// What a scheme of warping and partitioning costs (Lloyd et al. 2006).
+/// The cost of a scheme, which is a combination of partitions and warp (Lloyd et al. 2006).
 struct ShadowScheme {
-    std::string scheme;       // ZP: slices by depth, FP: faces of the frustum, +W: warped
-    std::string warp;         // as the option warp has it
-    int slices = 1;           // by depth
-    int maps = 1;             // in all
-    double storageFactor = 0; // S: texels over pixels, where no texel is wider than a pixel
-    double worstAcross = 0;   // M_x and M_z: the widest texel over a pixel, were each map one texel for each pixel
+    std::string scheme;       // ZP: partitions by depth, FP: partitions by frustum face, +W: warped
+    std::string warp;         // name of the warp, as in the option warp
+    int slices = 1;           // number of partitions by depth
+    int maps = 1;             // total number of maps
+    double storageFactor = 0; // S: texels per pixel that bound the aliasing by 1
+    double worstAcross = 0;   // M_x and M_z: max aliasing across and along the view if each map had one texel per pixel
     double worstAlong = 0;
 };
 
-/// Every scheme with 1 to 8 slices, for a view frustum between the depths `near` and `far`, a full vertical angle in
-/// degrees, its width over its height, and the direction towards the light as right, up and along the view.
+/// Returns the cost of all schemes with 1 to 8 slices. The view frustum has the depth range from `near` to `far`, a
+/// full vertical angle in degrees, and the ratio `aspect` of width to height. The direction towards the light has the
+/// components right, up and along the view.
 GNOMON_API std::vector<ShadowScheme> shadowSchemes(
     double near, double far, double fovYDegrees, double aspect, const std::array<double, 3>& towardsLight);
 

@@ -20,7 +20,7 @@ namespace gnomon::api {
 
 namespace {
 
-/// What `options` ask for. Memory and executor are the model's, which was opened with them.
+/// Returns the settings of `options`. Memory and backend are those of the open model.
 settings::Settings askedFor(const Options& options, const settings::Settings& ofModel) {
     for (const char* name : {"memory", "gpu-memory", "backend", "shaders"})
         if (options.contains(name)) throw Error(name, "no option of a view: the model was opened without it");
@@ -78,7 +78,7 @@ struct Model::State {
         : settings(settingsFor(memory)),
           session(path, settings, [this](const std::string& line) { damage.push_back(line); }) {}
 
-    /// The view and quality of `options`; the frames before are forgotten.
+    /// Returns view and quality of `options`. Also clears the state of earlier frames.
     std::pair<plan::View, plan::Quality> viewOf(const Options& options) {
         const settings::Settings asked = askedFor(options, settings);
         session.renderer().forget();
@@ -108,7 +108,7 @@ Mesh Model::cutByTriangles(std::uint64_t most) const {
 Mesh Model::cutForView(const Options& options) const {
     return withPlainErrors([&] {
         auto [view, quality] = state_->viewOf(options);
-        quality.shadows = plan::ShadowMode::Off; // what casts shadows into the view is not asked for
+        quality.shadows = plan::ShadowMode::Off; // casters are not part of the result
         frame::Renderer& renderer = state_->session.renderer();
         const frame::PreparedFrame frame = renderer.prepare(view, quality, frame::Waiting::UntilComplete, nullptr);
         const hierarchy::Grid& grid = state_->session.model().summary().grid;

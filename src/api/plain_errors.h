@@ -1,4 +1,4 @@
-// What who uses the library has to catch.
+// Conversion of internal exceptions to std::runtime_error for users of the library.
 #pragma once
 
 #include "core/error.h"
@@ -6,7 +6,7 @@
 
 namespace gnomon::api {
 
-/// What `work` returns; contradictions in options become an Error, which is a std::runtime_error like all others.
+/// Returns the result of `work`. Converts UsageError to Error, which is a std::runtime_error.
 template <class Work>
 auto withPlainErrors(const Work& work) {
     try {

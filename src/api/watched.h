@@ -1,4 +1,4 @@
-// How far long work is, told to who uses the library.
+// Progress of long tasks for users of the library.
 #pragma once
 
 #include "api/gnomon.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::api {
 
-/// Passes progress on; throws Error once it is told to stop.
+/// A receiver that forwards progress to a callback. It throws Error if the callback requests a stop.
 class Watched final : public Progress {
 public:
     explicit Watched(OnProgress tell) : tell_(std::move(tell)) {}

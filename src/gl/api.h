@@ -1,9 +1,9 @@
-// The OpenGL 4.5 core functions that Gnomon calls, as one table of pointers filled by whichever context was made.
+// The OpenGL 4.5 core functions that Gnomon calls, as a table of function pointers per context.
 #pragma once
 
 #include <GL/glcorearb.h>
 
-// X(type, member, name): one line a function.
+// One line per function: X(type, member, name).
 #define GNOMON_GL_FUNCTIONS(X)                                                                                         \
     X(PFNGLACTIVETEXTUREPROC, activeTexture, "glActiveTexture")                                                        \
     X(PFNGLATTACHSHADERPROC, attachShader, "glAttachShader")                                                           \
@@ -89,7 +89,7 @@
 
 namespace gnomon::gl {
 
-/// The functions of one context; valid on the thread where that context is current.
+/// The functions of one context. They are valid on the thread where this context is current.
 struct Api {
 #define GNOMON_GL_MEMBER(type, member, name) type member = nullptr;
     GNOMON_GL_FUNCTIONS(GNOMON_GL_MEMBER)
@@ -99,7 +99,7 @@ struct Api {
 using FunctionPointer = void (*)();
 using FunctionSource = FunctionPointer (*)(const char* name);
 
-/// Looks every function up in `source`; throws gnomon::Error naming the first that is missing.
+/// Loads all functions from `source`. Throws gnomon::Error with the name of the first missing function.
 Api loadApi(FunctionSource source);
 
 } // namespace gnomon::gl

@@ -42,7 +42,7 @@ CurrentAtDestruction::~CurrentAtDestruction() {
     try {
         context_->makeCurrent();
     } catch (const Error&) {
-        // A driver that is gone has nothing left to delete.
+        // If the driver failed, there is nothing to delete.
     }
 }
 

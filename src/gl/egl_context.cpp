@@ -26,13 +26,13 @@ public:
         return library_.function<Function>(name);
     }
 
-    /// A function of an extension; null if there is none.
+    /// Returns a function of an extension, or null if the extension is missing.
     template <class Function>
     Function extension(const char* name) const {
         return reinterpret_cast<Function>(function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress")(name));
     }
 
-    /// The devices that are not Mesa's software one, in EGL's order.
+    /// Returns all devices except Mesa's software device, in the order of EGL.
     std::vector<EGLDeviceEXT> gpus() const {
         const auto queryDevices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
         const auto queryString = extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
@@ -82,7 +82,7 @@ public:
     ~EglContext() override {
         if (isCurrent()) makeCurrent_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl_.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext")(display_, context_);
-        // No eglTerminate: another context of this process may live on the same display.
+        // There is no eglTerminate, because another context of this process may use the same display.
     }
 
     EglContext(const EglContext&) = delete;
@@ -112,7 +112,8 @@ private:
     void makeContext() {
         if (egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API) == EGL_FALSE)
             throw Error("EGL", "no desktop OpenGL");
-        // EGL_KHR_no_config_context would do, but a config that renders OpenGL is had everywhere.
+        // A config that renders OpenGL exists everywhere. EGL_KHR_no_config_context would also work, but it is an
+        // extension.
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;

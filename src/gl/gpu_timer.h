@@ -1,4 +1,4 @@
-// How long a pass takes on the GPU, by its own clock.
+// Timing of passes with the clock of the GPU.
 #pragma once
 
 #include "core/units.h"
@@ -9,20 +9,20 @@
 
 namespace gnomon::gl {
 
-/// Two timestamps around a pass, of the last few passes: asking for the latest time that is known waits for nothing.
+/// A timer with two timestamps per pass for the last few passes, so that `latest` never waits for the GPU.
 class GpuTimer {
 public:
     explicit GpuTimer(const Api& api);
 
     void begin();
 
-    /// Ends what `begin` began.
+    /// Ends the pass that `begin` started.
     void end();
 
-    /// The time of the pass that ended last. Waits until the GPU has done it.
+    /// Waits for the GPU and returns the time of the last pass.
     Milliseconds finished();
 
-    /// The time of the latest pass that the GPU is known to have done; 0 before the first.
+    /// Returns the time of the most recent pass that the GPU has finished, or 0 before the first. Does not wait.
     Milliseconds latest();
 
 private:
@@ -37,7 +37,7 @@ private:
 
     const Api* api_;
     std::array<Pair, kPasses> pairs_;
-    std::size_t passes_ = 0; // that ended
+    std::size_t passes_ = 0; // number of ended passes
     Milliseconds latest_;
 };
 

@@ -1,4 +1,4 @@
-// Memory that the program fills while the GPU still reads what was put there before.
+// A ring buffer in mapped memory: the CPU fills a part while the GPU reads earlier parts.
 #pragma once
 
 #include "gl/objects.h"
@@ -9,15 +9,15 @@
 
 namespace gnomon::gl {
 
-/// A piece of a ring: its place in the buffer, and the memory to fill.
+/// A piece of a ring: its offset in the buffer, and its memory.
 struct RingPiece {
     std::size_t offset = 0;
     std::span<std::byte> bytes;
 };
 
-/// A persistently and coherently mapped buffer of three segments that are filled in turn. A segment is written again
-/// once the GPU has finished whatever was issued before the segment behind it was full: so a command that reads a piece
-/// may be issued after that piece's segment was left, as long as it comes before the next one is.
+/// A persistently and coherently mapped buffer with three segments, which are filled in turn. A segment is written
+/// again when the GPU has finished all commands that were issued before the next segment was full. Therefore a command
+/// that reads a piece can be issued after its segment is full, but before the next segment is full.
 class MappedRing {
 public:
     MappedRing(const Api& api, std::size_t segmentBytes);
@@ -27,11 +27,11 @@ public:
     MappedRing(MappedRing&&) = delete;
     MappedRing& operator=(MappedRing&&) = delete;
 
-    /// A piece of `bytes` bytes, at most a segment, at a multiple of `kAlignment`. Waits for the GPU only if it is two
-    /// segments behind.
+    /// Returns a piece of `bytes` bytes, at most one segment, at a multiple of `kAlignment`. Waits for the GPU only if
+    /// it is two segments behind.
     RingPiece take(std::size_t bytes);
 
-    /// What a piece of `bytes` bytes takes of a segment.
+    /// Returns the space in a segment that a piece of `bytes` bytes uses.
     static constexpr std::size_t aligned(std::size_t bytes) {
         return (bytes + kAlignment - 1) / kAlignment * kAlignment;
     }
@@ -44,7 +44,7 @@ public:
 
 private:
     static constexpr std::size_t kSegments = 3;
-    static constexpr std::size_t kAlignment = 256; // the largest that OpenGL asks of a uniform block
+    static constexpr std::size_t kAlignment = 256; // max alignment that OpenGL can require for a uniform block
 
     void enterNext();
 
@@ -53,8 +53,9 @@ private:
     Object object_;
     std::byte* memory_ = nullptr;
     std::size_t segment_ = 0;
-    std::size_t used_ = 0;                    // of the segment
-    std::array<GLsync, kSegments> left_ = {}; // signalled when all that was issued before the segment was left is done
+    std::size_t used_ = 0; // bytes used in the current segment
+    // signalled when all commands issued before the end of the segment are finished
+    std::array<GLsync, kSegments> left_ = {};
 };
 
 } // namespace gnomon::gl

@@ -1,4 +1,4 @@
-// What a platform gives: a current context and its functions. One implementation per platform.
+// The interface of a platform: a current context and its functions. Each platform has one implementation.
 #pragma once
 
 #include "core/error.h"
@@ -13,7 +13,7 @@
 
 namespace gnomon::gl {
 
-/// A platform's context, current on the thread that made it.
+/// A context of a platform, current on the thread that made it.
 class NativeContext {
 public:
     NativeContext() = default;
@@ -25,30 +25,30 @@ public:
 
     virtual FunctionSource functionSource() const = 0;
 
-    /// Makes it current on this thread again, where another one of this process may have taken its place.
+    /// Makes the context current on this thread again, if another context of this process replaced it.
     virtual void makeCurrent() {}
 };
 
-/// Throws Error where a driver in software would not find the address space for its compiler and threads: it crashes
-/// then.
+/// Throws Error if there is too little address space for the compiler and the threads of a software driver, which would
+/// crash.
 void requireAddressSpace(const char* platform);
 
-/// A core 4.5 context of OSMesa. Throws Error if there is none.
+/// Makes a core 4.5 context of OSMesa. Throws Error if that is impossible.
 std::unique_ptr<NativeContext> makeOsmesaContext();
 
-/// A core 4.5 context of EGL without a surface, on the first GPU that can be used; on EGL's surfaceless platform if EGL
-/// knows no GPU. Tells `warn`, if given, why a GPU cannot be used. Throws Error if there is none.
+/// Makes a core 4.5 context of EGL without a surface, on the first usable GPU. If EGL has no GPU, uses its surfaceless
+/// platform. Calls `warn`, if given, with the reason for each unusable GPU. Throws Error if no context can be made.
 std::unique_ptr<NativeContext> makeEglContext(const std::function<void(const std::string&)>& warn);
 
-/// A shared library opened when it is needed: linking it would load LLVM into every `gnomon build`. It stays open,
-/// since drivers do not survive being unloaded.
+/// A shared library that is opened on demand. Linking it would load LLVM into each `gnomon build`. The library stays
+/// open, because drivers crash when they are unloaded.
 class Library {
 public:
     explicit Library(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {}
 
     bool isOpen() const { return handle_ != nullptr; }
 
-    /// Throws Error if the library or the function is missing.
+    /// Returns the function `symbol`. Throws Error if the library or the function is missing.
     template <class Function>
     Function function(const char* symbol) const {
         if (handle_ == nullptr) throw Error(name_, "this library cannot be opened");

@@ -1,4 +1,4 @@
-// GL objects as move-only values: each owns one name and deletes it.
+// GL objects as move-only values. Each value owns one GL name and deletes it.
 #pragma once
 
 #include "gl/api.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::gl {
 
-/// One GL name with the function that deletes it. The context must outlive it.
+/// A GL name and the function that deletes it. The context must outlive the object.
 class Object {
 public:
     using Delete = void(APIENTRYP)(GLsizei, const GLuint*);
@@ -35,7 +35,7 @@ public:
     Object(const Object&) = delete;
     Object& operator=(const Object&) = delete;
 
-    /// 0 if there is none.
+    /// Returns the GL name, or 0 if there is none.
     GLuint id() const { return id_; }
 
 private:
@@ -48,7 +48,7 @@ private:
     Delete release_ = nullptr;
 };
 
-/// A buffer of fixed size whose content is written by `write`.
+/// A buffer of fixed size. `write` sets its content.
 class Buffer {
 public:
     Buffer() = default;
@@ -56,7 +56,7 @@ public:
 
     void write(std::size_t offset, std::span<const std::byte> bytes) const;
 
-    /// Replaces `bytes` bytes by those of the buffer `source`; the GPU does so in the order of the commands.
+    /// Copies `bytes` bytes from the buffer `source` on the GPU, in command order.
     void copy(std::size_t offset, GLuint source, std::size_t sourceOffset, std::size_t bytes) const;
 
     GLuint id() const { return object_.id(); }
@@ -69,15 +69,14 @@ private:
     std::size_t bytes_ = 0;
 };
 
-/// A 2D texture of fixed size and format with one level, sampled without filtering and clamped to its edge.
+/// A 2D texture with fixed size, fixed format and one level. Sampling uses no filter and clamps to the edge.
 class Texture {
 public:
     Texture() = default;
     Texture(const Api& api, GLenum internalFormat, int width, int height);
 
-    /// One of GL_BGRA in GL_UNSIGNED_INT_8_8_8_8_REV, stored in that order, which is that of windows: what
-    /// PictureFill draws fast. Leaves texture unit 0 of the context
-    /// without a texture.
+    /// Makes a texture for PictureFill in the byte order of windows: GL_BGRA with GL_UNSIGNED_INT_8_8_8_8_REV.
+    /// PictureFill draws this order fastest. Unbinds the texture of unit 0 of the context.
     static Texture ofWindowPictures(const Api& api, int width, int height);
 
     GLuint id() const { return object_.id(); }
@@ -86,10 +85,10 @@ public:
 
     int height() const { return height_; }
 
-    /// All texels, bottom row first; `out` must have width * height * bytes of a texel in `format` and `type`.
+    /// Reads all texels, bottom row first. `out` has the size width * height * bytes of a texel in `format` and `type`.
     void read(GLenum format, GLenum type, std::span<std::byte> out) const;
 
-    /// How both smaller and larger ones are made of it: GL_NEAREST, which it begins with, or GL_LINEAR.
+    /// Sets the filter for minification and magnification: GL_NEAREST, which is the default, or GL_LINEAR.
     void setFilter(GLint filter) const;
 
     /// Replaces all texels.
@@ -104,11 +103,11 @@ private:
     int height_ = 0;
 };
 
-/// A framebuffer over textures; a colour texture may be missing.
+/// A framebuffer with textures as attachments. The list of colour textures can be empty.
 class Framebuffer {
 public:
     Framebuffer() = default;
-    /// Throws Error if the combination is not complete.
+    /// Makes the framebuffer. Throws Error if it is not complete.
     Framebuffer(const Api& api, std::span<const Texture* const> colors, const Texture& depth);
 
     GLuint id() const { return object_.id(); }
@@ -117,23 +116,23 @@ private:
     Object object_;
 };
 
-/// An integer (`isInteger`) or normalised attribute of a vertex.
+/// A vertex attribute, either integer (`isInteger`) or normalised.
 struct Attribute {
     GLuint location = 0;
     GLint components = 0;
     GLenum type = 0;
     bool isInteger = false;
-    GLuint offset = 0; // within a vertex of its stream
+    GLuint offset = 0; // in bytes from the start of the vertex in its stream
     GLuint stream = 0;
 };
 
-/// Vertices that follow one another from a byte of a buffer on.
+/// A sequence of vertices in a buffer, from a byte offset.
 struct VertexStream {
     std::size_t offset = 0;
     GLsizei vertexBytes = 0;
 };
 
-/// Vertices and indices out of one buffer.
+/// A vertex array with vertices and indices from one buffer.
 class VertexArray {
 public:
     VertexArray() = default;
@@ -142,7 +141,7 @@ public:
         const Buffer& buffer,
         std::span<const VertexStream> streams,
         std::span<const Attribute> attributes);
-    /// No vertices: for passes whose vertex shader makes its own.
+    /// Makes an array without vertices, for passes whose vertex shader generates them.
     explicit VertexArray(const Api& api);
 
     GLuint id() const { return object_.id(); }

@@ -6,11 +6,11 @@ namespace gnomon::gl {
 
 namespace {
 
-// What libOSMesa exports, as its manual states it; its own header would bring in the system's gl.h of 1.x.
+// Constants of libOSMesa from its manual. Its own header would include the system's gl.h of OpenGL 1.x.
 constexpr std::array<int, 13> kAttributes = {
     0x22,   // OSMESA_FORMAT
     0x1908, // OSMESA_RGBA
-    0x30,   // OSMESA_DEPTH_BITS: everything is drawn into framebuffer objects
+    0x30,   // OSMESA_DEPTH_BITS: 0, because all drawing goes into framebuffer objects
     0,
     0x33, // OSMESA_PROFILE
     0x34, // OSMESA_CORE_PROFILE
@@ -60,7 +60,7 @@ private:
     CurrentContext current_ = library_.function<CurrentContext>("OSMesaGetCurrentContext");
     DestroyContext destroy_ = library_.function<DestroyContext>("OSMesaDestroyContext");
     void* context_ = nullptr;
-    std::array<GLubyte, 4> pixel_{}; // the default framebuffer that OSMesa insists on
+    std::array<GLubyte, 4> pixel_{}; // the default framebuffer, which OSMesa requires
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// Fills a window with a picture.
+// Drawing of an image over a whole window.
 #pragma once
 
 #include "gl/objects.h"
@@ -6,19 +6,18 @@
 
 namespace gnomon::gl {
 
-/// A program that draws a picture over the whole viewport.
-///
-/// Mesa's software OpenGL has a short cut for pictures in a window's own order of bytes, with one filter for larger and
-/// smaller ones, a shader that does nothing else, and nothing that is mixed. It takes a third of the time there, and
-/// goes wrong where the shader multiplies by a colour, as Dear ImGui's does.
+/// A program that draws an image over the whole viewport.
+/// Mesa's software OpenGL has a fast path for images in the byte order of the window. It requires the same filter for
+/// minification and magnification, a shader that only samples the texture, and no blending. The fast path takes a third
+/// of the time. It gives wrong results if the shader multiplies by a colour, as the shader of Dear ImGui does.
 class PictureFill {
 public:
     PictureFill() = default;
-    /// Throws Error if the shaders of `library` cannot be compiled.
+    /// Compiles the program. Throws Error if the shaders of `library` cannot be compiled.
     PictureFill(const Api& api, const ShaderLibrary& library);
 
-    /// Draws all of a texture whose first row is the upper one into the framebuffer that is bound, in place of what it
-    /// has; leaves tests, culling and mixing switched off.
+    /// Draws a texture, whose first row is the top row, over the bound framebuffer. Leaves depth test, scissor test,
+    /// culling and blending disabled.
     void draw(GLuint texture) const;
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr GLsizei kLogBytes = 2048;
 
-/// What a driver says over several lines, as one.
+/// Joins the lines of a driver's log to one line.
 std::string oneLine(const char* log) {
     std::string line;
     std::istringstream lines{std::string(log)};
@@ -21,7 +21,7 @@ std::string oneLine(const char* log) {
     return line;
 }
 
-/// A compiled shader that is deleted at the end of its scope: the program keeps what it needs.
+/// A compiled shader. Its destructor deletes it, because the linked program keeps its own copy.
 class Shader {
 public:
     Shader(const Api& api, GLenum stage, const std::string& path, const std::string& source)

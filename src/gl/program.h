@@ -6,12 +6,12 @@
 
 namespace gnomon::gl {
 
-/// Vertex and fragment shader, linked; move-only.
+/// A linked, move-only program of a vertex and a fragment shader.
 class Program {
 public:
     Program() = default;
-    /// Compiles `vertexPath` and `fragmentPath` of `library`, both behind `defines` ("#define A 1\n...").
-    /// Throws Error with the driver's log.
+    /// Compiles and links `vertexPath` and `fragmentPath` of `library`. `defines` ("#define A 1\n...") come before the
+    /// text of both. Throws Error with the driver's log.
     Program(
         const Api& api,
         const ShaderLibrary& library,

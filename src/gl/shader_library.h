@@ -1,4 +1,4 @@
-// The GLSL text under shaders/, by its path there: embedded when the program was built, or read from a folder.
+// The GLSL sources below shaders/, by path. They are embedded at compile time or read from a folder.
 #pragma once
 
 #include <map>
@@ -10,14 +10,14 @@ namespace gnomon::gl {
 
 extern const std::map<std::string_view, std::string_view> kEmbeddedShaders;
 
-/// Finds shader text by its path under shaders/.
+/// A library that finds a shader source by its path below shaders/.
 class ShaderLibrary {
 public:
-    /// The embedded text, or the files under `folder` if it is given.
+    /// Uses the embedded sources, or the files below `folder` if it is given.
     explicit ShaderLibrary(std::optional<std::string> folder = std::nullopt) : folder_(std::move(folder)) {}
 
-    /// The text of `path` with every `#include "PATH"` line replaced by that file's text, once each; the first line is
-    /// `#version 450 core` and `defines` follow it. Throws Error if a file is missing.
+    /// Returns the source of `path`. The first line is `#version 450 core`, followed by `defines`. Each line `#include
+    /// "PATH"` is replaced by the text of that file, but only once per file. Throws Error if a file is missing.
     std::string source(std::string_view path, std::string_view defines = {}) const;
 
 private:

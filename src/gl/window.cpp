@@ -7,7 +7,7 @@ namespace gnomon::gl {
 
 namespace {
 
-/// GLFW's reason for what just failed.
+/// Returns GLFW's reason for the last failure.
 std::string lastError() {
     const char* text = nullptr;
     glfwGetError(&text);
@@ -16,7 +16,7 @@ std::string lastError() {
 
 } // namespace
 
-/// GLFW from its start to its end, with the one window.
+/// The lifetime of GLFW and of its only window.
 class Window::Glfw final : public NativeContext {
 public:
     Glfw(const std::string& title, int width, int height) {
@@ -24,7 +24,8 @@ public:
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        // Everything is drawn into framebuffer objects; the window's own buffer takes a finished picture.
+        // Drawing goes into framebuffer objects. The window's own buffer only receives finished images, so it needs no
+        // depth and stencil bits.
         glfwWindowHint(GLFW_DEPTH_BITS, 0);
         glfwWindowHint(GLFW_STENCIL_BITS, 0);
         window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);

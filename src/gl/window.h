@@ -1,4 +1,4 @@
-// A window on the screen with an OpenGL 4.5 core context, through GLFW.
+// A window with an OpenGL 4.5 core context, made by GLFW.
 #pragma once
 
 #include "core/error.h"
@@ -11,20 +11,21 @@ struct GLFWwindow;
 
 namespace gnomon::gl {
 
-/// There is no display to open a window on.
+/// The error that there is no display for a window.
 class NoDisplay : public Error {
 public:
     using Error::Error;
 };
 
-/// A window and its context, current on the thread that made it. One at a time in a process: GLFW's state is global.
+/// A window and its context, which is current on the thread that made it. A process can have only one window at a time,
+/// because GLFW's state is global.
 class Window {
 public:
-    /// `width` and `height` are those of the framebuffer where the screen has no scale of its own. Throws
-    /// NoDisplay or gnomon::Error with GLFW's reason if there is no display or no OpenGL 4.5.
+    /// Opens a window. `width` and `height` are the size of the framebuffer if the screen has no scale factor. Throws
+    /// NoDisplay if there is no display, and gnomon::Error with GLFW's reason if there is no OpenGL 4.5.
     Window(const std::string& title, int width, int height);
 
-    /// For GLFW's own calls.
+    /// Returns the handle for GLFW functions.
     GLFWwindow* handle() const;
 
     const Context& context() const { return *context_; }

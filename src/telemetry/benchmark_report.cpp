@@ -53,7 +53,7 @@ std::string benchmarkJson(const std::map<std::string, std::string>& context, std
 
 namespace {
 
-/// What /proc/cpuinfo calls the first processor; "unknown" where it does not say.
+/// Returns the name of the first processor from /proc/cpuinfo, or "unknown".
 std::string processorName() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {
@@ -75,7 +75,7 @@ std::map<std::string, std::string> machineContext() {
     std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
     const auto pageBytes = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 #ifdef __clang__
-    const char* const compiler = __VERSION__; // "Clang ..." already
+    const char* const compiler = __VERSION__; // already begins with "Clang"
 #else
     const std::string compiler = "GCC " __VERSION__;
 #endif

@@ -1,4 +1,4 @@
-// The summary of a bench in the shape of Google Benchmark's JSON, so that its tools read it.
+// The summary of a bench in the JSON format of Google Benchmark, so that its tools can read it.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,25 @@
 
 namespace gnomon::telemetry {
 
-/// The frame times of one run (one combination of settings, all repetitions).
+/// The frame times of one run, which is one combination of settings with all repetitions.
 struct RunTimes {
     std::string name;
     std::vector<double> totalMs;
-    double cpuMs = 0;               // of all threads, a frame on average
-    std::uint64_t pagesDamaged = 0; // by its last frame
-    std::uint64_t pagesMissing = 0; // in the frame that lacked most
+    double cpuMs = 0;               // sum over all threads, mean per frame
+    std::uint64_t pagesDamaged = 0; // total up to the last frame
+    std::uint64_t pagesMissing = 0; // max over all frames
 };
 
-/// The `fraction` quantile of `values`, linear between ranks; `fraction` in [0, 1], at least one value.
+/// Returns the quantile of `values` at `fraction` in [0, 1], with linear interpolation between ranks. `values` must not
+/// be empty.
 double quantile(std::span<const double> values, double fraction);
 
-/// `context` (what was measured and where) and `benchmarks`: one entry a run with `name`, `iterations`, `real_time`
-/// (the mean), `cpu_time` (the mean), `time_unit`, `p50`, `p95` and `p99`, in milliseconds, `pages_damaged` and
-/// `pages_missing`.
+/// Returns JSON with `context` (machine and settings) and `benchmarks`, one entry per run. An entry contains `name`,
+/// `iterations`, the means `real_time` and `cpu_time`, `time_unit`, and `p50`, `p95` and `p99` in milliseconds. It also
+/// contains `pages_damaged` and `pages_missing`.
 std::string benchmarkJson(const std::map<std::string, std::string>& context, std::span<const RunTimes> runs);
 
-/// The facts of this machine and build that every context has: date, host_name, num_cpus, cpu, memory_bytes, compiler,
+/// Returns the context of this machine and build: date, host_name, num_cpus, cpu, memory_bytes, compiler and
 /// library_build_type.
 std::map<std::string, std::string> machineContext();
 

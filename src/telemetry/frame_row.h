@@ -1,4 +1,4 @@
-// What is logged of one frame: one row, whose columns are declared once and written as CSV and as JSON.
+// The log of one frame as a row. Each column is declared once and written as CSV and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,14 @@
 
 namespace gnomon::telemetry {
 
-/// One frame of one run. What was not measured is empty. Times are wall-clock milliseconds around finished work.
+/// The measurements of one frame of a run. Values that were not measured are empty. Times are wall-clock milliseconds,
+/// including the wait for the GPU.
 struct FrameRow {
     std::string run;
     std::int64_t repetition = 0;
     std::string model;
     std::int64_t frame = 0;
-    double timeS = 0; // on the camera path
+    double timeS = 0; // time on the camera path
 
     std::string scheme;
     std::string warp;
@@ -25,10 +26,10 @@ struct FrameRow {
     std::string facePartitions;
     bool stabilize = false;
     std::int64_t filter = 0;
-    std::int64_t shadowMaps = 0;      // planned
-    std::int64_t shadowMapsDrawn = 0; // not reused, not left out
-    std::string cullCasters;          // how it was done: "on", "off" or "receivers"; empty without maps
-    std::string shadowTexels;         // WxH, a count: all maps together
+    std::int64_t shadowMaps = 0;      // planned maps
+    std::int64_t shadowMapsDrawn = 0; // without reused and skipped maps
+    std::string cullCasters;          // culling of casters: "on", "off" or "receivers"; empty without maps
+    std::string shadowTexels;         // WxH, the total of all maps
     double errorPixels = 1;
     std::int64_t width = 0;
     std::int64_t height = 0;
@@ -44,7 +45,8 @@ struct FrameRow {
 
     std::optional<std::int64_t> imageTriangles;
     std::optional<std::int64_t> shadowTriangles;
-    std::optional<std::int64_t> shadowFragments; // pixels that casters' triangles cover, summed; GL does not count them
+    // pixels covered by triangles of casters, with overdraw; empty with OpenGL
+    std::optional<std::int64_t> shadowFragments;
     std::optional<std::int64_t> castersTested;
     std::optional<std::int64_t> castersKept;
     std::optional<std::int64_t> drawCalls;
@@ -58,7 +60,7 @@ struct FrameRow {
     std::optional<double> near;
     std::optional<double> far;
     std::optional<double> depthRatio;
-    std::optional<double> lightAngle; // degrees between view and light
+    std::optional<double> lightAngle; // between view and light, in degrees
     std::optional<double> storageFactor;
     std::optional<double> promisedAliasingX;
     std::optional<double> promisedAliasingZ;
@@ -69,12 +71,14 @@ struct FrameRow {
     std::optional<double> imageDifference;
     std::optional<double> crawl;
 
-    std::optional<double> sinceStartMs;              // from the start of the process to the end of the frame
-    std::optional<double> missedShadowFraction;      // casters under a texel, counted apart from what is wrong
-    std::optional<double> unexplainedShadowFraction; // wrong further than a texel's footprint from a true edge
+    std::optional<double> sinceStartMs; // from the start of the process to the end of the frame
+    // share of pixels with a caster smaller than a texel; counted separately from wrong pixels
+    std::optional<double> missedShadowFraction;
+    // share of wrong pixels that are farther from a true edge than a texel's footprint
+    std::optional<double> unexplainedShadowFraction;
 
-    // Shadows and light, appended to the log; empty where they do not apply.
-    std::string shadows;                        // how they are found: off, maps, exact or rays
+    // The following columns about shadows and light were appended later. They are empty if they do not apply.
+    std::string shadows;                        // shadow method: off, maps, exact or rays
     std::optional<std::int64_t> shadowSamples;  // visible points that face the light
     std::optional<std::int64_t> shadowCells;    // that they are sorted into
     std::optional<std::int64_t> sampleTests;    // pairs of a caster's triangle and a sample in its cells
@@ -82,7 +86,8 @@ struct FrameRow {
     std::optional<std::int64_t> touchingPixels; // whose verdict hangs on the tolerance, or on the rule for ties
     std::optional<std::string> occlusion;
     std::optional<std::int64_t> clustersHidden;
-    std::optional<double> wrongPixelsAll; // share of all pixels lit or dark against the oracle's verdict
+    // share of all pixels whose lit or dark result differs from the ground truth
+    std::optional<double> wrongPixelsAll;
     std::optional<std::int64_t> imageWidthDrawn;
     std::optional<std::int64_t> samplesPerPixel;
     std::optional<double> sunAngle;
@@ -90,7 +95,7 @@ struct FrameRow {
     std::optional<std::int64_t> trianglesSetUp; // given edge functions in an image without what is hidden
 };
 
-/// The value of a column; nothing if it was not measured.
+/// The value of a column, or monostate if it was not measured.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 /// One column of the log.
@@ -99,17 +104,17 @@ struct Column {
     Value (*value)(const FrameRow& row);
 };
 
-/// All columns in the order in which they are written.
+/// Returns all columns in their order in the file.
 std::span<const Column> columns();
 
-/// The header line, without a line break.
+/// Returns the header line, without a line break.
 std::string csvHeader();
 
-/// One row, without a line break. Text with a comma, a quote or a line break is quoted (RFC 4180); numbers are the
-/// shortest that read back the same.
+/// Returns one row of CSV, without a line break. Text with a comma, a quote or a line break is quoted (RFC 4180).
+/// Numbers have the shortest form that reads back the same value.
 std::string csvRow(const FrameRow& row);
 
-/// One JSON object with every column; what was not measured, and what is not finite, is null.
+/// Returns a JSON object with all columns. Values that were not measured or are not finite are null.
 std::string jsonObject(const FrameRow& row);
 
 } // namespace gnomon::telemetry

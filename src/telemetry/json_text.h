@@ -1,4 +1,4 @@
-// JSON as text, whatever bytes its strings hold: the name of a file need not be UTF-8.
+// Conversion of JSON to text for strings with arbitrary bytes, because a file name need not be UTF-8.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace gnomon::telemetry {
 
-/// Returns `document` as text, on one line if `indent` is below 0. Bytes that are not UTF-8 become U+FFFD. All
-/// characters beyond ASCII are written as "\u1234", so that none of them acts on a terminal.
+/// Returns `document` as text, on one line if `indent` is negative. Invalid UTF-8 becomes U+FFFD. All characters
+/// outside ASCII are written as "\u1234", so that no control character reaches the terminal.
 template <class Json>
 std::string jsonText(const Json& document, int indent = -1) {
     return document.dump(indent, ' ', true, Json::error_handler_t::replace);

@@ -20,15 +20,16 @@ Milliseconds now(clockid_t clock) {
     return {static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6};
 }
 
-/// On the clock that counts from boot (proc(5), /proc/self/stat, field 22); of the first call where there is no /proc.
+/// Returns the start of the process in time since boot (proc(5), /proc/self/stat, field 22). Without /proc, returns the
+/// time of the first call.
 Milliseconds processStart() {
     std::ifstream file("/proc/self/stat");
     std::string text;
     std::getline(file, text);
-    const std::size_t nameEnd = text.rfind(')'); // the second field may hold anything, spaces too
+    const std::size_t nameEnd = text.rfind(')'); // the second field can contain spaces and parentheses
     if (nameEnd == std::string::npos) return now(CLOCK_BOOTTIME);
     std::istringstream fields(text.substr(nameEnd + 1));
-    constexpr int kFieldsBefore = 19; // those from the third to the one before
+    constexpr int kFieldsBefore = 19; // the fields 3 to 21
     std::string skipped;
     for (int i = 0; i < kFieldsBefore; ++i)
         fields >> skipped;

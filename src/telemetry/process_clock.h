@@ -1,17 +1,18 @@
-// What this process took: how long its user waited since it was started, what its threads computed, and memory.
+// Resource use of this process: wall-clock time, processor time and memory.
 #pragma once
 
 #include "core/units.h"
 
 namespace gnomon::telemetry {
 
-/// Wall-clock time since the process was started, loading its libraries included; exact to 10 ms.
+/// Returns the wall-clock time since the start of the process, including the loading of libraries. The resolution is 10
+/// ms.
 Milliseconds sinceProcessStart();
 
-/// Processor time of all threads since the process was started.
+/// Returns the processor time of all threads since the start of the process.
 Milliseconds processorTime();
 
-/// The peak of its resident size so far.
+/// Returns the peak resident memory so far.
 Bytes peakResident();
 
 } // namespace gnomon::telemetry

@@ -1,4 +1,4 @@
-// How far pictures miss the error that was asked for, and the one sentence that says so.
+// The shortfall of drawings against the requested error, and the warning about it.
 #pragma once
 
 #include "telemetry/frame_row.h"
@@ -8,29 +8,29 @@
 
 namespace gnomon::telemetry {
 
-/// What one drawing was asked for, and what it got.
+/// The requested and the achieved detail of one drawing.
 struct DrawnDetail {
-    double askedPixels = 0;         // max error that was asked for
-    double achievedPixels = 0;      // max error of anything that is drawn
-    std::uint64_t pagesMissing = 0; // of the image and of its casters
-    bool isDamaged = false;         // pages cannot be read; the user has been told of each
+    double askedPixels = 0;         // requested max error, in pixels
+    double achievedPixels = 0;      // max error of the drawn clusters, in pixels
+    std::uint64_t pagesMissing = 0; // missing pages of the image and of its casters
+    bool isDamaged = false;         // some pages cannot be read; a warning was printed for each
 };
 
-/// Collects what the drawings of one command miss.
+/// A collection of the shortfalls of all drawings of one command.
 class Shortfall {
 public:
     void add(const DrawnDetail& detail);
 
-    /// Adds a row of the log.
+    /// Adds the values of a log row.
     void add(const FrameRow& row);
 
-    /// One sentence about all drawings, with the likely cause; empty if each has the error and the pages that it was
-    /// asked for. Damaged pages do not count: the user has been told of each.
+    /// Returns one sentence about all drawings, with the likely cause. Returns an empty text if each drawing has the
+    /// requested error and pages. Damaged pages do not count, because each one has its own warning.
     std::string text() const;
 
 private:
     bool isAny_ = false;
-    DrawnDetail worst_; // the largest figures of all drawings that miss something
+    DrawnDetail worst_; // the largest shortfall of all drawings
 };
 
 } // namespace gnomon::telemetry

@@ -10,8 +10,8 @@ namespace gnomon::manual {
 
 namespace {
 
-/// The words of `type` that can be typed as they are: between braces, as CLI11 writes them, or all of "auto|on|MB" but
-/// what is in capitals and stands for something.
+/// Returns the literal values of `type`. CLI11 writes them between braces. In "auto|on|MB" the words in capitals are
+/// placeholders and are skipped.
 std::vector<std::string> choicesOf(const std::string& type) {
     const std::size_t open = type.find('{');
     const std::size_t close = type.find('}');
@@ -32,7 +32,7 @@ OptionWords optionWords(const CLI::Option& option) {
     for (const std::string& name : option.get_lnames())
         words.names.push_back("--" + name);
     if (words.names.empty()) words.names.push_back(option.get_name(true));
-    // A type is followed by what it is checked for: "TEXT:{auto,bar}", "INT:INT in [0 - 1024]".
+    // CLI11 appends its check to a type: "TEXT:{auto,bar}", "INT:INT in [0 - 1024]".
     const std::string type = option.get_type_name();
     const bool takesValue = option.get_items_expected_max() > 0;
     if (takesValue) words.choices = choicesOf(type);

@@ -1,4 +1,5 @@
-// What a command line can say, as plain values: read off the table that also parses it and prints --help.
+// The commands and options of a command line as plain values. They come from the same table that parses the command
+// line and prints --help.
 #pragma once
 
 #include <string>
@@ -10,32 +11,33 @@ class App;
 
 namespace gnomon::manual {
 
-/// An option, or what is given by its place.
+/// An option or a positional argument.
 struct OptionWords {
-    std::vector<std::string> names;   // "-o", "--output"; the one name of what is given by its place
-    std::string value;                // what stands for its value: "TEXT", "INT"; empty for a flag
-    std::vector<std::string> choices; // the values it may have, where they are few
+    std::vector<std::string> names;   // "-o", "--output"; the single name of a positional argument
+    std::string value;                // placeholder of its value: "TEXT", "INT"; empty for a flag
+    std::vector<std::string> choices; // the allowed values, if there is a short list
     std::string byDefault;
     std::string description;
     bool isRequired = false;
 };
 
-/// A command with those below it. The program itself has no path.
+/// A command with its subcommands. The program itself has an empty path.
 struct CommandWords {
-    std::vector<std::string> path; // {"sun", "hours"}
+    std::vector<std::string> path; // for example {"sun", "hours"}
     std::string description;
-    std::vector<OptionWords> arguments; // by their places
+    std::vector<OptionWords> arguments; // positional arguments
     std::vector<OptionWords> options;
     std::vector<CommandWords> commands;
 };
 
-/// Of `program`, without what it hides from --help.
+/// Returns the commands and options of `program`, except hidden ones.
 CommandWords commandWords(const CLI::App& program);
 
-/// The command of `program` that `path` leads to. Throws Error if there is none.
+/// Returns the command of `program` with the given path. Throws Error if there is none.
 const CommandWords& commandAt(const CommandWords& program, const std::vector<std::string>& path);
 
-/// `command`'s path with a word before and `between` each two, for "gnomon sun hours" and "_gnomon_sun_hours".
+/// Joins `first` and the words of the command's path with `between`, for example "gnomon sun hours" or
+/// "_gnomon_sun_hours".
 std::string joinedPath(const CommandWords& command, const std::string& first, const std::string& between);
 
 } // namespace gnomon::manual

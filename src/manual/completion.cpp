@@ -6,7 +6,7 @@ namespace gnomon::manual {
 
 namespace {
 
-/// `text` between single quotes: a shell takes it as it is, where a quote itself ends, is escaped and begins again.
+/// Returns `text` in single quotes for a shell. `quote` replaces each single quote in the text.
 std::string shellQuoted(const std::string& text, const std::string& quote = R"('\'')") {
     std::string out = "'";
     for (const char c : text)
@@ -34,7 +34,7 @@ void visit(const CommandWords& command, const std::function<void(const CommandWo
         visit(below, what);
 }
 
-/// Within _arguments: colons and brackets end what they stand in.
+/// Escapes `text` for _arguments of zsh, where colons and brackets are separators.
 std::string withinZsh(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -69,7 +69,7 @@ void addZsh(const CommandWords& command, std::string& out) {
     out += "\n}\n\n";
 }
 
-/// The condition under which fish offers what belongs to `command`.
+/// Returns the condition under which fish offers the words of `command`.
 std::string fishCondition(const CommandWords& command) {
     std::string condition;
     for (const std::string& word : command.path)

@@ -1,11 +1,11 @@
-// What shells complete, from the words of the command line.
+// Shell completions, generated from the words of the command line.
 #pragma once
 
 #include "manual/command_words.h"
 
 namespace gnomon::manual {
 
-/// Functions for the completion of `gnomon` by bash, by zsh (a file `_gnomon` of its fpath) and by fish.
+/// Return completion scripts of `gnomon` for bash, zsh (a file `_gnomon` in its fpath) and fish.
 std::string bashCompletion(const CommandWords& program);
 std::string zshCompletion(const CommandWords& program);
 std::string fishCompletion(const CommandWords& program);

@@ -7,7 +7,7 @@ namespace gnomon::manual {
 
 namespace {
 
-/// `text` so that roff shows it as it is: one paragraph, nothing in it a request or an escape.
+/// Escapes `text` for roff, so that no line is a request and no character starts an escape.
 std::string plain(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -55,7 +55,7 @@ void addOption(std::string& out, const OptionWords& option, bool isArgument) {
     out += "\n";
 }
 
-/// The first line of a description, as the line of NAME, which may hold no other.
+/// Returns the first line of a description, because the NAME section may have only one line.
 std::string firstLine(const std::string& text) {
     std::string line = text.substr(0, text.find('\n'));
     if (!line.empty() && line.back() == '.') line.pop_back();

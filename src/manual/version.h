@@ -1,11 +1,11 @@
-// What `gnomon --version --json` prints.
+// The output of `gnomon --version --json`.
 #pragma once
 
 #include <string>
 
 namespace gnomon::manual {
 
-/// This version, formats and how the program was compiled, as a document of JSON.
+/// Returns version, formats and compiler settings as a JSON document.
 std::string versionJson(const std::string& version);
 
 } // namespace gnomon::manual

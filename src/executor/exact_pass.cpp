@@ -13,7 +13,7 @@ namespace gnomon::executor {
 
 namespace {
 
-/// The clusters of the image, to be asked for by page and cluster.
+/// The clusters of the image, for lookups by page and cluster.
 class ClusterSet {
 public:
     ClusterSet(std::span<const DrawnCluster> clusters, bool withPieces) {
@@ -37,7 +37,7 @@ private:
 exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     const hierarchy::GridPoint origin = frame.space.originCell;
-    // As 32 bits, in which what lies beside the grid is right too.
+    // Differences in 32 bits are also correct for positions outside the grid.
     const auto fromOrigin = [&](const hierarchy::GridPoint& p) {
         return glm::i64vec3(glm::ivec3(glm::uvec3(p.x, p.y, p.z) - glm::uvec3(origin.x, origin.y, origin.z)));
     };
@@ -53,7 +53,7 @@ exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, s
     return caster;
 }
 
-/// Of a piece of a cluster, by its own corners.
+/// Returns the caster of a piece of a cluster, with the piece's own corners.
 exact::Caster casterOfPiece(const FrameDrawing& frame, const raster::Cluster& piece) {
     const hierarchy::GridPoint origin = frame.space.originCell;
     exact::Caster caster;
@@ -70,8 +70,8 @@ exact::Caster casterOfPiece(const FrameDrawing& frame, const raster::Cluster& pi
     return caster;
 }
 
-/// The eye in cells. A distant one's may lie further off than integers of 2^-24 of them reach, and may be any that is
-/// far enough along the view.
+/// Returns the eye in cells. A distant orthographic eye can exceed the range of fixed-point coordinates with 2^-24
+/// precision. It is then moved along the view, which does not change its parallel rays.
 glm::dvec3 eyeCell(const FrameDrawing& frame) {
     constexpr double kFarthest = 0x1p36;
     const glm::dvec3 eye = frame.space.eye / frame.space.step;
@@ -92,7 +92,8 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
     space.light = frame.plan->light;
     space.shear = exact::shearAlong(space.light);
     space.eye = eyeCell(frame);
-    space.maps = std::max(static_cast<int>(frame.plan->cellMaps.size()), 1); // none where maps are held to the truth
+    // 0 maps when shadow maps are compared with the ground truth
+    space.maps = std::max(static_cast<int>(frame.plan->cellMaps.size()), 1);
     return space;
 }
 
@@ -135,8 +136,8 @@ void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::V
 
 namespace {
 
-/// Those of the image's pass, at their places; what casts nothing itself has no vertices, and lends its triangles to
-/// the samples that name them.
+/// Adds the clusters of the image's pass at their indices. The ground and pieces get no vertices, so they throw no
+/// shadow, but samples can still refer to their triangles.
 void addDrawnCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
     for (std::size_t place = 0; place < image.drawn().size(); ++place) {
         const DrawnCluster& cluster = image.drawn()[place];
@@ -148,14 +149,14 @@ void addDrawnCasters(const FrameDrawing& frame, const SoftwarePass& image, std::
     }
 }
 
-/// The pieces in the pass from `first` on. They bear the names of their triangles, which they do not shade.
+/// Adds the pieces in the pass from index `first` on. Their ids are those of the triangles that they belong to.
 void addPieceCasters(
     const FrameDrawing& frame, const SoftwarePass& image, std::size_t first, std::vector<exact::Caster>& casters) {
     for (std::size_t place = first; place < image.drawn().size(); ++place)
         if (image.drawn()[place].isPiece) casters.push_back(casterOfPiece(frame, image.clusters()[place]));
 }
 
-/// What sections leave of a cluster.
+/// Adds the parts of a cluster that the sections keep.
 void addCutCaster(
     const FrameDrawing& frame,
     SoftwarePass& image,
@@ -194,7 +195,7 @@ void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vec
 
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear) {
     std::vector<glm::dmat3> planes;
-    if (frame.plan->view.pointLight) return planes; // the faces of a cube about it are its maps
+    if (frame.plan->view.pointLight) return planes; // its maps are the faces of a cube around the light
     for (const shadow::ShadowMap& map : frame.plan->cellMaps) {
         const glm::dmat4 clip = map.lightClipFromCamera() * frame.space.cameraFromDraw;
         const auto column = [&](const glm::dvec4& p) {
@@ -219,11 +220,11 @@ Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
     exact::SampleList samples;
     UndecidedPixels undecided;
     plan::FramePlan whole = *frame.plan;
-    whole.skipsHidden = false; // the truth takes no short cut
+    whole.skipsHidden = false; // the ground truth does not rely on occlusion culling
     FrameDrawing drawing = frame;
     drawing.plan = &whole;
     drawing.wantsLight = false;
-    drawing.ground = nullptr; // no pixel of the model
+    drawing.ground = nullptr; // the ground is not part of the model
     drawUndecided(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
     const hierarchy::GridPoint origin = frame.space.originCell;
     std::vector<exact::Caster> casters;

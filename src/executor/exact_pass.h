@@ -1,4 +1,4 @@
-// A frame's clusters, light and cells as exact shadows take them.
+// Conversion of a frame's clusters, light and sample grid to the input of exact shadows.
 #pragma once
 
 #include "exact/exact_shadows.h"
@@ -9,31 +9,33 @@
 
 namespace gnomon::executor {
 
-/// What all samples of a frame share.
+/// Returns the light and the coordinate system that all samples of a frame share.
 exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 
-/// How far ahead of any point a triangle may lie and still only touch it, as exact::meet takes it: two steps of the
-/// grid.
+/// Returns the tolerance of exact shadows: triangles within two grid steps in front of a point do not shadow it. The
+/// unit is that of exact::meet.
 std::uint32_t tolerance(const IntegerLight& light);
 
-/// Draws the image of `frame` in shadow, and collects in `samples` the points that face the light. Answers what
-/// drawVisible does.
+/// Draws the image of `frame` as if all surfaces were in shadow, and collects the points that face the light in
+/// `samples`. Returns the same counts as drawVisible.
 std::optional<raster::OcclusionCounts> drawUndecided(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided);
 
-/// Draws the image of `frame` in shadow, and collects in `points` all that is visible, to be asked of any light.
+/// Draws the image of `frame` as if all surfaces were in shadow, and collects all visible points in `points`. They can
+/// then be tested against any light.
 void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::VisiblePoints& points);
 
-/// All that can cast: the clusters of the image's pass in their order, then those of `frame.exactCasters` that are not
-/// among them. What `casters` held is overwritten. Where sections cut casters, pieces of the latter are added to the
-/// pass; where they do not, the clusters that pieces are of cast whole.
+/// Collects all casters: first the clusters of the image's pass in their order, then the other clusters of
+/// `frame.exactCasters`. Overwrites `casters`. If sections cut casters, adds the pieces of the other clusters to the
+/// pass. If not, a cut cluster of the image casts its whole shadow.
 void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vector<exact::Caster>& casters);
 
-/// From the light plane to the cells of each of the plan's cell maps; none of a point light.
+/// Returns the transformation from the light plane to the bins of each map of the plan. The list is empty for a point
+/// light.
 std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear);
 
-/// Where the light reaches in the image of `frame`, 255 there and else 0, by the plain loops of exact::plainStatuses:
-/// the truth, whatever drew the frame. Casters are those of `frame.image` and `frame.exactCasters`.
+/// Computes the lit pixels of `frame` with the simple loops of exact::plainStatuses: 255 if lit, otherwise 0. This is
+/// the ground truth for all backends. Casters are `frame.image` and `frame.exactCasters`.
 Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame);
 
 } // namespace gnomon::executor

@@ -1,4 +1,4 @@
-// Executes a frame plan: one interface for OpenGL and the software rasteriser.
+// The interface of a backend, which draws a frame plan with OpenGL or the software rasteriser.
 #pragma once
 
 #include "core/units.h"
@@ -26,23 +26,24 @@ class CutScene;
 
 namespace gnomon::executor {
 
-/// The decoded page of an id that a draw list names; valid until the frame is drawn.
+/// Returns the decoded page of an id in a draw list. The page stays valid until the frame is drawn.
 using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 
-/// What is painted over the image.
-/// Aliasing is its perspective part, which a plan promises; Projection the other factor, which depends on how the
-/// surface lies to light and eye, and which nobody can promise.
-/// Residency is what is drawn coarser than called for, since finer pages are not in memory.
+/// A visualisation that is painted over the image.
+/// - Aliasing shows the perspective aliasing, which a plan bounds.
+/// - Projection shows the other factor of aliasing. It depends on the angles of the surface to light and eye, and has
+///   no bound.
+/// - Residency shows clusters that are coarser than requested, because finer pages are not in memory.
 enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
 
-/// An overlay with its word, and what it is called where there is room.
+/// An overlay with its name on the command line and its title.
 struct NamedOverlay {
     Overlay value;
     const char* word;
     const char* title;
 };
 
-/// All of them, in the order in which a window offers them.
+/// All overlays in the order of the window's menu.
 inline constexpr std::array kOverlays = {
     NamedOverlay{Overlay::None, "none", "none"},
     NamedOverlay{Overlay::Partitions, "partitions", "partitions"},
@@ -54,56 +55,57 @@ inline constexpr std::array kOverlays = {
     NamedOverlay{Overlay::Projection, "projection", "projection"},
 };
 
-/// Whether `overlay` shows something of shadow maps.
+/// Returns true if `overlay` shows a property of shadow maps.
 constexpr bool isOfMaps(Overlay overlay) {
     return overlay == Overlay::Partitions || overlay == Overlay::Texels || overlay == Overlay::Aliasing ||
            overlay == Overlay::Projection;
 }
 
-/// What `overlay` is called where there is room.
+/// Returns the title of `overlay`.
 constexpr const char* title(Overlay overlay) {
     for (const NamedOverlay& each : kOverlays)
         if (each.value == overlay) return each.title;
     return "";
 }
 
-/// World axes and units, origin at the grid point of the model that is nearest to the eye: there floats are precise
-/// where the picture needs it, however far from the world's origin or how far away the eye is.
+/// Camera-relative space: world axes and units, with the origin at the grid point of the model that is nearest to the
+/// eye. Floats are therefore precise near the eye, also if the model is far from the world's origin or the eye is far
+/// from the model.
 struct DrawSpace {
     hierarchy::GridPoint originCell;
     double step = 1;
     glm::dvec3 eye{0};              // in draw space
-    glm::dmat4 cameraFromDraw{1.0}; // left-handed camera space
+    glm::dmat4 cameraFromDraw{1.0}; // to left-handed camera space
 };
 
-/// The draw space of `view` on `grid`; `bounds` are those of the model, world space.
+/// Returns the draw space of `view` on `grid`. `bounds` are the bounds of the model in world space.
 DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
 
-/// The width of a pixel's image beam at `p` (draw space), world units: 2 tan(theta) (p.v) / height.
+/// Returns the width of a pixel's beam at `p` (draw space) in world units: 2 tan(theta) (p.v) / height.
 double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm::dvec3& p);
 
-/// Why a cluster is drawn.
+/// The reason why a cluster is drawn and not a finer one.
 enum class Residence : std::uint8_t {
-    Final,   // the error calls for nothing finer
-    Pending, // what refines it is not in memory
-    Damaged, // what refines it cannot be read
+    Final,   // its error is small enough
+    Pending, // its refinement is not in memory
+    Damaged, // its refinement cannot be read
 };
 
-/// A drawn cluster that is coarser than the error calls for.
+/// A drawn cluster that is coarser than the error limit requires.
 struct LodSubstitute {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     Residence residence = Residence::Pending;
 };
 
-/// What of a surface's light an image shows, where a picture is the sum of several.
+/// The part of the light that an image shows. Some pictures are the sum of several such images.
 enum class LightPart : std::uint8_t {
     All,
-    WithoutSky,   // sun, ground and what comes from the eye
-    SkyDirection, // what comes from the direction of the plan's light alone, as part of the sky
+    WithoutSky,   // light of the sun, the ground and the headlight
+    SkyDirection, // only the light from the direction of the plan's light, as a part of the sky
 };
 
-/// Some rows of an image, counted from the bottom.
+/// A range of rows of an image, counted from the bottom.
 struct ImageRows {
     int first = 0;
     int count = 0;
@@ -111,11 +113,13 @@ struct ImageRows {
     bool operator==(const ImageRows&) const = default;
 };
 
-/// The light that a pixel's surface reflects towards the eye, linear RGB before the shoulder, 1 being full scale. Below
-/// 0 where no surface is: -1, and more by kGroundShade of what a shadow on the ground takes of the background's light.
+/// The light that a pixel's surface reflects towards the eye: linear RGB before tone mapping, with 1 as full scale. A
+/// pixel without a surface has the value -1 + kGroundShade * s. s is the share of the background's light that a shadow
+/// on the ground removes.
 using LightPicture = Raster<std::array<float, 3>>;
 
-/// What a shadow on the ground takes may count several times where it is one direction of many.
+/// Scale of a ground shadow in a LightPicture. With this scale, the sum over several directions of light stays
+/// negative.
 inline constexpr float kGroundShade = 1.0F / 16;
 
 struct SectionMemory;
@@ -126,75 +130,80 @@ struct FrameDrawing {
     DrawSpace space;
     hierarchy::Grid grid;
     const selection::DrawList* image = nullptr;
-    std::vector<const selection::DrawList*> casters; // one a pass
+    std::vector<const selection::DrawList*> casters; // one list per pass
     PageLookup pages;
-    double clipNear = 1e-3;               // view depth of the near clip plane: nothing that is drawn lies before it
-    double clipFar = 0;                   // nor behind this; of an orthographic image, and anything of others
-    std::optional<Camera> observerCamera; // sees the image in place of the plan's camera: from outside its frustum
-    glm::dvec2 subpixel{0};               // where the image samples its pixels: from their middles, right and up
+    double clipNear = 1e-3; // view depth of the near clip plane; nothing drawn is nearer
+    // view depth of the far clip plane of an orthographic image; unused in perspective
+    double clipFar = 0;
+    std::optional<Camera> observerCamera; // draws the image from outside instead of the plan's camera
+    // sample position relative to the centre of each pixel, in pixels, right and up
+    glm::dvec2 subpixel{0};
     Overlay overlay = Overlay::None;
     plan::Shading shading = plan::Shading::Lit; // never Auto
-    std::vector<LodSubstitute> substitutes;     // of the image, by page and cluster; for Overlay::Residency alone
-    bool wantsSurfaces = false;                 // keep what `surfaces` returns
-    bool wantsLight = false;                    // keep what `light` returns; not both
+    // substitutes in the image, sorted by page and cluster; only for Overlay::Residency
+    std::vector<LodSubstitute> substitutes;
+    bool wantsSurfaces = false; // stores the result of `surfaces`
+    bool wantsLight = false;    // stores the result of `light`; excludes wantsSurfaces
     LightPart lightPart = LightPart::All;
-    double skyWeight = 0;                             // of SkyDirection: what it counts for, as light_model.h has it
-    std::vector<const selection::DrawList*> sections; // by plane of the view's: all clusters that lie near it
-    SectionMemory* sectionMemory = nullptr;           // of these and of the model
-    const hierarchy::Page* ground = nullptr;          // one cluster, on which nothing but shadows is seen
-    std::optional<glm::vec3> groundShade; // what a shadow takes of its background's light; else as much as the sun's
-    const Raster<std::uint8_t>* litMask = nullptr;     // 255 where the light reaches, instead of maps
-    const selection::DrawList* exactCasters = nullptr; // of drawExactly, besides the image's own clusters
-    const raycast::CutScene* rays = nullptr;           // of both: decide what drawExactly else does by casting
-    std::optional<ImageRows> rows; // the only rows that are drawn and held, with the capability `bands`; nothing: all
-    const shadow::TileMask* tiles = nullptr; // of the image, where alone it is drawn, if the executor can; null: all
-    bool cullsByReceivers =
-        false; // maps need not hold what no pixel of the image asks for; with the capability `imageFirst`
+    double skyWeight = 0;                             // weight of SkyDirection, as in light_model.h
+    std::vector<const selection::DrawList*> sections; // per section plane of the view: all clusters near the plane
+    SectionMemory* sectionMemory = nullptr;           // cached sections of the model
+    const hierarchy::Page* ground = nullptr;          // a page with one cluster, which shows only shadows
+    // share of the background's light that a ground shadow removes; default: the share of the sun
+    std::optional<glm::vec3> groundShade;
+    const Raster<std::uint8_t>* litMask = nullptr;     // 255 where a pixel is lit; used instead of maps
+    const selection::DrawList* exactCasters = nullptr; // casters of drawExactly besides the image's own clusters
+    // scene of both lists; drawExactly then traces rays instead of rasterising casters
+    const raycast::CutScene* rays = nullptr;
+    std::optional<ImageRows> rows; // the only rows to draw, if the backend has the capability `bands`; default: all
+    // the only tiles of the image to draw, if the backend supports this; null: all
+    const shadow::TileMask* tiles = nullptr;
+    bool cullsByReceivers = false; // skips parts of maps that no pixel looks up; needs the capability `imageFirst`
 };
 
-/// The rows that `frame` draws.
+/// Returns the rows that `frame` draws.
 inline ImageRows rowsOf(const FrameDrawing& frame) {
     return frame.rows.value_or(ImageRows{0, frame.plan->view.height});
 }
 
-/// What one kind of passes took.
+/// The cost of the passes of one kind.
 struct PassStatistics {
-    Milliseconds time; // wall-clock around finished work
+    Milliseconds time; // wall-clock time, including the wait for the GPU
     std::uint64_t drawCalls = 0;
-    std::optional<std::uint64_t> fragments;             // pixels that the triangles cover, summed; if counted
-    std::optional<raster::OcclusionCounts> occlusion{}; // of an image without what is hidden
+    std::optional<std::uint64_t> fragments;             // covered pixels, with overdraw; empty if not counted
+    std::optional<raster::OcclusionCounts> occlusion{}; // of an image with occlusion culling
 };
 
-/// What shadow maps drew of their casters, where receivers culled them.
+/// Counts of the casters that shadow maps drew, if receivers culled them.
 struct CulledCasters {
     std::uint64_t clustersTested = 0;
     std::uint64_t clustersKept = 0;
-    std::uint64_t triangles = 0; // drawn
+    std::uint64_t triangles = 0; // drawn triangles
     std::uint64_t mapsDrawn = 0;
 };
 
-/// What drawing a frame took.
+/// The cost of drawing a frame.
 struct DrawStatistics {
     PassStatistics shadows;
     PassStatistics image;
-    std::optional<CulledCasters> culled;         // by receivers
+    std::optional<CulledCasters> culled;         // with culling by receivers
     std::optional<exact::ExactStatistics> exact; // of exact shadows
-    Bytes deviceMemory;                          // geometry and textures held
+    Bytes deviceMemory;                          // geometry and textures
 };
 
-/// What is known of a pixel's surface.
+/// The visible surface of a pixel.
 struct SurfaceSample {
-    glm::vec3 normal{0};       // flat, towards the viewer; draw space
-    float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 where the surface is turned from the light
-    glm::vec3 position{0};     // the very point whose shadow was looked up; draw space
-    float isSurface = 0;       // 1 where anything is, else 0
+    glm::vec3 normal{0};       // normal of the triangle, towards the viewer; draw space
+    float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 if the surface faces away from the light
+    glm::vec3 position{0};     // the point of the shadow lookup; draw space
+    float isSurface = 0;       // 1 if the pixel shows a surface, otherwise 0
 
     bool isLitSide() const { return isSurface > 0 && partitionAndLit >= 0; }
 
-    /// The map that was looked up, by the plan's passes; -1 if none was.
+    /// Returns the index of the pass whose map was looked up, or -1 without a lookup.
     int partition() const { return static_cast<int>(partitionAndLit) - 1; }
 
-    /// From 0 to 1.
+    /// Returns the lit fraction, from 0 to 1.
     float litFraction() const { return 2 * (partitionAndLit - std::floor(partitionAndLit)); }
 };
 
@@ -215,12 +224,12 @@ public:
     Executor(Executor&&) = delete;
     Executor& operator=(Executor&&) = delete;
 
-    /// "osmesa", "egl", ...: the column `backend`.
+    /// Returns the name for the column `backend`: "osmesa", "egl", ...
     virtual std::string name() const = 0;
-    /// Draws the maps of all passes; those that the plan reuses stay as the last frame left them. Comes first in every
-    /// frame, one without maps too.
+    /// Draws the maps of all passes. Maps that the plan reuses stay unchanged. Call this first in each frame, also in a
+    /// frame without maps.
     virtual PassStatistics drawShadowMaps(const FrameDrawing& frame) = 0;
-    /// Draws the image, lit through the maps or by the frame's `litMask`.
+    /// Draws the image, lit by the maps or by the frame's `litMask`.
     virtual PassStatistics drawImage(const FrameDrawing& frame) = 0;
 
     /// Returns what the backend can draw.
@@ -234,28 +243,30 @@ public:
     /// in its light. Throws Error where the executor cannot.
     virtual DrawStatistics drawExactly(const FrameDrawing& frame);
 
-    /// What geometry and textures hold since the last frame.
+    /// Returns the memory of geometry and textures since the last frame.
     virtual Bytes deviceMemory() const = 0;
 
-    /// Both passes of a frame; the same picture whether receivers cull casters or not.
+    /// Draws both passes of a frame. The picture is the same with and without culling by receivers.
     virtual DrawStatistics draw(const FrameDrawing& frame);
 
-    /// Of the rows that were drawn, as is all that follows.
+    /// Returns the image of the drawn rows. The following functions return these rows too.
     virtual Picture picture() = 0;
-    /// Only after a frame with `wantsLight`; what `picture` shows is made of it.
+    /// Returns the light of the image, from which `picture` is made. Requires a frame with `wantsLight`.
     virtual LightPicture light() = 0;
-    /// The pixels of the image that the light reaches, at least in part; nothing where finding out would hold up the
-    /// frames to come, as it would a GPU's: those say so now and then.
+    /// Returns the number of pixels that are at least partly lit. Returns nullopt if counting would delay later frames.
+    /// A GPU therefore returns a count only from time to time.
     virtual std::optional<std::uint64_t> litPixels() = 0;
-    /// View depth per pixel, from the eye that was asked for; infinity where nothing is.
+    /// Returns the view depth per pixel, measured from the requested eye. The depth is infinite if no surface is
+    /// visible.
     virtual FloatPicture viewDepth() = 0;
 
-    /// How much of each pixel what was drawn covers; of a transparent background with a ground, how dark that is.
+    /// Returns the coverage of each pixel. A transparent background with a ground has the darkness of its shadow as
+    /// coverage.
     virtual Coverage coverage() { return coverageOf(viewDepth()); }
 
-    /// The whole depth texture of the shadow maps, rows from top to bottom as they lie in memory (row 0 first).
+    /// Returns the whole depth texture of the shadow maps. Its rows are in memory order, row 0 first.
     virtual FloatPicture shadowDepth() = 0;
-    /// Only after a frame with `wantsSurfaces`.
+    /// Returns the surface of each pixel. Requires a frame with `wantsSurfaces`.
     virtual Raster<SurfaceSample> surfaces() = 0;
 
     /// Returns the triangle that each pixel shows. Empty without the capability `seesTriangles`.

@@ -11,7 +11,7 @@
 
 namespace gnomon::executor {
 
-// What std140 lays out for the shaders is what C++ does.
+// The C++ structs must have the std140 layout of the shaders.
 static_assert(offsetof(block::Frame, gridStep) == offsetof(block::Frame, eye) + 12 && sizeof(block::Frame) % 16 == 0);
 static_assert(offsetof(block::Frame, sliceCount) % 16 == 0 && offsetof(block::Frame, ambientMean) % 16 == 0);
 static_assert(offsetof(block::Shadows, partitions) % 256 == 0);
@@ -26,18 +26,19 @@ glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& 
     return glm::transpose(glm::dmat4(x, y, z, w));
 }
 
-/// A direction of camera space in draw space, whose axes are the world's.
+/// Converts a direction from camera space to draw space, which has the axes of the world.
 glm::vec4 toDraw(const CameraBasis& basis, const glm::dvec3& direction, double w = 0) {
     return {glm::vec3(toWorld(basis, direction)), static_cast<float>(w)};
 }
 
-/// Camera space of an eye at `eye` in draw space, whose axes are the world's.
+/// Returns the transformation to camera space for an eye at `eye` in draw space, which has the axes of the world.
 glm::dmat4 cameraFromDraw(const CameraBasis& basis, const glm::dvec3& eye) {
     const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
     return fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
 }
 
-/// The draw space of `view` whose origin is the grid point nearest to `local`, in the model's local space.
+/// Returns the draw space of `view` with the grid point nearest to `local` as origin. `local` is in the model's local
+/// space.
 DrawSpace drawSpaceAt(const plan::View& view, const hierarchy::Grid& grid, const glm::dvec3& local) {
     DrawSpace space;
     space.step = grid.step();
@@ -50,13 +51,13 @@ DrawSpace drawSpaceAt(const plan::View& view, const hierarchy::Grid& grid, const
     return space;
 }
 
-/// The grid point of `space` in the frame's draw space.
+/// Returns the origin of `space` in the frame's draw space.
 glm::dvec3 originIn(const FrameDrawing& frame, const DrawSpace& space) {
     const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
     return (cells(space.originCell) - cells(frame.space.originCell)) * space.step;
 }
 
-/// A stabilised map as it lies in the world: camera and frame have no part in it.
+/// Returns the drawing space of a stabilised map. It depends only on the world, not on camera and frame.
 MapDrawing stableDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {
     const plan::View& view = frame.plan->view;
     const shadow::LightFrame axes = shadow::stableWorldFrame(frame.plan->light.unit());
@@ -87,7 +88,7 @@ double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm
 glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
     const plan::View& view = frame.plan->view;
     const Lens lens = lensOf(frame);
-    // What is sampled beside the middle of a pixel is moved there.
+    // Shifts the image so that the sample position becomes the centre of the pixel.
     const glm::dvec2 moved = glm::dvec2(0) - 2.0 * frame.subpixel / glm::dvec2(view.width, view.height);
     return lens.clipFromCamera(moved) * cameraFromDraw(lens.basis, lens.eye);
 }

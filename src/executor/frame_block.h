@@ -1,4 +1,4 @@
-// Filling the blocks that the shaders read from a frame: the one place where doubles become floats.
+// Filling of the uniform blocks for the shaders. Only this code converts doubles to floats.
 #pragma once
 
 #include "executor/executor.h"
@@ -6,28 +6,30 @@
 
 namespace gnomon::executor {
 
-/// Clip space of the image, as the plan's camera or the observer camera sees it: reversed z with an infinite far plane,
-/// or one behind all there is, so that clipping loses nothing behind the near one.
+/// Returns the clip space of the image for the plan's camera or the observer camera. Depth is reversed. The far plane
+/// is infinite, or behind all geometry if the projection is orthographic, so only the near plane clips.
 glm::dmat4 imageClipFromDraw(const FrameDrawing& frame);
 
-/// How a map is drawn and looked up: where the casters' positions are taken from, and the map's image for offsets in
-/// that space; the image's own origin is that space's in the frame's. It is the frame's space for most maps. A
-/// stabilised one lies about its own middle, so that equal places give equal maps to the last bit, and a thin one about
-/// the point that shadow::ShadowMap names.
+/// The space for drawing and looking up a map. `space` is the origin of the casters' positions, and `image` maps
+/// offsets in this space to the map. The origin of `image` is the origin of `space` in the frame's space. Most maps use
+/// the frame's space. A stabilised map is centred at its own middle, so that equal places give bit-identical maps. A
+/// thin map uses the point that shadow::ShadowMap names.
 struct MapDrawing {
     DrawSpace space;
     shadow::FloatMapImage image;
 
-    /// Clip space of a viewport over the map's rectangle, for casters in `space`: the very floats of the lookups.
+    /// Returns the clip space of a viewport over the map's rectangle, for casters in `space`. The floats are identical
+    /// to those of the lookups.
     glm::dmat4 clipFromDraw() const { return image.clipFromOffset; }
 };
 
 MapDrawing mapDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map);
 
-/// The frame's block for a pass with `clipFromDraw`, drawn in `space`.
+/// Returns the uniform block of a pass that draws with `clipFromDraw` in `space`.
 block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const glm::dmat4& clipFromDraw);
 
-/// The partitions' block. At most GNOMON_MAX_PARTITIONS passes and GNOMON_MAX_SLICES slices.
+/// Returns the uniform block of all partitions. The frame has at most GNOMON_MAX_PARTITIONS passes and
+/// GNOMON_MAX_SLICES slices.
 block::Shadows shadowsBlock(const FrameDrawing& frame);
 
 } // namespace gnomon::executor

@@ -25,7 +25,7 @@ std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, co
             return tiles.holdsAny(box.x0, box.y0, box.x1, box.y1);
         };
     std::optional<raster::OcclusionCounts> hidden;
-    tbb::task_group lines; // finding them is hard to share out
+    tbb::task_group lines; // runs concurrently, because the search for lines is hard to parallelise
     if (!frame.sections.empty()) lines.run([&] { frame.sectionMemory->lines.find(frame); });
     if (frame.plan->skipsHidden)
         hidden = buffers.rasterizer->drawVisible(pass.clusters(), pass.boxes(), seen, target);
@@ -38,7 +38,7 @@ std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, co
 
 namespace {
 
-/// Shades what of `square`, which begins with a tile, lies in the wanted tiles.
+/// Shades the requested tiles in `square`, whose corner is the corner of a tile.
 void shadeTiles(
     const Shading& shading,
     const raster::PixelBox& square,
@@ -54,7 +54,8 @@ void shadeTiles(
 } // namespace
 
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target) {
-    // Squares, since neighbours in both directions see the same triangles; small enough to share out evenly.
+    // Squares are used because neighbours in both directions often show the same triangles. They are small enough for
+    // load balancing.
     constexpr int kSide = 2 * shadow::ImageTiles::kSide;
     const Picture& picture = *target.picture;
     const ImageRows held = shading.rows();

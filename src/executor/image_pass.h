@@ -1,4 +1,5 @@
-// The image in two steps: what is visible at each pixel, then its colours. Between them it is known who receives light.
+// The two steps of drawing an image: the visible triangle of each pixel, then its colour. Between these steps, the
+// receivers of light are known.
 #pragma once
 
 #include "executor/software_pass.h"
@@ -8,21 +9,21 @@
 
 namespace gnomon::executor {
 
-/// Where an image is drawn; words as a VisibilityTarget's. All are there, and of the frame's size.
+/// The buffers of an image, all of the frame's size. `words` has the format of a VisibilityTarget.
 struct ImageBuffers {
     raster::Rasterizer* rasterizer = nullptr;
     SoftwarePass* pass = nullptr;
     std::vector<std::uint64_t>* words = nullptr;
     Picture* picture = nullptr;
-    LightPicture* light = nullptr; // these two may be missing, unless the frame wants its light
+    LightPicture* light = nullptr; // this and the next can be null unless the frame requests its light
     LightPicture* undecidedLight = nullptr;
 };
 
-/// Gathers the clusters of the image into the pass and fills the words: which triangle each pixel sees. Answers what
-/// was left out, where the plan skips what is hidden. Where the frame is of some tiles the other words are as before.
+/// Collects the clusters of the image in the pass and fills the words with the visible triangles. Returns the counts of
+/// occlusion culling if the plan uses it. Words outside the frame's tiles stay unchanged.
 std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers);
 
-/// Shades every pixel of `target` by `words`, on all cores; those of its tiles, where it has some.
+/// Shades each pixel of `target` from `words` on all cores. If the target has tiles, shades only these.
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target);
 
 } // namespace gnomon::executor

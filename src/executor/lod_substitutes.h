@@ -1,4 +1,4 @@
-// What of an image is drawn coarser than its error calls for, since finer pages are not in memory.
+// The clusters of an image that are coarser than the error limit requires, because finer pages are not in memory.
 #pragma once
 
 #include "executor/executor.h"
@@ -8,17 +8,17 @@
 
 namespace gnomon::executor {
 
-/// The clusters of `image`, a draw list of `query`, that are drawn though the error calls for finer ones, by page and
-/// cluster. `isDamaged` says of a page whether it could not be read.
+/// Returns the clusters of `image`, a draw list of `query`, whose refinement should have been drawn. They are sorted by
+/// page and cluster. `isDamaged` returns true for a page that could not be read.
 std::vector<LodSubstitute> lodSubstitutes(
     const selection::CutQuery& query,
     const selection::DrawList& image,
     const std::function<bool(std::uint32_t page)>& isDamaged);
 
-/// Why `cluster` of `page` is drawn.
+/// Returns the reason why `cluster` of `page` is drawn.
 Residence residenceOf(std::span<const LodSubstitute> substitutes, std::uint32_t page, std::uint32_t cluster);
 
-/// What of `image` is drawn for the reason `residence`.
+/// Returns the clusters of `image` that are drawn for the reason `residence`.
 selection::DrawList drawnAs(
     const selection::DrawList& image,
     std::span<const LodSubstitute> substitutes,

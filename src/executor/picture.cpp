@@ -29,7 +29,7 @@ std::string sizeText(const Picture& picture) {
 
 namespace {
 
-/// A picture as libpng takes it.
+/// A picture in the format of libpng.
 class PngImage {
 public:
     PngImage(const Picture& picture, const std::optional<Coverage>& coverage) : pixels_(picture.pixels.data()) {
@@ -47,7 +47,7 @@ public:
         pixels_ = withAlpha_.data();
     }
 
-    /// Writes the file into `to`, or only counts its bytes if that is null.
+    /// Writes the file to `to`, or only computes its size if `to` is null.
     void write(void* to, png_alloc_size_t& size) {
         require(png_image_write_to_memory(&image_, to, &size, 0, pixels_, 0, nullptr) != 0);
     }
@@ -64,7 +64,7 @@ private:
     std::vector<std::array<std::uint8_t, 4>> withAlpha_;
 };
 
-/// A stream of the C library that writes to a file of ours.
+/// A stdio stream that writes to a File.
 class FileStream {
 public:
     explicit FileStream(File& file)
@@ -83,7 +83,7 @@ public:
 
     std::FILE* stream() { return stream_; }
 
-    /// Writes what is left, and throws what went wrong meanwhile.
+    /// Flushes the stream and throws the first write error, if there was one.
     void close() {
         std::fclose(std::exchange(stream_, nullptr));
         rethrow();
@@ -126,11 +126,11 @@ std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<C
 
 void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage) {
     AtomicFile file(path);
-    FileStream stream(file.file()); // the file is never in memory as a whole
+    FileStream stream(file.file()); // writes in parts, so that the whole file is never in memory
     try {
         PngImage(picture, coverage).write(stream.stream());
     } catch (const Error&) {
-        stream.rethrow(); // says more than libpng does
+        stream.rethrow(); // the file's error is more precise than libpng's
         throw;
     }
     stream.close();

@@ -1,4 +1,4 @@
-// Pictures in memory and on disk: PNG for what is looked at, PFM for what is measured.
+// Pictures in memory and on disk: PNG for viewing, PFM for measurements.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace gnomon::executor {
 
-/// A pixel, 8 bits a channel, display-referred.
+/// A pixel with 8 bits per channel, display-referred.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Rows from top to bottom.
+/// A 2D array of pixels, with rows from top to bottom.
 template <class Pixel>
 struct Raster {
     int width = 0;
@@ -36,41 +36,42 @@ struct Raster {
 using Picture = Raster<Rgb>;
 using FloatPicture = Raster<float>;
 
-/// How much of each pixel is covered, 255 being all of it; where a picture has none it is opaque.
+/// The coverage of each pixel, where 255 is full coverage. A picture without coverage is opaque.
 using Coverage = Raster<std::uint8_t>;
 
-/// `picture` as the bytes of a PNG file, with `coverage` as its alpha. Throws Error.
+/// Encodes `picture` as a PNG file, with `coverage` as alpha. Throws Error if that fails.
 std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
 
-/// Writes an 8-bit RGB PNG, or RGBA with `coverage`; it appears under `path` only when it is complete. Throws Error.
+/// Writes an 8-bit RGB PNG, or RGBA with `coverage`. The file appears under `path` only when it is complete. Throws
+/// Error if that fails.
 void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
 
-/// Covered where `depth` is finite.
+/// Returns full coverage for pixels with a finite `depth`, otherwise none.
 Coverage coverageOf(const FloatPicture& depth);
 
-/// Reads a PNG as 8-bit RGB, any transparency dropped. Throws Error if it is none or damaged.
+/// Reads a PNG as 8-bit RGB without transparency. Throws Error if the file is not a valid PNG.
 Picture readPng(const std::string& path);
 
-/// Writes a one-channel little-endian PFM (rows from bottom to top, as that format has them). Throws Error.
+/// Writes a one-channel little-endian PFM, whose rows go from bottom to top. Throws Error if that fails.
 void writePfm(const std::string& path, const FloatPicture& picture);
 
-/// How two pictures differ, in fractions of full scale.
+/// The difference of two pictures, in fractions of full scale.
 struct PictureDifference {
     double mean = 0;            // mean absolute difference over all pixels and channels
-    double largest = 0;         // the largest of any channel
-    double changedFraction = 0; // pixels any of whose channels differ by more than 2 of 255 levels
+    double largest = 0;         // largest difference of a channel
+    double changedFraction = 0; // share of pixels with a channel that differs by more than 2 of 255 levels
 };
 
-/// Throws Error if the sizes differ.
+/// Computes the difference of two pictures. Throws Error if their sizes differ.
 PictureDifference difference(const Picture& a, const Picture& b);
 
-/// A picture and the file that it was read from.
+/// A picture and the path of its file.
 struct NamedPicture {
     std::string path;
     Picture picture;
 };
 
-/// Throws Error if `picture` differs from `reference` by a mean of more than `threshold`, a fraction of full scale.
+/// Throws Error if the mean difference between `picture` and `reference` exceeds `threshold`, a fraction of full scale.
 void requireAlike(const NamedPicture& reference, const Picture& picture, double threshold);
 
 } // namespace gnomon::executor

@@ -1,4 +1,4 @@
-// Pictures in number: the names of their files, and the stream that video encoders read.
+// Series of pictures: their file names, and a video stream for encoders.
 #pragma once
 
 #include "executor/picture.h"
@@ -8,16 +8,16 @@
 
 namespace gnomon::executor {
 
-/// `pattern` with `number` in place of its one "%d" or "%04d" (of any width below 10); nothing if it has none, more
-/// than one, or a percent sign of another kind.
+/// Returns `pattern` with `number` instead of its single "%d" or "%04d" (any width below 10). Returns nullopt if the
+/// pattern has no or several such fields, or another percent sign.
 std::optional<std::string> numberedName(const std::string& pattern, int number);
 
-/// The head of a YUV4MPEG2 stream of pictures of that size, progressive, square pixels, 4:4:4, limited range. Pictures
-/// of odd sizes have no other format.
+/// Returns the header of a YUV4MPEG2 stream: progressive, square pixels, 4:4:4, limited range. 4:4:4 is the only format
+/// that also supports odd sizes.
 std::string y4mHeader(int width, int height, double framesPerSecond);
 
-/// `picture` as a frame of such a stream: BT.709 in the range 16 to 235. A stream cannot name its matrix, so encoders
-/// must be told (docs/looks.md).
+/// Returns `picture` as a frame of this stream, in BT.709 with the range 16 to 235. A stream cannot store its colour
+/// matrix, so encoders need an option (docs/looks.md).
 std::string y4mFrame(const Picture& picture);
 
 } // namespace gnomon::executor

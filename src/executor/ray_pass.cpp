@@ -11,14 +11,14 @@ namespace gnomon::executor {
 
 namespace {
 
-/// The corners of a triangle of a cluster, cells from the frame's origin.
+/// Returns the corners of a triangle of a cluster, in cells from the frame's origin.
 exact::Corners cornersOf(
     const FrameDrawing& frame, const hierarchy::Vertex* vertices, const hierarchy::Triangle& triangle) {
     const hierarchy::GridPoint& origin = frame.space.originCell;
     exact::Corners corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const hierarchy::GridPoint& p = vertices[triangle[k]].position;
-        // As 32 bits, in which what lies beside the grid is right too.
+        // Differences in 32 bits are also correct for positions outside the grid.
         corners[k] = glm::ivec3(
             static_cast<std::int32_t>(p.x - origin.x),
             static_cast<std::int32_t>(p.y - origin.y),
@@ -27,7 +27,7 @@ exact::Corners cornersOf(
     return corners;
 }
 
-/// Lets rays pass the triangle that they start on, and those in its plane.
+/// A rule that lets rays pass through their own triangle and through triangles in its plane.
 class PlaneRule final : public raycast::HitRule {
 public:
     PlaneRule(const FrameDrawing& frame, const exact::SampleList& samples, std::span<const DrawnCluster> drawn)
@@ -53,8 +53,8 @@ private:
     std::span<const DrawnCluster> drawn_;
 };
 
-/// The ray of sample `i`, in cells: its direction is the light's without a rounding, its parameter 2^24 a direction; to
-/// a point light, it is of length 1, and ends there.
+/// Returns the ray of sample `i`, in cells. The direction of a distant light is exact, and its parameter is 1 per 2^-24
+/// of the light's integer direction. The direction to a point light has unit length, and the ray ends at the light.
 raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<const Plane> sections) {
     const exact::SampleSpace& space = samples.space();
     const exact::LightShear& shear = space.shear;
@@ -67,7 +67,7 @@ raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<co
     ray.origin = glm::vec3(origin);
     if (space.pointLight) {
         const glm::dvec3 towards = glm::dvec3(*space.pointLight) - origin;
-        constexpr double kTolerance = 2; // cells
+        constexpr double kTolerance = 2; // in cells
         ray.direction = glm::vec3(glm::normalize(towards));
         ray.least = static_cast<float>(kTolerance);
         ray.greatest = static_cast<float>(glm::length(towards));
@@ -76,7 +76,7 @@ raycast::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<co
         ray.least = static_cast<float>(samples.tolerance[i]);
     }
     const glm::dvec3 direction(ray.direction);
-    for (const Plane& plane : sections) { // what is cut away casts nothing
+    for (const Plane& plane : sections) { // removed geometry throws no shadow
         const double slope = glm::dot(plane.normal, direction);
         if (slope >= 0) continue;
         const double end = std::max(plane.signedDistance(origin), 0.0) / -slope;

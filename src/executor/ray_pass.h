@@ -1,4 +1,4 @@
-// The samples of exact shadows answered by rays: the same points, the same tolerance, another way to find out.
+// Ray tracing for the samples of exact shadows, with the same points and the same tolerance.
 #pragma once
 
 #include "executor/exact_pass.h"
@@ -9,9 +9,9 @@
 
 namespace gnomon::executor {
 
-/// For each of `samples`, which name their triangles by the clusters of `drawn`, exact::kDark where a ray towards the
-/// light meets a triangle of `scene` farther ahead than the sample's tolerance, by Embree's floats, else exact::kLit.
-/// What lies in the very plane of the sample, by integers, is not met.
+/// Returns exact::kDark for each sample whose ray towards the light hits a triangle of `scene` beyond the tolerance,
+/// otherwise exact::kLit. Samples name their triangles by the clusters of `drawn`. Rays use the floats of Embree, but
+/// an integer test ignores triangles in the plane of the sample.
 std::vector<std::uint8_t> tracedStatuses(
     const FrameDrawing& frame,
     const raycast::CutScene& scene,

@@ -10,7 +10,8 @@
 namespace gnomon::executor {
 
 std::vector<selection::ClusterRange> distinctClusters(std::span<const selection::DrawList* const> lists) {
-    std::vector<selection::ClusterRange> clusters; // one a range, so that lists that overlap can be told apart
+    // one cluster per range, so that duplicates in overlapping lists can be removed
+    std::vector<selection::ClusterRange> clusters;
     for (const selection::DrawList* list : lists)
         for (const selection::ClusterRange& range : list->ranges)
             for (std::uint32_t c = 0; c < range.clusterCount; ++c)
@@ -55,7 +56,7 @@ std::vector<raycast::Light> lightByRays(
         points[i] = {surface.position, surface.normal, static_cast<float>(offsetPixels * pixel)};
     });
     std::vector<raycast::Light> light = raycast::litByRays(scene, points, lightSource(frame));
-    // Where the two disagree about which side a surface shows, by the last bit of a cosine, the picture is right.
+    // Image and rays can disagree about the side of a grazing surface, by the last bit of a cosine. The image decides.
     for (std::size_t i = 0; i < light.size(); ++i)
         if (surfaces.pixels[i].isSurface != 0 && !surfaces.pixels[i].isLitSide()) light[i] = raycast::Light::Turned;
     return light;
@@ -71,7 +72,8 @@ raycast::CutScene cutScene(const FrameDrawing& frame, raycast::KeptTrees& trees)
     return {trees, clusters, frame.grid, frame.space.originCell};
 }
 
-/// Where the light reaches in the image of `frame`, 255 there and else 0; draws that, and counts the calls.
+/// Returns the lit pixels of `frame`: 255 if lit, otherwise 0. Draws the surfaces and adds the draw calls to
+/// `drawCalls`.
 Raster<std::uint8_t> litBySurfaces(Executor& executor, FrameDrawing frame, std::uint64_t& drawCalls) {
     frame.wantsSurfaces = true;
     frame.wantsLight = false;
@@ -98,7 +100,7 @@ DrawStatistics drawByRays(Executor& executor, FrameDrawing frame, raycast::KeptT
         statistics.shadows.time.count += making.count;
         return statistics;
     }
-    statistics.shadows = executor.drawShadowMaps(frame); // of a frame without, it forgets those before
+    statistics.shadows = executor.drawShadowMaps(frame); // without maps, this only discards the maps of earlier frames
     const Raster<std::uint8_t> lit = litBySurfaces(executor, frame, statistics.shadows.drawCalls);
     statistics.shadows.time = watch.elapsed();
     frame.litMask = &lit;

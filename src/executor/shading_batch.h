@@ -1,4 +1,4 @@
-// What the shading kernel reads and writes: pixels and points in batches, and what all of a frame share.
+// The input and output of the shading kernel: batches of pixels and points, and the constants of a frame.
 #pragma once
 
 #include "shaders/shared/frame_block.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::executor {
 
-/// Pixels that are shaded together: what is seen there, and what comes of it.
+/// A batch of pixels that are shaded together, with input and results.
 struct PixelBatch {
     static constexpr std::size_t kMost = 128;
 
@@ -18,66 +18,67 @@ struct PixelBatch {
     template <class T>
     using Vectors = std::array<Values<T>, 3>;
 
-    /// Fills up the last vector with copies of the last pixel.
+    /// Fills the last vector with copies of the last pixel.
     void pad();
 
     std::size_t count = 0;
-    // What is seen: pixel centre; corner 0 in grid cells from draw space's origin; the edges from there to the others
-    // in cells; the corners' normals and colours as pages hold them; the lit fraction, where it is known.
+    // Input: the pixel centre; corner 0 of the triangle in grid cells from draw space's origin; the edges from this
+    // corner in cells; the normals and colours of the corners in page format; and the lit fraction, if it is known.
     Values<float> x{}, y{};
     Vectors<std::int32_t> corner{}, edge1{}, edge2{};
     Vectors<std::uint32_t> normals{}, colors{};
     Values<float> litMask{};
-    // What comes of it.
+    // Results:
     Vectors<float> position{};     // draw space
     Vectors<float> flatNormal{};   // towards the eye
-    Vectors<float> shaded{};       // before any overlay
+    Vectors<float> shaded{};       // before the overlay
     Values<float> depth{};         // along the view
-    Values<float> lit{};           // fraction; 0 where the surface is turned from the light
-    Values<std::int32_t> pass{};   // the map that was looked up; -1: none
-    Values<std::int32_t> faces{};  // -1 where the surface faces the light, else 0
-    Values<std::uint32_t> color{}; // shaded as 8-bit RGB, red in the low byte
-    // With LitSource::Undecided and Awaited, besides: the colour in the light, `color` being that in shadow.
+    Values<float> lit{};           // lit fraction; 0 if the surface faces away from the light
+    Values<std::int32_t> pass{};   // index of the looked-up map; -1: none
+    Values<std::int32_t> faces{};  // -1 if the surface faces the light, otherwise 0
+    Values<std::uint32_t> color{}; // shaded 8-bit RGB, red in the low byte
+    // With LitSource::Undecided and Awaited: the lit colour. `color` is then the colour in shadow.
     Values<std::uint32_t> litColor{};
-    // With `wantsLight` what is reflected, linear RGB: that of `color` with LitSource::Undecided and Awaited is
-    // `shadowLight`, and `light` that of `litColor`.
+    // With `wantsLight`: the reflected linear RGB. With LitSource::Undecided and Awaited, `shadowLight` belongs to
+    // `color` and `light` to `litColor`.
     Vectors<float> light{}, shadowLight{};
-    // With Undecided the weights of corners 1 and 2.
+    // With Undecided: the weights of corners 1 and 2.
     Values<float> second{}, third{};
-    // With Awaited what is to be looked up in `pass`, once it is drawn: the first and the last texel of the kernel,
-    // column and row of the depth texture, and the depth to compare with.
+    // With Awaited: the later lookup in map `pass`, which is not drawn yet. It has the first and the last texel of the
+    // filter kernel (column and row of the depth texture) and the depth for the comparison.
     Values<std::int32_t> firstColumn{}, firstRow{}, lastColumn{}, lastRow{};
     Values<float> lookupDepth{};
 };
 
-/// Points that are looked up in the maps together. What lies past `count` is computed too, and means nothing.
+/// A batch of points for lookups in the maps. Entries after `count` are computed too, but meaningless.
 struct PointBatch {
     std::size_t count = 0;                   // at most PixelBatch::kMost
     PixelBatch::Vectors<float> position{};   // draw space
-    PixelBatch::Vectors<float> normal{};     // of the surface, of length 1, on the viewer's side
-    PixelBatch::Values<float> lit{};         // fraction; 0 where the surface is turned from the light
-    PixelBatch::Values<std::int32_t> pass{}; // the map that was looked up; -1: none
+    PixelBatch::Vectors<float> normal{};     // unit normal of the surface, towards the viewer
+    PixelBatch::Values<float> lit{};         // lit fraction; 0 if the surface faces away from the light
+    PixelBatch::Values<std::int32_t> pass{}; // index of the looked-up map; -1: none
 };
 
-/// Where the lit fraction of a pixel comes from. Undecided pixels get the colours of both verdicts, and so do those
-/// whose lookups are awaited by maps that are still to be drawn.
+/// The source of a pixel's lit fraction. An Undecided pixel gets both its lit and its shadowed colour. The same applies
+/// to an Awaited pixel, whose map is not drawn yet.
 enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Undecided, Awaited };
 
-/// What all pixels of a frame share.
+/// The constants of a frame for all pixels.
 struct ShadingFrame {
     const block::Frame* frame = nullptr;
     const block::Shadows* shadows = nullptr;
     const float* shadowDepth = nullptr; // texels row by row; only with LitSource::Maps
-    int shadowWidth = 0;                // texels
+    int shadowWidth = 0;                // in texels
     LitSource litSource = LitSource::Everywhere;
     bool wantsLight = false;
-    // Rays start where the image is seen from (grid cells from draw space's origin); the one through the image point
-    // (x, y) in pixels has the direction first + x perX + y perY, of view depth 1.
+    // Primary rays start at rayOriginCells (grid cells from draw space's origin). The ray through the image point (x,
+    // y), in pixels, has the direction first + x perX + y perY, whose view depth is 1.
     std::array<float, 3> rayOriginCells{};
     std::array<float, 3> rayFirst{};
     std::array<float, 3> rayPerX{};
     std::array<float, 3> rayPerY{};
-    // Where lines of sight are parallel they begin there for the image point (0, 0) and move with it, cells a pixel.
+    // Parallel rays start at rayOriginCells for the image point (0, 0). Their origin moves with the image point, in
+    // cells per pixel.
     bool isParallel = false;
     std::array<float, 3> originPerX{};
     std::array<float, 3> originPerY{};

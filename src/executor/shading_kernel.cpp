@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-// The order matters: foreach_target.h includes this file again for each instruction set.
+// The order of includes matters, because foreach_target.h includes this file once per instruction set.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "executor/shading_kernel.cpp"
@@ -37,7 +37,7 @@ HWY_INLINE void store(const Vec3& v, PixelBatch::Vectors<float>& values, std::si
     hn::StoreU(v.z, kFloats, values[2].data() + i);
 }
 
-/// Weights of corner 1 and corner 2.
+/// Barycentric weights of a point in a triangle.
 struct Weights {
     Floats first, second, third;
 
@@ -46,10 +46,12 @@ struct Weights {
     }
 };
 
-/// The point of an edge that is seen nearest to a ray.
+/// The point of an edge with the smallest distance to a ray.
 struct NearestOnEdge {
-    Floats along;  // from its first end, in edges
-    Floats beside; // the square of the sine of its angle to the ray, or of how far it is off, times the ray's square
+    Floats along; // position on the edge, from 0 to 1
+    // distance measure: the squared sine of the angle to the ray, or the squared distance for parallel rays, times the
+    // squared length of the ray's direction
+    Floats beside;
 };
 
 HWY_INLINE NearestOnEdge nearestOnEdge(const Vec3& ray, bool isParallel, const Vec3& end, const Vec3& edge) {
@@ -64,7 +66,7 @@ HWY_INLINE NearestOnEdge nearestOnEdge(const Vec3& ray, bool isParallel, const V
     return {along, hn::Div(dot(beside, beside), hn::Max(dot(point, point), tiny))};
 }
 
-/// The point of the triangle's outline that is seen nearest to the ray.
+/// Returns the point of the triangle's outline that is nearest to the ray.
 HWY_INLINE Weights
 nearestOnOutline(const Vec3& ray, bool isParallel, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2) {
     const auto zero = hn::Zero(kFloats);
@@ -81,9 +83,10 @@ nearestOnOutline(const Vec3& ray, bool isParallel, const Vec3& fromCorner, const
     return {hn::Sub(hn::Sub(one, w1), w2), w1, w2};
 }
 
-/// Where the pixel's ray meets the triangle (after Möller and Trumbore 1997). Where it passes beside, since snapping
-/// put the pixel's centre inside, or sees the triangle so nearly edge-on that floats do not tell where it meets, the
-/// nearest point of the outline: always a point of the triangle, seen at this pixel. `normal` is across the edges.
+/// Returns the intersection of the pixel's ray and the triangle (after Möller and Trumbore 1997). The ray can miss,
+/// because snapping moved the pixel's centre into the triangle. Or the triangle is almost edge-on, so that floats are
+/// too imprecise. The result is then the nearest point of the outline, so it is always a point of the triangle at this
+/// pixel. `normal` is the cross product of the edges.
 HWY_INLINE Weights weightsAt(
     const Vec3& ray, bool isParallel, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2, const Vec3& normal) {
     const auto zero = hn::Zero(kFloats);
@@ -107,7 +110,7 @@ HWY_INLINE Weights weightsAt(
         hn::IfThenElse(isMet, met.third, nearest.third)};
 }
 
-/// Two snorm16 on the octahedron (Meyer et al. 2010); zero where the face's own normal is to be taken.
+/// Decodes two octahedral snorm16 to a unit normal (Meyer et al. 2010). Returns zero if the vertex has no normal.
 HWY_INLINE Vec3 octahedral(Uints bits) {
     const auto word = hn::BitCast(kInts, bits);
     const auto decoded = [](Ints half) HWY_ATTR {
@@ -149,18 +152,18 @@ HWY_INLINE Floats channel(const PixelBatch& batch, std::size_t i, const Weights&
     return hn::Mul(weights.mix(corner(0), corner(1), corner(2)), constant(1 / 255.0F));
 }
 
-/// The nearest of 255 levels.
+/// Returns the nearest of the levels 0 to 255.
 HWY_INLINE Ints level(Floats value) {
     const auto doubled = hn::Mul(constant(510), hn::Min(hn::Max(value, hn::Zero(kFloats)), constant(1)));
     return hn::ShiftRight<1>(hn::Add(hn::ConvertTo(kInts, doubled), hn::Set(kInts, 1)));
 }
 
-/// 8-bit RGB, red in the low byte.
+/// Packs a colour to 8-bit RGB, red in the low byte.
 HWY_INLINE Ints packed(const Vec3& color) {
     return hn::Or(level(color.x), hn::Or(hn::ShiftLeft<8>(level(color.y)), hn::ShiftLeft<16>(level(color.z))));
 }
 
-/// Stores what the maps will be looked up for, once they are there; `pass` becomes the map, -1 where there is none.
+/// Stores the parameters of the later lookups in the maps. `pass` receives the map, or -1 without a lookup.
 HWY_INLINE void leaveLookups(
     const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass, PixelBatch& batch, std::size_t i) {
     const AwaitedLanes awaited = awaitedLookups(f, surface, pass);
@@ -171,22 +174,22 @@ HWY_INLINE void leaveLookups(
     hn::StoreU(awaited.depth, kFloats, batch.lookupDepth.data() + i);
 }
 
-/// The direction to the point light, of unit length.
+/// Returns the unit direction to the point light.
 HWY_INLINE Vec3 towardsPoint(const block::Frame& frame, const Vec3& position) {
     const auto zero = hn::Zero(kFloats);
     return normalizedOr(subtract(constant(&frame.towardsLight.x), position), {zero, zero, zero});
 }
 
-/// How bright the point light is there, of the sun: the inverse square of the distance, held to what sums have room
-/// for.
+/// Returns the brightness of the point light relative to the sun. It falls with the squared distance, and is clamped to
+/// the range of light sums.
 HWY_INLINE Floats pointStrength(const block::Frame& frame, const Vec3& position) {
     const Vec3 towards = scale(subtract(constant(&frame.towardsLight.x), position), constant(1 / frame.pointReach));
     constexpr float kLeast = 1.0F / 1024;
     return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kLeast)));
 }
 
-/// What reaches a surface before maps are looked up. Who decides exactly also decides which surfaces face the light: of
-/// those that graze it floats may say otherwise.
+/// Returns the lit fraction before lookups in maps. If exact shadows are undecided, their integer test also decides
+/// which surfaces face the light, because floats can be wrong for grazing surfaces.
 template <class Mask>
 HWY_INLINE Floats litBefore(const ShadingFrame& f, const PixelBatch& batch, std::size_t i, Mask faces) {
     if (f.litSource == LitSource::Mask) return load(batch.litMask, i);

@@ -1,14 +1,15 @@
-// What the image's shaders compute, for the visible pixels in vector lanes: the same operations in the same names.
+// The shading kernel: the computations of the image's shaders with vector instructions, with the same operations and
+// names.
 #pragma once
 
 #include "executor/shading_batch.h"
 
 namespace gnomon::executor {
 
-/// Shades the batch; the result does not depend on the instruction set.
+/// Shades the batch. The result does not depend on the instruction set.
 void shadePixels(const ShadingFrame& frame, PixelBatch& batch);
 
-/// Finds the lit fraction of the points as `shadePixels` does with LitSource::Maps.
+/// Computes the lit fraction of the points, as `shadePixels` does with LitSource::Maps.
 void lookUpShadows(const ShadingFrame& frame, PointBatch& batch);
 
 } // namespace gnomon::executor

@@ -1,4 +1,4 @@
-// The shadow maps of a frame as files, for whoever wants to look at them.
+// Export of the shadow maps of a frame as files.
 #pragma once
 
 #include "executor/executor.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::executor {
 
-/// Writes each map of `plan`, which `executor` has just drawn, into `folder` as a PFM of its own, named by its slice
-/// and face. Throws Error.
+/// Writes each map of `plan` as a PFM into `folder`, named by slice and face. `executor` must have drawn the plan just
+/// before. Throws Error if that fails.
 void writeShadowMaps(const std::string& folder, const plan::FramePlan& plan, Executor& executor);
 
 } // namespace gnomon::executor

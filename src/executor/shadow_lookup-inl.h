@@ -1,5 +1,4 @@
-// The shadow test of a point in each lane: which map is looked up, and how much light that lets through. Included once
-// for each instruction set.
+// The shadow-map lookup per vector lane: selection of the map, and the lit fraction. Included once per instruction set.
 #if defined(GNOMON_EXECUTOR_SHADOW_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXECUTOR_SHADOW_LOOKUP_INL_H
 #undef GNOMON_EXECUTOR_SHADOW_LOOKUP_INL_H
@@ -28,7 +27,7 @@ HWY_INLINE Ints sliceOf(const ShadingFrame& f, Floats z) {
     return slice;
 }
 
-/// `p` from the eye.
+/// Returns the face partition of `p`, a position relative to the eye.
 HWY_INLINE Ints faceOf(const ShadingFrame& f, const Vec3& p, Ints slice) {
     const block::Shadows& shadows = *f.shadows;
     const auto zero = hn::Zero(kFloats);
@@ -57,7 +56,7 @@ HWY_INLINE Ints passOf(const ShadingFrame& f, const Vec3& p, Floats z) {
 }
 
 constexpr int kPartitionFloats = sizeof(block::Partition) / sizeof(float);
-/// Where a member of block::Partition begins.
+/// Index of the first float of a member of block::Partition.
 #define GNOMON_PARTITION_FLOAT(member) (offsetof(block::Partition, member) / sizeof(float))
 constexpr int kOrigin = GNOMON_PARTITION_FLOAT(origin);
 constexpr int kReach = GNOMON_PARTITION_FLOAT(reach);
@@ -74,7 +73,7 @@ constexpr int kLogRows = GNOMON_PARTITION_FLOAT(logRows);
 #undef GNOMON_PARTITION_FLOAT
 static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
-/// The values of each lane's partition; one for all where they agree.
+/// The parameters of each lane's partition. With isUniform, all lanes have the same partition.
 template <bool isUniform>
 class PartitionLanes {
 public:
@@ -94,7 +93,7 @@ private:
     Ints offsets_;
 };
 
-/// Row `row` of clip space at `offset` from the map's origin.
+/// Returns component `row` of the clip coordinates at `offset` from the map's origin.
 template <class Partition>
 HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& offset) {
     return hn::Add(
@@ -102,18 +101,19 @@ HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& off
         hn::Add(hn::Mul(part(8 + row), offset.z), part(12 + row)));
 }
 
-/// Whether the maps are those of a point light, a partition for each face of the cube about it.
+/// Returns true if the maps belong to a point light, with one partition per cube face.
 HWY_INLINE bool isFromPoint(const ShadingFrame& f) {
     return f.frame->pointReach > 0;
 }
 
-/// Whose rows lie logarithmically; false at once where no map's do.
+/// Returns the lanes whose map has logarithmic rows.
 template <class Partition>
 HWY_INLINE Mask hasLogRows(const Partition& part) {
     return hn::Gt(part(kLogRows), hn::Zero(kFloats));
 }
 
-/// The bias that a flat receiver at `offset`, and a neighbour somewhat steeper, needs over half a texel and the kernel.
+/// Returns the bias for a flat receiver at `offset`, and for a somewhat steeper neighbour, over half a texel and the
+/// filter kernel.
 template <class Partition>
 HWY_INLINE Floats receiverBias(
     const ShadingFrame& f,
@@ -141,7 +141,7 @@ HWY_INLINE Floats receiverBias(
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
-/// What a row is counted by: y / w, or the logarithm of w.
+/// Returns the coordinate along the rows of the map: y / w, or the logarithm of w.
 template <class Partition>
 HWY_INLINE Floats alongRows(const Partition& part, Floats yOverW, Floats w) {
     const auto isLog = hasLogRows(part);
@@ -154,8 +154,8 @@ HWY_INLINE Floats between(Floats a, Floats b, Floats fraction) {
     return hn::Add(a, hn::Mul(fraction, hn::Sub(b, a)));
 }
 
-/// What a lookup reads: the square of the kernel's texels from the floor of `startX`, `startY` on, each brought into
-/// the partition, and the depth that is compared with theirs.
+/// The input of a lookup: a square of filter texels starting at the floor of `startX` and `startY`, clamped to the
+/// partition, and the depth for the comparison.
 struct LookupLanes {
     Floats startX, startY, depth;
 };
@@ -165,7 +165,7 @@ HWY_INLINE LookupLanes
 lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine) {
     const Vec3 offset = subtract(p, {part(kOrigin), part(kOrigin + 1), part(kOrigin + 2)});
     const auto w = clipCoordinate(part, 3, offset);
-    // No receiver lies in the plane of w = 0; should one, it must not become a NaN.
+    // No receiver should be in the plane w = 0. This guard prevents a NaN.
     const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
     const auto texelOf = [&](int row) HWY_ATTR {
@@ -173,7 +173,7 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
         if (row == 1) clip = alongRows(part, clip, w);
         return hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
     };
-    // Clamped as casters are: behind the map's far end nothing is in the way but what it shows.
+    // Clamped like the depths of casters: beyond the map's far end the map shows the only casters.
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),
@@ -201,8 +201,8 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     const auto lowY = side(kFirstTexel + 1);
     const auto highX = hn::Sub(side(kEndTexel), one);
     const auto highY = hn::Sub(side(kEndTexel + 1), one);
-    // Between the two squares, a texel narrower than the kernel, whose corners lie around the point's: so the kernel's
-    // ends weigh by the fraction of the texel, and what is wholly lit is 1 to the bit.
+    // Interpolates between two squares that are one texel narrower than the kernel. Therefore the outer texels have the
+    // fraction of a texel as weight, and a fully lit result is exactly 1.
     const int box = std::max(width - 1, 1);
     auto above = hn::Zero(kFloats);
     auto below = hn::Zero(kFloats);
@@ -225,15 +225,15 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     return hn::Div(between(above, below, fractionY), constant(static_cast<float>(box * box)));
 }
 
-/// A point of a surface in each lane.
+/// A surface point per lane.
 struct SurfaceLanes {
     Vec3 position, normal;
     Floats depth;  // along the view
-    Floats cosine; // to the light
-    Mask faces;    // whether that is above 0
+    Floats cosine; // cosine of the angle to the light
+    Mask faces;    // true if the cosine is greater than 0
 };
 
-/// The map of the cube's face that a surface is lit through.
+/// Returns the map of the cube face that contains the direction `fromLight`.
 HWY_INLINE Ints passOfCubeFace(const ShadingFrame& f, const Vec3& fromLight) {
     const auto x = hn::Abs(fromLight.x);
     const auto y = hn::Abs(fromLight.y);
@@ -249,14 +249,14 @@ HWY_INLINE Ints passOfCubeFace(const ShadingFrame& f, const Vec3& fromLight) {
     return hn::GatherIndex(kInts, &f.shadows->passOfPartition[0].x, face);
 }
 
-/// The map that each surface looks up; -1 where there is none, or where it is turned from the light.
+/// Returns the map that each surface looks up, or -1 if there is no map or the surface faces away from the light.
 HWY_INLINE Ints passOfSurface(const ShadingFrame& f, const SurfaceLanes& surface) {
     const auto pass = isFromPoint(f) ? passOfCubeFace(f, subtract(surface.position, constant(&f.frame->towardsLight.x)))
                                      : passOf(f, subtract(surface.position, constant(&f.frame->eye.x)), surface.depth);
     return hn::IfThenElse(hn::RebindMask(kInts, surface.faces), pass, hn::Set(kInts, -1));
 }
 
-/// Looks up the maps where the surface faces the light; `pass` becomes -1 elsewhere.
+/// Looks up the maps for surfaces that face the light. `pass` is -1 for the other lanes.
 HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
     pass = none;
@@ -275,7 +275,7 @@ HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, 
     return hn::IfThenElseZero(surface.faces, lit);
 }
 
-/// What `litByMaps` would read, for later: whole numbers within the partition, and the depth to compare with.
+/// The parameters of a later `litByMaps`: texel ranges within the partition, and the depth for the comparison.
 struct AwaitedLanes {
     Ints firstColumn = hn::Zero(kInts);
     Ints firstRow = hn::Zero(kInts);
@@ -304,7 +304,8 @@ HWY_INLINE AwaitedLanes awaitedAt(const ShadingFrame& f, Ints pass, const Surfac
         depth};
 }
 
-/// `pass` becomes the map that is read; -1 where there is none, and the rest means nothing.
+/// Returns the parameters of the later lookups. `pass` is -1 for lanes without a lookup, whose other values are
+/// meaningless.
 HWY_INLINE AwaitedLanes awaitedLookups(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
     pass = none;

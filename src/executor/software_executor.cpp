@@ -83,12 +83,12 @@ private:
     void lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses);
 
     raster::Rasterizer rasterizer_;
-    SoftwarePass mapPass_;             // of the map that is drawn
-    SoftwarePass pass_;                // of the image
-    std::vector<std::uint64_t> words_; // the visibility buffer, rows from bottom to top
-    FloatPicture shadowDepth_;         // may hold more pixels than it has rows of: it grows alone
+    SoftwarePass mapPass_;             // pass of the map that is drawn
+    SoftwarePass pass_;                // pass of the image
+    std::vector<std::uint64_t> words_; // visibility buffer, rows from bottom to top
+    FloatPicture shadowDepth_;         // the pixel array only grows, so it can be larger than the texture
     Picture picture_;
-    LightPicture light_, undecidedLight_; // empty unless a frame wants its light
+    LightPicture light_, undecidedLight_; // empty unless a frame requests its light
     Raster<SurfaceSample> surfaces_;
     bool isOnGround(std::size_t wordAt) const;
 
@@ -96,7 +96,7 @@ private:
     bool isTransparent_ = false;
     std::atomic<std::uint64_t> litPixels_{0};
     exact::ExactShadows exact_;
-    std::vector<exact::Caster> casters_; // of them
+    std::vector<exact::Caster> casters_; // casters of exact shadows
     UndecidedPixels undecided_;
     ReceiverPass receivers_;
 };
@@ -105,7 +105,7 @@ Cutting castersCutting(const FrameDrawing& frame) {
     return frame.plan->view.cutsCasters ? Cutting::BySections : Cutting::Whole;
 }
 
-/// What no map covers is 1; each map clears its own texels as it is drawn.
+/// Sets the texels outside all maps to 1. Each map clears its own texels when it is drawn.
 void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
     std::vector<shadow::TexelRectangle> row;
     for (int y = 0; y < shadowDepth_.height; ++y) {
@@ -124,7 +124,7 @@ void SoftwareExecutor::clearBetweenMaps(const plan::FramePlan& plan) {
     }
 }
 
-/// Gives the depth texture the size of the plan's; what it holds means nothing where that changes.
+/// Gives the depth texture the size of the plan's. If the size changes, its content is undefined.
 void SoftwareExecutor::sizeShadowDepth(const plan::FramePlan& plan) {
     shadowDepth_.width = plan.textureWidth;
     shadowDepth_.height = plan.textureHeight;
@@ -143,7 +143,8 @@ void SoftwareExecutor::drawMap(
     *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, depthTarget());
 }
 
-/// Without what no receiver asks for, and without what lies behind other casters; answers what that was.
+/// Draws a map without texels that no receiver looks up and without casters behind other casters. Returns the counts of
+/// skipped casters.
 raster::OcclusionCounts SoftwareExecutor::drawWantedMap(
     const FrameDrawing& frame,
     const selection::DrawList& casters,
@@ -177,7 +178,7 @@ PassStatistics SoftwareExecutor::drawShadowMaps(const FrameDrawing& frame) {
     return statistics;
 }
 
-/// Draws of each map what the receivers ask for.
+/// Draws the parts of each map that receivers look up.
 CulledCasters SoftwareExecutor::drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics) {
     CulledCasters culled;
     for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
@@ -201,7 +202,7 @@ DrawStatistics SoftwareExecutor::draw(const FrameDrawing& frame) {
     DrawStatistics statistics;
     sizeTargets(frame);
     sizeShadowDepth(*frame.plan);
-    GNOMON_CHECK(!frame.wantsLight); // it comes from maps that are there before the image
+    GNOMON_CHECK(!frame.wantsLight); // light needs maps that are drawn before the image
     const ImageBuffers buffers = imageBuffers(frame);
     const auto occlusion = drawVisible(frame, buffers);
     litPixels_ = receivers_.collect(frame, buffers, shadowDepth_);
@@ -249,7 +250,7 @@ ImageBuffers SoftwareExecutor::imageBuffers(const FrameDrawing& frame) {
     return buffers;
 }
 
-/// From the words of the image to its colours, and to the surfaces where they are wanted.
+/// Computes the colours of the image from its words, and the surfaces if requested.
 void SoftwareExecutor::shade(const FrameDrawing& frame) {
     const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
     litPixels_ = 0;
@@ -270,8 +271,8 @@ PassStatistics SoftwareExecutor::drawImage(const FrameDrawing& frame) {
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
 }
 
-/// Gives the light to the samples that it reaches by their `statuses`; where more than colours is wanted, by shading
-/// once more.
+/// Lights the samples that are lit by their `statuses`. If an overlay or surfaces are requested, shades the image again
+/// instead.
 void SoftwareExecutor::lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses) {
     const exact::SampleList& samples = exact_.samples();
     litPixels_ = 0;
@@ -327,14 +328,15 @@ FloatPicture SoftwareExecutor::shadowDepth() {
     return result;
 }
 
-/// Whether the pixel of a word of the visibility buffer shows the ground.
+/// Returns true if the pixel of this word of the visibility buffer shows the ground.
 bool SoftwareExecutor::isOnGround(std::size_t wordAt) const {
     const std::uint64_t word = words_[wordAt];
     if (word == 0 || isCapName(raster::visibleTriangle(word))) return false;
     return pass_.drawn()[raster::visibleTriangle(word) >> kTriangleBits].isGround;
 }
 
-/// A transparent ground is drawn as its shadow on white, which is all of its coverage and none of its colour.
+/// A transparent ground is drawn as a shadow on white. The shadow determines its coverage, and the colour becomes
+/// black.
 Picture SoftwareExecutor::picture() {
     Picture result = picture_;
     if (!isTransparent_ || !pass_.hasGround()) return result;
@@ -359,7 +361,7 @@ FloatPicture SoftwareExecutor::viewDepth() {
     for (int row = 0; row < result.height; ++row)
         for (int column = 0; column < result.width; ++column) {
             const std::size_t at = result.index(column, result.height - 1 - row);
-            // Infinite where nothing of the model was drawn.
+            // infinite if no surface of the model is visible
             const bool isShown = !pass_.hasGround() || !isOnGround(at);
             result.at(column, row) =
                 static_cast<float>(depth_.asked(isShown ? raster::visibleDepth(words_[at]) : 0.0F));

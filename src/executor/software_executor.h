@@ -1,4 +1,4 @@
-// The executor that draws without OpenGL: the project's own rasteriser, and shading of what is visible.
+// The software backend: a rasteriser for visible triangles, and shading of the visible pixels.
 #pragma once
 
 #include "executor/executor.h"
@@ -7,7 +7,8 @@
 
 namespace gnomon::executor {
 
-/// Draws the frames that the GL executor draws, on the CPU's cores. The picture does not depend on their number.
+/// Makes a backend that draws the same frames as the GL backend on all CPU cores. The picture does not depend on the
+/// number of cores.
 std::unique_ptr<Executor> makeSoftwareExecutor();
 
 } // namespace gnomon::executor

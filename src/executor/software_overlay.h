@@ -1,5 +1,4 @@
-// What shaders/image/overlay.glsl paints over the image, pixel by pixel on the CPU: the same operations in the same
-// names.
+// The CPU version of shaders/image/overlay.glsl, with the same operations and names.
 #pragma once
 
 #include "executor/software_pass.h"
@@ -9,28 +8,28 @@
 
 namespace gnomon::executor {
 
-/// A shaded pixel that is painted over.
+/// A shaded pixel below an overlay.
 struct PaintedPixel {
     glm::vec3 shaded{0};
     glm::vec3 position{0};   // draw space
     float depth = 0;         // along the view
-    int pass = -1;           // the map that shows it; -1: none
-    glm::dvec3 rayOrigin{0}; // of the ray through the pixel's centre, and what it changes by from pixel to pixel
+    int pass = -1;           // index of the looked-up map; -1: none
+    glm::dvec3 rayOrigin{0}; // origin of the ray through the pixel's centre, and its change per pixel
     glm::dvec3 originPerX{0};
     glm::dvec3 originPerY{0};
-    glm::vec3 ray{0}; // its direction, likewise
+    glm::vec3 ray{0}; // direction of this ray, and its change per pixel
     glm::vec3 rayPerX{0};
     glm::vec3 rayPerY{0};
-    glm::vec3 normal{0}; // of the face
+    glm::vec3 normal{0}; // normal of the triangle
     int x = 0;
     int y = 0; // from the bottom
     const DrawnCluster* cluster = nullptr;
 };
 
-/// Paints one frame's overlay, from any thread.
+/// A painter for the overlay of one frame. All threads can use it.
 class SoftwareOverlay {
 public:
-    /// The blocks and `frame` must outlive it; `clusters` are those of the image.
+    /// Makes a painter. The blocks and `frame` must outlive it; `clusters` are the clusters of the image.
     SoftwareOverlay(
         const FrameDrawing& frame,
         const block::Frame& block,
@@ -44,7 +43,7 @@ private:
     glm::vec3 residence(const DrawnCluster& cluster) const;
     float texelGrid(const PaintedPixel& pixel) const;
 
-    /// A cluster's error (world units) and colour as the shaders are told them.
+    /// The error (world units) and colour index of a cluster, decoded as in the shaders.
     struct ClusterMark {
         float error = 0;
         int tint = 0;
@@ -57,7 +56,8 @@ private:
     const FrameDrawing* frame_;
     const block::Frame* block_;
     const block::Shadows* shadows_;
-    std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_; // by page; overlays of clusters alone need it
+    // per page; filled only for overlays of clusters
+    std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_;
 };
 
 } // namespace gnomon::executor

@@ -69,7 +69,7 @@ raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, 
     view.eyeCell = glm::ivec3(space.originCell.x, space.originCell.y, space.originCell.z);
     view.clipFromCell = glm::mat4(clipFromDraw);
     for (int axis = 0; axis < 3; ++axis)
-        view.clipFromCell[axis] *= static_cast<float>(space.step); // a power of two: exact
+        view.clipFromCell[axis] *= static_cast<float>(space.step); // exact, because the step is a power of two
     view.viewport = viewport;
     return view;
 }

@@ -1,4 +1,4 @@
-// A pass as the software rasteriser takes it: the clusters of a draw list, and the view of the grid.
+// The input of the software rasteriser for one pass: the clusters of a draw list, and the view of the grid.
 #pragma once
 
 #include "executor/executor.h"
@@ -7,29 +7,30 @@
 
 namespace gnomon::executor {
 
-/// Which clusters of a list a pass takes.
+/// The treatment of section planes in a pass: whole clusters, or clusters cut by the planes.
 enum class Cutting : std::uint8_t { Whole, BySections };
 
-/// The clusters of one draw list; keeps its memory from pass to pass.
+/// The clusters of one draw list. Its memory is reused from pass to pass.
 class SoftwarePass {
 public:
-    /// Takes the clusters of `list`, whose pages must outlive the pass, or what the frame's sections leave of them.
+    /// Collects the clusters of `list`, whose pages must outlive the pass. With Cutting::BySections, collects only the
+    /// remaining pieces.
     void gather(const FrameDrawing& frame, const selection::DrawList& list, Cutting cutting);
 
-    /// Takes more of them, cut by sections.
+    /// Adds the clusters of `range`, cut by sections.
     void addCut(const FrameDrawing& frame, const selection::ClusterRange& range);
 
-    /// Adds the one cluster of `ground`, likewise.
+    /// Adds the single cluster of the page `ground`.
     void addGround(const hierarchy::Page& ground);
 
     std::span<const raster::Cluster> clusters() const { return clusters_; }
 
     bool hasGround() const { return hasGround_; }
 
-    /// The boxes of these, made anew.
+    /// Computes and returns the boxes of the clusters.
     std::span<const raster::CellBox> boxes();
 
-    /// The same clusters in the same order: their place is in the names of their triangles.
+    /// Returns the same clusters in the same order. The ids of their triangles contain this index.
     std::span<const DrawnCluster> drawn() const { return drawn_; }
 
 private:
@@ -41,12 +42,13 @@ private:
     bool hasGround_ = false;
 };
 
-/// A viewport of the target seen through `clipFromDraw`: the shaders' matrix with the grid's step inside.
+/// Returns the view of a viewport of the target through `clipFromDraw`: the matrix of the shaders, with the grid step
+/// included.
 raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport);
 
-/// How the casters of a map are seen, with the rows that the view borrows.
+/// The view of a map's casters, with the row positions that the view refers to.
 struct MapView {
-    std::vector<float> rows; // empty: they lie evenly
+    std::vector<float> rows; // empty if the rows are evenly spaced
     raster::View view;
 
     MapView(const FrameDrawing& frame, const shadow::ShadowMap& map);

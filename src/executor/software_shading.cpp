@@ -26,23 +26,23 @@ glm::vec3 toVector(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// The nearest of 255 levels.
+/// Returns the nearest of the levels 0 to 255.
 std::uint8_t level(float channel) {
     return static_cast<std::uint8_t>((static_cast<int>(510 * std::clamp(channel, 0.0F, 1.0F)) + 1) / 2);
 }
 
 } // namespace
 
-/// A batch, and where its pixels belong.
+/// A batch of pixels and their positions in the image.
 struct Shading::Work {
     PixelBatch batch;
-    std::array<std::uint32_t, PixelBatch::kMost> triangles{}; // their names
+    std::array<std::uint32_t, PixelBatch::kMost> triangles{}; // ids of the visible triangles
     std::array<std::array<const hierarchy::Vertex*, 3>, PixelBatch::kMost> corners{};
     std::array<int, PixelBatch::kMost> columns{};
     std::array<int, PixelBatch::kMost> rows{};                           // from the bottom
-    std::array<std::uint32_t, PixelBatch::kMost> pixels{}, tolerances{}; // of undecided ones
-    std::array<std::int32_t, PixelBatch::kMost> maps{};                  // whose cells hold them
-    std::array<std::uint32_t, PixelBatch::kMost> awaiting{};             // places in the batch
+    std::array<std::uint32_t, PixelBatch::kMost> pixels{}, tolerances{}; // of undecided pixels
+    std::array<std::int32_t, PixelBatch::kMost> maps{};                  // the map whose bins contain the pixel
+    std::array<std::uint32_t, PixelBatch::kMost> awaiting{};             // indices in the batch
 };
 
 Shading::Shading(
@@ -59,7 +59,8 @@ Shading::Shading(
       overlay_(frame, block_, shadows_, clusters),
       background_(backgroundRows(frame)) {
     if (frame.ground != nullptr) {
-        if (isTransparent(frame)) background_.assign(background_.size(), {255, 255, 255}); // see the executor
+        // see SoftwareExecutor::picture
+        if (isTransparent(frame)) background_.assign(background_.size(), {255, 255, 255});
         leftInShadow_ = leftInShadow(frame);
         shadowed_ = shadowedRows(background_, leftInShadow_);
     }
@@ -102,7 +103,7 @@ bool Shading::isGround(const Work& work, std::size_t i) const {
     return clusters_[work.triangles[i] >> kTriangleBits].isGround;
 }
 
-/// What is seen through the ground is the background, and as much darker as the sun leaves it.
+/// Colours the pixels of the ground: the background, darkened in the shadow of the sun.
 void Shading::colorGround(Work& work) const {
     PixelBatch& batch = work.batch;
     const auto packed = [](const Rgb& c) {
@@ -124,7 +125,7 @@ void Shading::colorGround(Work& work) const {
     }
 }
 
-/// Of the pixel `at`, whose colour is there: of the background, or of a cap.
+/// Writes surface and light of pixel `at`, which shows the background or a cap and already has its colour.
 void Shading::leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& target) const {
     if (target.surfaces != nullptr) target.surfaces->pixels[at] = {};
     if (target.light == nullptr) return;
@@ -134,7 +135,8 @@ void Shading::leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& tar
 
 void Shading::shade(
     const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const {
-    // Squares again: what lies side by side in a list of samples is held against triangles together.
+    // Small squares keep neighbouring samples together, because a triangle is tested against consecutive samples of the
+    // list.
     constexpr int kSide = 8;
     Work work;
     for (int y = box.y0; y < box.y1; y += kSide)
@@ -143,7 +145,7 @@ void Shading::shade(
     flush(work, target);
 }
 
-/// What is left in `work` is still to be flushed.
+/// Adds the pixels of a square to `work`. The caller flushes the remaining pixels.
 void Shading::shadeSquare(
     const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target, Work& work) const {
     const Picture& picture = *target.picture;
@@ -169,7 +171,7 @@ void Shading::shadeSquare(
     }
 }
 
-/// Corners lie scattered over pages, so they are prefetched.
+/// Collects the triangles of the batch. Corners are scattered over pages, so they are prefetched.
 void Shading::gatherTriangles(Work& work) const {
     PixelBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -237,7 +239,7 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     batch.count = 0;
 }
 
-/// What is shown as that colour; a cap has no part in the sky's directions.
+/// Returns the light that is displayed as `color`. A cap receives no light from directions of the sky.
 std::array<float, 3> Shading::lightOfCap(const Rgb& color) const {
     std::array<float, 3> light{};
     if (frame_->lightPart == LightPart::SkyDirection) return light;
@@ -248,7 +250,7 @@ std::array<float, 3> Shading::lightOfCap(const Rgb& color) const {
     return light;
 }
 
-/// What a shadow takes of the background's light on the ground, as a LightPicture has it.
+/// Returns the light that a shadow on the ground removes from the background, in the format of LightPicture.
 std::array<float, 3> Shading::lightOfGround(float lit) const {
     std::array<float, 3> light{};
     for (int c = 0; c < 3; ++c)
@@ -272,8 +274,8 @@ void Shading::keepLight(const Work& work, const ShadingTarget& target) const {
     }
 }
 
-/// Whether pixel `i` of `work` counts among the lit pixels if the light reaches it. A surface that grazes the light
-/// shows none of it, and a rounding decides which side it turns to the light.
+/// Returns true if pixel `i` of `work` counts as a lit pixel when light reaches it. Surfaces at a grazing angle do not
+/// count: they are dark, and rounding decides which side faces the light.
 bool Shading::countsAsLit(const Work& work, std::size_t i) const {
     constexpr float kMinCosine = 1e-3F;
     const PixelBatch& batch = work.batch;
@@ -304,7 +306,8 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
         if (undecided.sliceEnds.size() < 2) continue;
         const auto end = std::lower_bound(undecided.sliceEnds.begin(), undecided.sliceEnds.end(), batch.depth[i]);
         work.maps[i] =
-            static_cast<std::int32_t>(end - undecided.sliceEnds.begin()); // beyond the last: the list holds it
+            // after the last slice: the sample list handles this
+            static_cast<std::int32_t>(end - undecided.sliceEnds.begin());
     }
     exact::PointBatch points;
     points.count = batch.count;

@@ -1,4 +1,5 @@
-// From the visibility buffer to the image: what is seen at each pixel, gathered for the vector kernel, and its colours.
+// From the visibility buffer to the image: collects the visible triangles for the vector kernel, and writes their
+// colours.
 #pragma once
 
 #include "exact/lookup_mask.h"
@@ -11,7 +12,7 @@
 
 namespace gnomon::executor {
 
-/// The bytes of a PixelBatch's colour.
+/// Unpacks a colour of a PixelBatch to bytes.
 constexpr Rgb unpacked(std::uint32_t color) {
     return {
         static_cast<std::uint8_t>(color),
@@ -19,48 +20,51 @@ constexpr Rgb unpacked(std::uint32_t color) {
         static_cast<std::uint8_t>(color >> 16U)};
 }
 
-/// Pixels whose verdict is still to come.
+/// Pixels whose shadow is computed later.
 struct UndecidedPixels {
-    exact::SampleList* samples = nullptr; // get those that face the light, by their pixels, and their colours in it
-    std::uint32_t tolerance = 0;          // as exact::meet takes it
-    std::vector<float> sliceEnds;         // view depths where the slices of cell maps end, nearest first
+    exact::SampleList* samples = nullptr; // receives the pixels that face the light, with their lit colours
+    std::uint32_t tolerance = 0;          // as in exact::meet
+    std::vector<float> sliceEnds;         // view depths of the ends of the slices of the sample grids, nearest first
     exact::VisiblePoints* points =
-        nullptr; // gets all of them in place of `samples`, whether they face the light or not
+        nullptr; // if not null, receives all pixels instead of `samples`, also those that face away from the light
 };
 
-/// Pixels whose maps are still to be drawn: `mask` gets what will be looked up. Where `isLitLater` they are listed too,
-/// one after another in any order: which pixel, which texel of the depth texture, the depth that is compared with it,
-/// the colour in the light, as PixelBatch has it, and whether the pixel counts as lit once the light reaches it.
+/// Pixels whose maps are drawn later. `mask` receives the later lookups. With `isLitLater`, the pixels are also listed
+/// in any order. Each entry has the pixel, its texel of the depth texture, the depth for the comparison, the lit colour
+/// in the format of PixelBatch, and whether the pixel counts as lit when light reaches it.
 struct AwaitedPixels {
     exact::LookupMask* mask = nullptr;
     bool isLitLater = false;
-    std::vector<std::uint32_t> pixels, texels, litColors; // with room for every pixel; the first `size` count
+    // with room for all pixels; the first `size` entries are valid
+    std::vector<std::uint32_t> pixels, texels, litColors;
     std::vector<float> depths;
     std::vector<std::uint8_t> counts;
     std::atomic<std::size_t> size{0};
 };
 
-/// Rows of the image from top to bottom; `surfaces` may be null.
+/// The output of shading, with rows from top to bottom. `surfaces` can be null.
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
-    UndecidedPixels* undecided = nullptr;            // shades each pixel in shadow, and leaves to this what is lit
-    AwaitedPixels* awaited = nullptr;                // likewise; where no map is asked, pixels get their colour at once
-    std::atomic<std::uint64_t>* litPixels = nullptr; // counts those that are known to be lit at least in part
-    LightPicture* light = nullptr;                   // both with a frame's `wantsLight`: the light of `picture`,
-    LightPicture* undecidedLight = nullptr;          // and of undecided pixels that in which they are lit
-    const shadow::TileMask* tiles = nullptr;         // which pixels are shaded; null: all
+    // if not null, shades each pixel in shadow and collects the candidates for light here
+    UndecidedPixels* undecided = nullptr;
+    // likewise; a pixel that needs no map gets its final colour immediately
+    AwaitedPixels* awaited = nullptr;
+    std::atomic<std::uint64_t>* litPixels = nullptr; // counts the pixels that are known to be at least partly lit
+    LightPicture* light = nullptr;                   // with `wantsLight`: the light of `picture`
+    LightPicture* undecidedLight = nullptr;          // with `wantsLight`: the light of undecided pixels if they are lit
+    const shadow::TileMask* tiles = nullptr;         // the tiles to shade; null: all pixels
 };
 
-/// What the verdict of a shading hangs on where neither the plan nor a mask tells.
+/// The state of the shadow result during shading, apart from the plan and the mask: known, undecided until exact
+/// shadows are computed, or awaited until the maps are drawn.
 enum class Verdict : std::uint8_t { Known, Undecided, Awaited };
 
-/// The image of one frame, ready to be shaded box by box from any thread.
+/// The shading of one frame. All threads can shade boxes.
 class Shading {
 public:
-    /// All arguments must outlive it; `shadowDepth` is empty without maps, `clusters` are those of the image's pass;
-    /// `verdict` calls for targets with `undecided` or
-    /// `awaited`.
+    /// Prepares the shading. All arguments must outlive it. `shadowDepth` is empty without maps, and `clusters` are the
+    /// clusters of the image's pass. A `verdict` other than Known requires targets with `undecided` or `awaited`.
     Shading(
         const FrameDrawing& frame,
         const glm::dmat4& clipFromDraw,
@@ -74,14 +78,14 @@ public:
     Shading& operator=(Shading&&) = delete;
     ~Shading() = default;
 
-    /// Writes every pixel of `box` (rows from the bottom of the image) from the words of the visibility buffer, which
-    /// holds the same rows as the target.
+    /// Shades each pixel of `box` from the words of the visibility buffer. Rows of `box` count from the bottom of the
+    /// image. The visibility buffer contains the same rows as the target.
     void shade(const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const;
 
-    /// The rows that targets hold.
+    /// Returns the rows of the targets.
     ImageRows rows() const { return rows_; }
 
-    /// What the kernel is told of the frame.
+    /// Returns the constants of the frame for the kernel.
     const ShadingFrame& frame() const { return shared_; }
 
 private:
@@ -103,7 +107,7 @@ private:
     std::array<float, 3> lightOfCap(const Rgb& color) const;
     std::array<float, 3> lightOfGround(float lit) const;
 
-    /// The row of a target that holds row `row` of the image.
+    /// Returns the row of a target that contains row `row` of the image.
     int fromTop(int row) const { return rows_.first + rows_.count - 1 - row; }
 
     bool isGround(const Work& work, std::size_t i) const;
@@ -117,12 +121,12 @@ private:
     block::Frame block_;
     block::Shadows shadows_;
     ShadingFrame shared_;
-    glm::dvec3 rayOrigin_{0}; // draw space; of the image point (0, 0)
+    glm::dvec3 rayOrigin_{0}; // draw space; for the image point (0, 0)
     glm::dvec3 originPerX_{0};
     glm::dvec3 originPerY_{0};
     SoftwareOverlay overlay_;
-    std::vector<Rgb> background_; // by row, from the top
-    std::vector<Rgb> shadowed_;   // the same where a shadow lies on the ground
+    std::vector<Rgb> background_; // per row, from the top
+    std::vector<Rgb> shadowed_;   // the background in a ground shadow
     glm::vec3 leftInShadow_{1};
 };
 

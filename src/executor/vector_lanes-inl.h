@@ -1,4 +1,4 @@
-// Numbers and vectors of three, one in each lane. Included once for each instruction set.
+// Vectors of numbers and of 3D vectors, one per lane. Included once per instruction set.
 #if defined(GNOMON_EXECUTOR_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXECUTOR_VECTOR_LANES_INL_H
 #undef GNOMON_EXECUTOR_VECTOR_LANES_INL_H
@@ -42,8 +42,9 @@ HWY_INLINE Floats inverse(Floats value) {
     return hn::Div(constant(1), value);
 }
 
-/// The natural logarithm of values above 0 and finite, to 2e-7 of the result plus 1e-7; the same on every instruction
-/// set. With value = 2^e m, m between sqrt(1/2) and sqrt 2, and s = (m - 1) / (m + 1), ln m is 2 artanh s.
+/// Returns the natural logarithm of finite positive values, with an error of at most 2e-7 of the result plus 1e-7. It
+/// is identical on all instruction sets. With value = 2^e m, m between sqrt(1/2) and sqrt 2, and s = (m - 1) / (m + 1),
+/// ln m is 2 artanh s.
 HWY_INLINE Floats naturalLog(Floats value) {
     constexpr std::int32_t kRootOfHalf = 0x3F3504F3;
     const auto bits = hn::Sub(hn::BitCast(kInts, value), hn::Set(kInts, kRootOfHalf));
@@ -55,7 +56,7 @@ HWY_INLINE Floats naturalLog(Floats value) {
     auto series = constant(2.0F / 9);
     for (const float term : {2.0F / 7, 2.0F / 5, 2.0F / 3, 2.0F})
         series = hn::Add(hn::Mul(series, square), constant(term));
-    // The upper part of ln 2 times an exponent is exact.
+    // The product of an exponent and the upper part of ln 2 is exact.
     const auto e = toFloats(exponent);
     const auto low = hn::Add(hn::Mul(s, series), hn::Mul(e, constant(-2.12194440e-4F)));
     return hn::Add(hn::Mul(e, constant(0.693359375F)), low);
@@ -96,13 +97,13 @@ HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
         hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// `a` where it points to the same side as `towards`, else its opposite.
+/// Returns `a` or its opposite, whichever points to the side of `towards`.
 HWY_INLINE Vec3 turned(const Vec3& a, const Vec3& towards) {
     const auto isAway = hn::Lt(dot(a, towards), hn::Zero(kFloats));
     return choose(isAway, {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)}, a);
 }
 
-/// `a` of length 1 where it has one that is not 0, else `otherwise`.
+/// Returns `a` with unit length, or `otherwise` if its length is 0.
 HWY_INLINE Vec3 normalizedOr(const Vec3& a, const Vec3& otherwise) {
     const auto square = dot(a, a);
     const auto hasLength = hn::Gt(square, hn::Zero(kFloats));

@@ -1,4 +1,4 @@
-// First-fit allocation of ranges out of a fixed span of units.
+// First-fit allocation of ranges from a fixed span of units.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace gnomon::executor {
 
-/// Free ranges by offset; neighbours are merged when they are given back.
+/// An allocator that keeps free ranges by offset. Released ranges are merged with their neighbours.
 class FreeList {
 public:
     FreeList() = default;
@@ -16,10 +16,10 @@ public:
         if (units > 0) free_.emplace(0, units);
     }
 
-    /// The offset of `units` free units, which are then taken; nothing if no range is large enough.
+    /// Allocates `units` units and returns their offset, or nullopt if no free range is large enough.
     std::optional<std::size_t> take(std::size_t units);
 
-    /// Gives back a range that `take` returned.
+    /// Frees a range that `take` returned.
     void release(std::size_t offset, std::size_t units);
 
 private:

@@ -17,7 +17,7 @@ namespace {
 
 using Index = std::uint16_t;
 
-/// What surfaces have besides a position.
+/// The attributes of a vertex besides its position.
 struct PackedAttributes {
     std::uint32_t normal = 0;
     std::uint32_t color = 0;
@@ -35,7 +35,7 @@ constexpr std::array<gl::Attribute, 3> kAttributes = {
     gl::Attribute{1, 1, GL_UNSIGNED_INT, true, 0, 1},
     gl::Attribute{2, 4, GL_UNSIGNED_BYTE, false, 4, 1}};
 
-/// A page as it lies in a chunk.
+/// A page in the layout of a chunk.
 struct PackedPage {
     std::vector<hierarchy::GridPoint> positions;
     std::vector<PackedAttributes> attributes;
@@ -59,7 +59,8 @@ void fill(const gl::RingPiece& piece, const std::vector<T>& values) {
     std::memcpy(piece.bytes.data(), values.data(), piece.bytes.size());
 }
 
-/// The code of an error in eighths of an octave above the grid's step, rounded up; 0 is none.
+/// Returns the code of an error: its logarithm relative to the grid step in eighths of an octave, rounded up. Code 0
+/// means no error.
 std::uint32_t errorCode(double error, double step) {
     if (!(error > 0)) return 0;
     const double code = std::ceil(8 * std::log2(error / step)) + 9;
@@ -144,7 +145,7 @@ std::optional<PagePlace> GeometryPool::find(std::uint32_t page) {
     return found->second->place;
 }
 
-/// The new chunk shares its bytes out between vertices and indices as `page` needs them.
+/// Adds a chunk. Its bytes are divided between vertices and indices in the ratio of `page`.
 bool GeometryPool::addChunk(const PageSize& page) {
     const std::uint64_t held = size().count;
     const std::uint64_t left = cap_.count - std::min(cap_.count, held);
@@ -222,7 +223,8 @@ std::optional<PagePlace> GeometryPool::insert(
 
 void GeometryPool::insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid) {
     std::vector<Staged> staged;
-    std::size_t bytes = 0; // of the staging memory; a segment at most, so that commands may follow when all is filled
+    // used staging memory; at most one segment, so that the copy commands can be issued after it is full
+    std::size_t bytes = 0;
     const auto flush = [&] {
         upload(staged, grid);
         staged.clear();
@@ -237,7 +239,7 @@ void GeometryPool::insertAll(std::span<const NewPage> pages, const hierarchy::Gr
         std::size_t needed = 0;
         for (const std::size_t size : sizes)
             needed += gl::MappedRing::aligned(size);
-        if (needed > staging_->segmentBytes()) continue; // in parts, by `insert`
+        if (needed > staging_->segmentBytes()) continue; // `insert` uploads such a page in parts
         const auto found = place(next.size);
         if (!found) break;
         if (bytes + needed > staging_->segmentBytes()) flush();

@@ -1,4 +1,5 @@
-// Pages as GL sees them: positions, attributes and indices of every page in few large buffers under one cap of bytes.
+// A cache of pages in GL buffers: positions, attributes and indices of all pages in a few large buffers, with a limit
+// in bytes.
 #pragma once
 
 #include "core/units.h"
@@ -17,59 +18,61 @@
 
 namespace gnomon::executor {
 
-/// Where a page lies.
+/// The place of a page in the pool.
 struct PagePlace {
     std::size_t chunk = 0;
     GLint baseVertex = 0;
     GLuint firstIndex = 0; // in indices from the start of the chunk's buffer
 };
 
-/// An index counts from a multiple of this many vertices of its page, the last before its cluster's first: so that 16
-/// bits do, for pages of any size. This is that multiple.
+/// Returns the vertex of the page that is index 0 for `cluster`. It is the last multiple of 2^15 up to the cluster's
+/// first vertex. With this base, 16-bit indices are sufficient for pages of any size.
 constexpr std::uint32_t indexBase(const hierarchy::Cluster& cluster) {
     constexpr std::uint32_t kBlock = 1U << 15U;
     return cluster.firstVertex / kBlock * kBlock;
 }
 
-/// A cache of pages in GL buffers. Pages leave it oldest use first. A chunk is one buffer: positions of all its
-/// vertices, which is all that shadow maps read, then their attributes, then indices.
+/// A cache of pages in GL buffers with eviction of the least recently used page. A chunk is one buffer: first the
+/// positions of all vertices, which are sufficient for shadow maps, then their attributes, then indices.
 class GeometryPool {
 public:
-    /// Never holds more than its cap in buffers; buffers are made as they are needed, each as large as those before it
-    /// together, within bounds. Pages come in through `staging`.
+    /// Makes a pool whose buffers never exceed `cap`. Buffers are made on demand. A new buffer is as large as all
+    /// earlier ones together, within limits. Pages are uploaded through `staging`.
     GeometryPool(const gl::Api& api, gl::MappedRing& staging, Bytes cap);
 
-    /// Changes the cap; what no longer fits goes at once. Draws of it must have been issued.
+    /// Changes the limit, and immediately evicts the pages that exceed it. Draws with these pages must have been
+    /// issued.
     void keepUnder(Bytes cap);
 
-    /// The place of `page` if it is there; counts as a use.
+    /// Returns the place of `page` if it is in the pool, and marks it as used.
     std::optional<PagePlace> find(std::uint32_t page);
 
-    /// A page to be put in.
+    /// A page to insert.
     struct NewPage {
         std::uint32_t id = 0;
         const hierarchy::Page* page = nullptr;
     };
 
-    /// Puts in those of `pages`, all different and none of them there, that there is room for without dropping others.
-    /// All worker threads write to the staging memory, as many pages at a time as a segment of it holds.
+    /// Inserts as many of `pages` as fit without eviction. The pages must be distinct and not in the pool. All worker
+    /// threads write to the staging memory, one segment at a time.
     void insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid);
 
-    /// Puts `page` in; nothing if that needs room that only `evictOldest` can make. Throws Error if the page alone is
-    /// larger than the cap.
+    /// Inserts `page`. Returns nullopt if there is no room before a call of `evictOldest`. Throws Error if the page
+    /// alone exceeds the limit.
     std::optional<PagePlace> insert(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
 
-    /// Drops the page that was not used for longest; false if there is none. Draws of it must have been issued.
+    /// Evicts the least recently used page. Returns false if the pool is empty. Draws with this page must have been
+    /// issued.
     bool evictOldest();
 
-    /// The vertex array over a chunk's buffer, of positions with attributes or alone.
+    /// Returns the vertex array of a chunk: positions with attributes, or positions only.
     GLuint vertexArray(std::size_t chunk, bool withAttributes) const {
         return (withAttributes ? chunks_[chunk].surfaces : chunks_[chunk].positions).id();
     }
 
     std::size_t chunkCount() const { return chunks_.size(); }
 
-    /// What the buffers take.
+    /// Returns the size of all buffers.
     Bytes size() const;
 
 private:
@@ -78,7 +81,7 @@ private:
         std::size_t indices = 0;
     };
 
-    /// Where what a page consists of begins in its chunk's buffer, in bytes.
+    /// Offsets in bytes of the parts of a page in its chunk's buffer.
     struct PageOffsets {
         std::size_t positions = 0;
         std::size_t attributes = 0;
@@ -102,7 +105,7 @@ private:
         PageSize size;
     };
 
-    /// A page that has a place and pieces of the staging memory.
+    /// A page with its place in the pool and its pieces of staging memory.
     struct Staged {
         NewPage page;
         PagePlace place;
@@ -122,21 +125,24 @@ private:
     gl::MappedRing* staging_;
     Bytes cap_;
     std::vector<Chunk> chunks_;
-    std::list<Entry> byUse_; // newest first
+    std::list<Entry> byUse_; // most recently used first
     std::unordered_map<std::uint32_t, std::list<Entry>::iterator> entries_;
 };
 
-/// A vertex as the shaders read it: the page's own, but the top bits of the position carry three bits that tell
-/// clusters apart and the colour's alpha the cluster's stored error, rounded up.
+/// A vertex in the layout of the shaders, equal to that of the page except for two fields. The top bits of the position
+/// store three bits of a colour index of the cluster. The alpha of the colour stores the cluster's stored error,
+/// rounded up.
 using PackedVertex = hierarchy::Vertex;
 
-/// The vertices of `page` for the GPU; `page` must hold what the reader validates.
+/// Returns the vertices of `page` for the GPU. `page` must be valid.
 std::vector<PackedVertex> packedVertices(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
 
-/// The indices of `page` for the GPU, by triangle; each counts from its cluster's `indexBase`.
+/// Returns the indices of `page` for the GPU, three per triangle. Indices are relative to the `indexBase` of their
+/// cluster.
 std::vector<std::uint16_t> packedIndices(const hierarchy::Page& page);
 
-/// The error of drawing a cluster instead of the source: its refinement's, or the snap error at level 0; world units.
+/// Returns the error of drawing a cluster instead of the source, in world units: the error of its refinement, or the
+/// snap error at level 0.
 double storedError(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const hierarchy::Grid& grid);
 
 } // namespace gnomon::executor

@@ -1,4 +1,4 @@
-// The draws of one pass of OpenGL, gathered by the pool's chunks and issued together.
+// The draws of one OpenGL pass, collected per chunk of the pool and issued together.
 #pragma once
 
 #include "executor/gl/geometry_pool.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::executor {
 
-/// One draw, as OpenGL 4.5 lays it out (section 10.3.10).
+/// One indirect draw in the layout of OpenGL 4.5, section 10.3.10.
 struct DrawCommand {
     GLuint count = 0;
     GLuint instanceCount = 1;
@@ -19,8 +19,8 @@ struct DrawCommand {
     GLuint baseInstance = 0;
 };
 
-/// Appends to `commands` the draws of a range of the clusters of `page`, which lies at `place`: one for each multiple
-/// of vertices that its indices count from.
+/// Appends the draws of a range of clusters of `page`, which is at `place`. Each base vertex of the indices gets its
+/// own draw.
 void appendCommands(
     std::vector<DrawCommand>& commands,
     const PagePlace& place,
@@ -29,22 +29,23 @@ void appendCommands(
 
 class GlBatch {
 public:
-    /// `withAttributes` for surfaces, not for depth alone. What is drawn is put into `commands`.
+    /// Makes an empty batch. `withAttributes` is true for surfaces and false for depth only. The draw commands go to
+    /// the ring `commands`.
     GlBatch(const gl::Api& api, gl::MappedRing& commands, bool withAttributes)
         : api_(&api), commands_(&commands), withAttributes_(withAttributes) {}
 
-    /// Adds a range of the clusters of `page`, which lies at `place` in the pool.
+    /// Adds a range of clusters of `page`, which is at `place` in the pool.
     void add(const PagePlace& place, const hierarchy::Page& page, const selection::ClusterRange& range);
 
-    /// Issues what was added, by one indirect call a chunk as long as the ring has the room; returns how many ranges
-    /// that draws. `waits` for each call before the next is queued.
+    /// Issues all draws with one indirect call per chunk, or more if the ring is too small. Returns the number of
+    /// draws. `waits` makes it wait for each call before the next one.
     std::uint64_t flush(const GeometryPool& pool, bool waits);
 
 private:
     const gl::Api* api_;
     gl::MappedRing* commands_;
     bool withAttributes_;
-    std::vector<std::vector<DrawCommand>> draws_; // by chunk
+    std::vector<std::vector<DrawCommand>> draws_; // one list per chunk
 };
 
 } // namespace gnomon::executor

@@ -26,10 +26,10 @@ namespace {
 constexpr GLuint kShadowDepthUnit = 0;
 constexpr GLuint kLitMaskUnit = 1;
 
-/// A segment of the ring of blocks: the partitions' block and a frame's block for every pass, several times.
+/// Segment size of the ring of uniform blocks: several frames' blocks for the partitions and for each pass.
 constexpr std::size_t kBlockSegment = std::size_t{128} << 10U;
 
-/// Segments of the other rings are shares of the memory, within bounds.
+/// Returns the segment size of another ring: a share of the memory, within limits.
 std::size_t ringSegment(Bytes memory, std::uint64_t share, std::size_t least, std::size_t most) {
     return std::clamp<std::size_t>(memory.count / share, least, most);
 }
@@ -38,7 +38,7 @@ constexpr std::size_t kKibibyte = 1024;
 
 class GlExecutor final : public Executor {
 public:
-    /// `own` is the context to keep if `context` is this executor's alone.
+    /// Makes a backend. `own` is the context if only this backend uses it, otherwise null.
     GlExecutor(
         std::unique_ptr<const gl::Context> own,
         const gl::Context& context,
@@ -88,7 +88,7 @@ public:
 private:
     const gl::Api& api() const { return context_->api(); }
 
-    /// To be read: of this executor's context, whichever was current.
+    /// Makes this backend's context current and returns its targets for reading.
     const GlTargets& targets() const {
         context_->makeCurrent();
         return targets_;
@@ -108,13 +108,13 @@ private:
 
     std::uint64_t ringBytes() const { return blocks_.size() + commands_.size() + staging_.size(); }
 
-    std::unique_ptr<const gl::Context> own_; // null in a window's
+    std::unique_ptr<const gl::Context> own_; // null in a window
     const gl::Context* context_;
     std::string name_;
     gl::ShaderLibrary shaders_;
-    Bytes memory_; // the cap on targets, rings and geometry together
+    Bytes memory_; // limit of targets, rings and geometry together
     GlSubmission submission_;
-    std::optional<gl::GpuTimer> shadowTimer_; // these two unless each pass is waited for
+    std::optional<gl::GpuTimer> shadowTimer_; // both timers are empty if each pass waits
     std::optional<gl::GpuTimer> imageTimer_;
     gl::MappedRing blocks_;
     gl::MappedRing commands_;
@@ -125,12 +125,12 @@ private:
     gl::VertexArray vertexless_;
     std::optional<LitCount> litCount_;
     plan::Shading shading_{};                            // of the last frame
-    std::map<std::string, gl::Program> surfacePrograms_; // by their defines
+    std::map<std::string, gl::Program> surfacePrograms_; // per list of defines
     GlTargets targets_;
     gl::Texture litMask_;
     Bytes targetMemory_;
     ImageDepth depth_;
-    std::uint64_t drawCalls_ = 0; // of the current pass
+    std::uint64_t drawCalls_ = 0; // draws of the current pass
     gl::CurrentAtDestruction deletesInItsContext_{*context_};
 };
 
@@ -160,7 +160,8 @@ PassStatistics GlExecutor::drawImage(const FrameDrawing& frame) {
     return {time, drawCalls_, std::nullopt};
 }
 
-/// The GPU's times, where it has a clock: of this frame if it is waited for, else of the last that is known to be done.
+/// Draws a frame and measures it with the GPU's clock if available. The times belong to this frame if the program waits
+/// for each frame, otherwise to the last finished frame.
 DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
     DrawStatistics statistics = Executor::draw(frame);
     if (submission_ == GlSubmission::WaitsForEachFrame) {
@@ -173,7 +174,7 @@ DrawStatistics GlExecutor::draw(const FrameDrawing& frame) {
     return statistics;
 }
 
-/// What the targets leave of the memory is the geometry's.
+/// Makes the targets. The remaining memory is the limit of the geometry pool.
 void GlExecutor::prepareTargets(const FrameDrawing& frame) {
     context_->makeCurrent();
     targetMemory_ = targets_.bytes(frame);
@@ -195,7 +196,7 @@ void GlExecutor::bindFrameBlock(const block::Frame& values) {
         GL_UNIFORM_BUFFER, 0, blocks_.id(), static_cast<GLintptr>(piece.offset), GLsizeiptr{sizeof values});
 }
 
-/// One value here, three blocks for the shaders: none is larger than the 16 KiB that every OpenGL has.
+/// Binds the struct as three uniform blocks, because OpenGL guarantees only 16 KiB per block.
 void GlExecutor::bindShadowsBlock(const FrameDrawing& frame) {
     constexpr std::size_t kFirst = offsetof(block::Shadows, partitions);
     constexpr std::size_t kOthers = kFirst + GNOMON_FIRST_PARTITIONS * sizeof(block::Partition);
@@ -226,7 +227,7 @@ void GlExecutor::drawMaps(const FrameDrawing& frame) {
     if (!keepsSome) clear();
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_LESS);
-    // Clipping keeps within the viewport but for rounding; the scissor makes it exact.
+    // Rounding can let clipped fragments leave the viewport; the scissor test prevents this.
     gl.enable(GL_SCISSOR_TEST);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         if (plan.passes[p].isReused) continue;
@@ -234,7 +235,7 @@ void GlExecutor::drawMaps(const FrameDrawing& frame) {
         gl.viewport(r.x, r.y, r.width, r.height);
         gl.scissor(r.x, r.y, r.width, r.height);
         if (keepsSome) clear();
-        // Casters nearer to the light than the frustum count: they are clamped per fragment.
+        // Depth clamping keeps casters that are nearer to the light than the frustum.
         (plan.passes[p].clampsDepth ? gl.enable : gl.disable)(GL_DEPTH_CLAMP);
         const MapDrawing map = mapDrawing(frame, plan.passes[p].map);
         bindFrameBlock(frameBlock(frame, map.space, map.clipFromDraw()));
@@ -347,7 +348,8 @@ PagePlace GlExecutor::placed(const FrameDrawing& frame, std::uint32_t id, GlBatc
     const hierarchy::Page& page = frame.pages(id);
     for (;;) {
         if (const auto place = pool_.insert(id, page, frame.grid)) return *place;
-        // The pool is smaller than the pass: what was gathered is drawn first, so that its pages may go.
+        // The pool is smaller than the pass. The collected clusters are drawn first, so that their pages can be
+        // evicted.
         drawCalls_ += batch.flush(pool_, waitsForDraws());
         pool_.evictOldest();
     }
@@ -361,8 +363,8 @@ void GlExecutor::drawGeometry(const FrameDrawing& frame, const selection::DrawLi
     drawCalls_ += batch.flush(pool_, waitsForDraws());
 }
 
-/// Mesa's software renderer keeps the binned triangles of all draws that it has not finished, some 200 MiB that count
-/// towards no cap: waiting holds them down, for a sixth more time.
+/// Mesa's software renderer stores the binned triangles of all unfinished draws, about 200 MiB outside the memory
+/// limit. Waiting limits this memory and costs a sixth more time.
 bool GlExecutor::waitsForDraws() const {
     return submission_ == GlSubmission::WaitsForEachPass;
 }

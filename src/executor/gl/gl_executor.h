@@ -1,4 +1,4 @@
-// The executor that draws with OpenGL.
+// The OpenGL backend.
 #pragma once
 
 #include "core/units.h"
@@ -10,15 +10,15 @@
 
 namespace gnomon::executor {
 
-/// When the program waits for what it asked of OpenGL.
+/// The points at which the program waits for OpenGL.
 enum class GlSubmission {
-    WaitsForEachPass,  // Mesa's software renderers: their clocks are wrong, and what they queue takes memory
+    WaitsForEachPass,  // Mesa's software renderers: their clocks are wrong, and queued work uses memory
     WaitsForEachFrame, // a GPU without a window: each frame has its own times
-    Queues,            // a GPU with a window: times are those of the last frame that is known to be done
+    Queues,            // a GPU with a window: times belong to the last frame that is finished
 };
 
-/// Draws with `platform`'s context; image, maps and geometry stay under `gpuMemory`. Tells `warn`, if given, which GPUs
-/// cannot be used. Throws Error if there is no context.
+/// Makes a backend with its own context of `platform`. Image, maps and geometry stay below `gpuMemory`. Calls `warn`,
+/// if given, for each GPU that cannot be used. Throws Error if there is no context.
 std::unique_ptr<Executor> makeGlExecutor(
     gl::Platform platform,
     const gl::ShaderLibrary& shaders,

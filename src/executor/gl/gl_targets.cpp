@@ -73,8 +73,8 @@ void GlTargets::prepareShadow(const gl::Api& api, const plan::FramePlan& plan) {
     shadow_->height = plan.textureHeight;
 }
 
-/// Of the texture for the maps of `plan`: the one that is there if the plan's fits, else one that both fit into, unless
-/// most of it would lie idle.
+/// Returns the size of the texture for the maps of `plan`. This is the max of the current and the required size in both
+/// directions. If more than half of that texture would be unused, it is the required size.
 glm::ivec2 GlTargets::shadowSize(const plan::FramePlan& plan) const {
     if (plan.passes.empty()) return {0, 0};
     const glm::ivec2 needed(plan.textureWidth, plan.textureHeight);

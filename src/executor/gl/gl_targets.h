@@ -1,4 +1,4 @@
-// The textures that OpenGL draws a frame into: made as a frame needs them, and read back as pictures.
+// The textures that OpenGL draws into: made on demand, and read back as pictures.
 #pragma once
 
 #include "core/units.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::executor {
 
-/// Turns `raster` upside down: the rows of OpenGL begin at the bottom.
+/// Flips `raster` vertically, because OpenGL's first row is at the bottom.
 template <class Pixel>
 void flipRows(Raster<Pixel>& raster) {
     const auto width = static_cast<std::ptrdiff_t>(raster.width);
@@ -22,38 +22,40 @@ void flipRows(Raster<Pixel>& raster) {
     }
 }
 
-/// Everything but `bytes` and `prepare` needs a frame that was prepared. The texture of the maps may be larger than a
-/// plan's: it is kept while plans change their shape, and maps lie in its first columns and rows.
+/// The render targets of a frame. All functions except `bytes` and `prepare` require a prepared frame. The texture of
+/// the maps can be larger than the plan requires, so that it can stay when plans change. The maps are in its first
+/// columns and rows.
 class GlTargets {
 public:
-    /// What the textures that `frame` is drawn into take: those that `prepare` makes or keeps.
+    /// Returns the size of the textures that `prepare` would make or keep for `frame`.
     Bytes bytes(const FrameDrawing& frame) const;
 
-    /// Makes what `frame` needs and the last frame did not leave. Throws Error if that is larger than a texture can be.
+    /// Makes the missing textures for `frame`. Throws Error if a texture exceeds the max size of OpenGL.
     void prepare(const gl::Context& context, const FrameDrawing& frame);
 
-    /// The colours of the image.
+    /// Returns the colour texture of the image.
     const gl::Texture& color() const { return image_->color; }
 
-    /// Of colours, depth (reversed) and, when wanted, normals and positions.
+    /// Returns the framebuffer of colour and reversed depth. If requested, it also has normals and positions.
     GLuint imageFramebuffer() const { return image_->framebuffer.id(); }
 
     bool hasShadowMaps() const { return shadow_.has_value(); }
 
-    /// The depths of all shadow maps.
+    /// Returns the depth texture of all shadow maps.
     const gl::Texture& shadowMaps() const { return shadow_->depth; }
 
     GLuint shadowFramebuffer() const { return shadow_->framebuffer.id(); }
 
     Picture picture() const;
 
-    /// Of a frame that wants it.
+    /// Returns the light of a frame with `wantsLight`.
     LightPicture light() const;
 
-    /// Depths along the view, of an image whose depths have this `meaning`; infinite where nothing was drawn.
+    /// Returns depths along the view for an image with the given `meaning` of depth. The depth is infinite if nothing
+    /// was drawn.
     FloatPicture viewDepth(const ImageDepth& meaning) const;
 
-    /// As drawn, the lowest row first; empty without shadow maps.
+    /// Returns the depths of the maps, lowest row first. The result is empty without shadow maps.
     FloatPicture shadowDepth() const;
 
     Raster<SurfaceSample> surfaces() const;
@@ -61,9 +63,9 @@ public:
 private:
     struct Image {
         gl::Texture color;
-        gl::Texture normals; // these two are empty unless surfaces are wanted
+        gl::Texture normals; // this and the next are empty unless surfaces are requested
         gl::Texture positions;
-        gl::Texture light; // empty unless that is
+        gl::Texture light; // empty unless light is requested
         gl::Texture depth;
         gl::Framebuffer framebuffer;
     };
@@ -71,7 +73,7 @@ private:
     struct Shadow {
         gl::Texture depth;
         gl::Framebuffer framebuffer;
-        int width = 0; // of the plan's
+        int width = 0; // size that the plan requires
         int height = 0;
     };
 

@@ -1,4 +1,4 @@
-// How many pixels of an image the light reaches, counted where the image lies.
+// Counting of the lit pixels of an image on the GPU.
 #pragma once
 
 #include "gl/objects.h"
@@ -11,16 +11,16 @@
 
 namespace gnomon::executor {
 
-/// Counts the pixels that the image's shader marked as lit: what passes a test that all others fail.
+/// A counter for pixels that the image's shader marked as lit. It uses an occlusion query.
 class LitCount {
 public:
     LitCount(const gl::Api& api, const gl::ShaderLibrary& shaders);
 
-    /// Those of `image`, whose commands must have been issued. Waits until the GPU has done them.
+    /// Returns the number of lit pixels of `image`, whose commands must have been issued. Waits for the GPU.
     std::uint64_t of(const gl::Texture& image);
 
-    /// The same, without waiting: one image now and then is counted, and its count given some frames later; nothing if
-    /// that was not `shading`'s, with which `image` was drawn.
+    /// Counts the lit pixels of some images without waiting, and returns a count some frames later. Returns nullopt
+    /// without a new count, or if the counted image had other `shading` than `image`.
     std::optional<std::uint64_t> nowAndThen(const gl::Texture& image, plan::Shading shading);
 
 private:
@@ -31,11 +31,11 @@ private:
     const gl::Api* api_;
     gl::Program program_;
     gl::VertexArray vertexless_;
-    gl::Object framebuffer_; // without textures
+    gl::Object framebuffer_; // a framebuffer without textures
     gl::Object query_;
-    bool isCounting_ = false; // what was begun is not given yet
-    plan::Shading counted_{}; // what was begun was drawn with
-    int uncountedImages_ = 0; // since one was begun
+    bool isCounting_ = false; // true while a count has not been returned
+    plan::Shading counted_{}; // shading of the counted image
+    int uncountedImages_ = 0; // images since the last count began
 };
 
 } // namespace gnomon::executor

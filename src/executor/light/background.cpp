@@ -9,13 +9,13 @@ namespace gnomon::executor {
 
 namespace {
 
-// Linear RGB.
+// linear RGB
 constexpr glm::vec3 kZenith{0.26F, 0.42F, 0.66F};
 constexpr glm::vec3 kHorizon{0.76F, 0.82F, 0.88F};
 constexpr glm::vec3 kBelow{0.36F, 0.38F, 0.41F};
-constexpr float kHaze = 0.2F; // the sine over which the horizon fades into what lies below
+constexpr float kHaze = 0.2F; // sine of the elevation over which the horizon fades to the colour below
 
-/// From 0 to 1 as x does, flat at both ends.
+/// Returns the smoothstep of x in [0, 1].
 float smooth(float x) {
     return x * x * (3 - 2 * x);
 }
@@ -65,7 +65,7 @@ bool isTransparent(const FrameDrawing& frame) {
 
 namespace {
 
-/// What the lights of `block` but the sun's send to level ground.
+/// Returns the ambient light of `block` on level ground.
 glm::vec3 ambientOf(const block::Frame& block, const glm::vec3& up) {
     return block.ambientMean + block.ambientTilt * glm::dot(up, block.skyAxis);
 }

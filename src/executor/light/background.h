@@ -1,4 +1,4 @@
-// What is seen where no surface is: one colour a row of the image.
+// The background of an image, with one colour per row.
 #pragma once
 
 #include "executor/executor.h"
@@ -8,32 +8,31 @@
 
 namespace gnomon::executor {
 
-/// The colours of the image's rows, from top to bottom, as the camera that draws the image sees them: the sky is that
-/// of the direction through the middle of a row. Black where the background is transparent.
+/// Returns the colours of the image's rows, from top to bottom, for the camera that draws the image. The sky colour of
+/// a row belongs to the direction through the row's middle. A transparent background is black.
 std::vector<Rgb> backgroundRows(const FrameDrawing& frame);
 
-/// What tells the sky of a row `y` of rows from the bottom: with a = (2 (y + 1/2) / height - 1) tanHalfY the sine to
-/// the horizon is (middle + a perHeight) / sqrt(1 + a^2).
+/// Parameters of the sky colour of row `y`, counted from the bottom. With a = (2 (y + 1/2) / height - 1) tanHalfY, the
+/// sine of the elevation is (middle + a perHeight) / sqrt(1 + a^2).
 struct SkyRows {
-    float middle = 0;    // the view's rise
-    float perHeight = 0; // that of the picture's up
+    float middle = 0;    // sine of the elevation of the view direction
+    float perHeight = 0; // sine of the elevation of the image's up direction
     float tanHalfY = 0;
 };
 
-/// Nothing where the background is no sky.
+/// Returns the parameters, or nullopt if the background is not a sky.
 std::optional<SkyRows> skyRows(const FrameDrawing& frame);
 
-/// The displayed colour of the sky in a direction whose sine to the horizon is `sine`, in [-1, 1].
+/// Returns the displayed colour of the sky for a sine of elevation in [-1, 1].
 Rgb skyColor(double sine);
 
-/// Whether nothing lies behind the model.
+/// Returns true if the background is transparent.
 bool isTransparent(const FrameDrawing& frame);
 
-/// The share of the light of sun, sky and ground, each above 0, that a shadow on level ground leaves.
+/// Returns the share of light, per channel, that remains in a shadow on level ground. Each value is greater than 0.
 glm::vec3 leftInShadow(const FrameDrawing& frame);
 
-/// The parts that the sun and the sky have in the light of level ground that sees all of both, where the sky's light
-/// comes from directions.
+/// The shares of sun and sky in the light of unoccluded level ground, if the light of the sky comes from directions.
 struct GroundShares {
     glm::vec3 sun{0};
     glm::vec3 sky{0};
@@ -41,7 +40,7 @@ struct GroundShares {
 
 GroundShares groundShares(const FrameDrawing& frame);
 
-/// `rows` with that share of their light.
+/// Returns `rows` with the share `left` of their light.
 std::vector<Rgb> shadowedRows(std::vector<Rgb> rows, const glm::vec3& left);
 
 } // namespace gnomon::executor

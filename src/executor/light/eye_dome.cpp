@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kStrength = 24;
 constexpr float kDarkest = 0.3F;
-/// One of each two opposite neighbours, at the distances of pixels that lines of two are drawn with.
+/// One of each pair of opposite neighbours, at the distances for lines of two pixels.
 constexpr std::array<std::array<int, 2>, 4> kAround = {{{2, 0}, {0, 2}, {1, 1}, {1, -1}}};
 
 void darken(Rgb& pixel, float light) {
@@ -29,7 +29,8 @@ void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelD
     GNOMON_CHECK(picture.width == depth.width && picture.height == depth.height);
     const int width = picture.width;
     const int height = picture.height;
-    // How much nearer than other things, linear over a plane: 1/depth, which is 0 where nothing is, or minus depth.
+    // A measure of nearness that is linear over a plane: 1/depth in perspective, or minus depth with parallel rays.
+    // 1/depth is 0 without a surface.
     const bool isParallel = parallelDistance > 0;
     const auto perDepth = static_cast<float>(isParallel ? -1 / parallelDistance : 0);
     const auto nearness = [&](int x, int y) {

@@ -1,15 +1,15 @@
-// Creases and outlines from depth alone, for surfaces that the light does not tell apart.
+// Eye-dome lighting: creases and outlines from depth alone, for surfaces with uniform light.
 #pragma once
 
 #include "executor/picture.h"
 
 namespace gnomon::executor {
 
-/// Darkens the pixels of `picture` that lie behind what is around them, as eye-dome lighting does (Boucheny 2009), by
-/// depths of the same size, infinite where nothing is. Of each two opposite pixels the mean of 1/depth is compared:
-/// that of a plane is its own, so that no flat surface darkens however it lies. Where nothing is, nothing changes.
-/// Lines of sight that are parallel have no distance to compare with, and planes the mean of depth: `parallelDistance`
-/// above 0 takes its place, as if all lay about so far away.
+/// Darkens pixels of `picture` that are behind their neighbours, by eye-dome lighting (Boucheny 2009). `depth` has the
+/// same size and is infinite without a surface; such pixels stay unchanged. For each pair of opposite neighbours, the
+/// mean of 1/depth is compared with the value of the pixel. In a plane both are equal, so flat surfaces never darken.
+/// With parallel primary rays, planes preserve the mean of depth itself. A positive `parallelDistance` then scales the
+/// differences, as if all surfaces had this distance.
 void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelDistance = 0);
 
 } // namespace gnomon::executor

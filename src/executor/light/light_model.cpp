@@ -7,18 +7,18 @@ namespace gnomon::executor {
 
 namespace {
 
-// Linear RGB. The sun is warmer than the sky, and the ground, that throws its light back, warmer still; the three are
-// nearly neutral together, so that grey stays grey where all of them shine. All of them together make a white surface
-// nine tenths as bright as a screen can be.
+// Light colours in linear RGB. The sun is warmer than the sky, and the light reflected from the ground is warmer still.
+// Their sum is nearly neutral, so grey stays grey in full light. In full light, a white surface has nine tenths of the
+// max brightness of a screen.
 constexpr glm::vec3 kSun{2.3F, 2.23F, 2.12F};
 constexpr glm::vec3 kSky{0.47F, 0.51F, 0.57F};
 constexpr glm::vec3 kGround{0.1F, 0.09F, 0.08F};
-constexpr float kFill = 0.22F; // from the eye, so that surfaces of one direction differ by their bend
-/// The brightest of the sky lies about the sun: how far the sky's middle leans from up to the sun's bearing.
+constexpr float kFill = 0.22F; // weak headlight, which shows curvature where all other light is uniform
+/// The brightest part of the sky is near the sun: tilt of the sky's axis from up towards the sun's azimuth.
 constexpr double kLean = 0.7;
 
-// Of the headlight: it falls off steeply enough to tell walls, floor and ceiling of one colour apart, and what it does
-// not reach is brighter above than below and to the right than to the left.
+// Parameters of the headlight. Its falloff with the angle is steep enough to distinguish walls, floor and ceiling of
+// one colour. The remaining ambient light is brighter above than below, and brighter on the right than on the left.
 constexpr float kHeadlight = 4.5F;
 constexpr float kDim = 0.26F;
 constexpr float kDimTilt = 0.22F;

@@ -1,5 +1,5 @@
-// How much light a surface gets and which colour a screen shows for it: linear light through a shoulder and the
-// transfer function of sRGB. Sums, products, quotients and square roots alone, so that every compiler finds the same.
+// The light of a surface and its displayed colour: linear light, tone mapping and the transfer function of sRGB. All
+// functions use only sums, products, quotients and square roots, so each compiler gives the same result.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -9,9 +9,10 @@
 
 namespace gnomon::executor {
 
-/// sRGB (IEC 61966-2-1) in polynomials, off by less than a third of a level of 255: a byte that is made linear and
-/// turned back is the same byte. `kFromDisplay` are those of the displayed value, `kToDisplay` those of the square root
-/// of the linear one, lowest first; below the limits both are straight lines.
+/// Polynomial approximations of the sRGB transfer function (IEC 61966-2-1). The error is less than a third of a level
+/// of 255, so a byte survives the conversion to linear and back. `kFromDisplay` are coefficients of the displayed
+/// value, `kToDisplay` of the square root of the linear value, lowest order first. Below the limits both functions are
+/// linear.
 namespace srgb {
 constexpr float kLinearSlope = 12.92F;
 constexpr float kDisplayLimit = 0.04045F;
@@ -20,26 +21,26 @@ constexpr std::array<float, 5> kFromDisplay = {0.00106078186F, 0.0279601052F, 0.
 constexpr std::array<float, 5> kToDisplay = {-0.0367864106F, 1.44343967F, -0.92177175F, 0.801877223F, -0.286758735F};
 } // namespace srgb
 
-/// The displayed value in [0, 1] of a linear one in [0, 1].
+/// Converts a linear value in [0, 1] to a displayed value in [0, 1].
 float displayFromLinear(float linear);
 
-/// The linear value in [0, 1] of a displayed one in [0, 1].
+/// Converts a displayed value in [0, 1] to a linear value in [0, 1].
 float linearFromDisplay(float display);
 
-/// How bright a surface is shown that reflects `light`, linear, in [0, 1]: Reinhard's operator (Reinhard et al. 2002,
-/// Eq 3), which leaves the dark nearly as it is and keeps differences where there is much light. Without light of the
-/// picture's own, `--shading unlit`, what a surface reflects is what is shown.
+/// Returns the tone-mapped value of linear `light`, in [0, 1], by Reinhard's operator (Reinhard et al. 2002, Eq 3). It
+/// keeps dark values almost unchanged and preserves differences between bright values. With `--shading unlit` there is
+/// no tone mapping.
 float shoulder(const block::Frame& block, float light);
 
-/// Fills the part of `block` that says how surfaces are lit; `shading` is never Auto.
+/// Fills the light parameters of `block`. `shading` is never Auto.
 void setLight(const plan::View& view, const plan::Look& look, plan::Shading shading, block::Frame& block);
 
-/// Takes the light of the sky out of what setLight put into `block`, so that its directions make it up one by one.
+/// Removes the sky light from the values of setLight, so that it can be added direction by direction.
 void takeSkyOut(const plan::Look& look, block::Frame& block);
 
-/// Leaves of the light in `block` what the sky sends from the direction of the light, one of many over the half sphere
-/// about up, whose mean is to be the sky's: each counts `weight`, twice what is bright there (the mean over the half
-/// sphere of twice the cosine is 1).
+/// Replaces the light in `block` by the sky light from the direction of the frame's light. The whole sky light is the
+/// mean of many such directions over the hemisphere around up. `weight` is twice the relative brightness of this
+/// direction, because the mean of twice the cosine over the hemisphere is 1.
 void leaveSkyDirection(const plan::Look& look, double weight, block::Frame& block);
 
 } // namespace gnomon::executor

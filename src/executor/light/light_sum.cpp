@@ -14,7 +14,7 @@ namespace gnomon::executor {
 
 namespace {
 
-constexpr double kLightSteps = 1 << 20; // of full scale
+constexpr double kLightSteps = 1 << 20; // per full scale
 constexpr float kBrightest = 4096;
 constexpr std::size_t kGrain = 16384;
 
@@ -27,12 +27,12 @@ void forAllPixels(std::size_t pixels, const Work& work) {
 }
 
 std::uint64_t lightSteps(float light) {
-    // What is no number is as bright as can be: it shows.
+    // NaN becomes the max value, so that it is visible.
     const float bounded = light < kBrightest ? std::max(light, 0.0F) : kBrightest;
     return static_cast<std::uint64_t>(std::llround(static_cast<double>(bounded) * kLightSteps));
 }
 
-/// The nearest of a screen's levels, as single frames have it.
+/// Returns the nearest level of a screen, rounded as in single frames.
 std::uint8_t screenLevel(float linear) {
     return static_cast<std::uint8_t>(
         (static_cast<int>(510 * std::clamp(displayFromLinear(linear), 0.0F, 1.0F)) + 1) / 2);
@@ -62,7 +62,7 @@ void addLight(LightPicture& light, const LightPicture& other) {
 Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
     constexpr std::uint64_t kLight = sizeof(LightPicture::pixels[0]);
     constexpr std::uint64_t kHeld = sizeof(Sums) + sizeof(std::uint16_t) + 2 * kLight;
-    constexpr std::uint64_t kShown = kLight + sizeof(Rgb); // no less than the copy of a frame's light
+    constexpr std::uint64_t kShown = kLight + sizeof(Rgb); // at least the size of the copy of a frame's light
     const std::uint64_t ofGround = hasGround ? sizeof(Sums) : 0;
     const std::uint64_t ofSky = hasSky ? kLight : 0;
     return {pixels * (kHeld + kShown + ofGround + ofSky)};
@@ -115,7 +115,7 @@ void LightSum::add(const LightPicture& light, const shadow::TileMask* tiles) {
     ++count_;
 }
 
-/// That show the pixel.
+/// Returns the number of frames that contain pixel `i`.
 int LightSum::framesOf(std::size_t i) const {
     if (!tiles_) return count_;
     const auto width = static_cast<std::size_t>(sums_.width);
@@ -134,7 +134,8 @@ LightPicture LightSum::mean() const {
     return mean;
 }
 
-/// Of its light, in the mean of the frames that show it; all of it where none does.
+/// Returns the mean share of the background's light that remains, over the frames that show the background. Returns 1
+/// if no frame shows it.
 std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
     std::array<float, 3> left = {1, 1, 1};
     const int open = framesOf(i) - covered_.pixels[i];
@@ -145,7 +146,7 @@ std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
     return left;
 }
 
-/// By how dark white is in that shadow, as a screen counts.
+/// Returns the coverage of a ground shadow: the displayed darkness of white in this shadow.
 float LightSum::groundCoverage(std::size_t i) const {
     return 1 - displayFromLinear(leftOfBackground(i)[0]);
 }
@@ -154,7 +155,7 @@ Picture LightSum::picture(const Shown& shown) const {
     GNOMON_CHECK(count_ > 0);
     const auto lastRow = static_cast<std::size_t>(firstRow_ + sums_.height);
     GNOMON_CHECK(shown.backgroundRows.size() >= lastRow);
-    const std::size_t above = shown.backgroundRows.size() - lastRow; // rows of the image
+    const std::size_t above = shown.backgroundRows.size() - lastRow; // rows of the image above this part
     block::Frame curve{};
     curve.isShouldered = shown.isShouldered ? 1 : 0;
     const LightPicture mean = this->mean();

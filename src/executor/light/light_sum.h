@@ -1,5 +1,4 @@
-// Frames added up in linear light, and the picture of their mean: what antialiasing, penumbrae and sky light, and all
-// else that is a mean of frames, come to.
+// Sums of frames in linear light, and the picture of their mean. Antialiasing, penumbrae and sky light are such means.
 #pragma once
 
 #include "executor/executor.h"
@@ -11,55 +10,56 @@
 
 namespace gnomon::executor {
 
-/// How the mean of light becomes a picture.
+/// Parameters for the conversion of mean light to a picture.
 struct Shown {
-    bool isShouldered = true;        // as block::Frame has it
-    bool isTransparent = false;      // the background is: a pixel has the colour of what covers it
+    bool isShouldered = true; // applies tone mapping, as in block::Frame
+    // transparent background: a partly covered pixel has the colour of its surface only
+    bool isTransparent = false;
     std::vector<Rgb> backgroundRows; // from top to bottom
-    bool hasGround = false;          // shadows may lie on the background
+    bool hasGround = false;          // the background can show shadows
 };
 
-/// How `frame` shows light.
+/// Returns the parameters for pictures of `frame`.
 Shown shownAs(const FrameDrawing& frame);
 
-/// Adds `other` light of the same surfaces to `light`, where both have some, and what shadows on the ground take.
+/// Adds the light `other` of the same surfaces to `light` at pixels where both have a surface. Also adds the shares
+/// that ground shadows remove.
 void addLight(LightPicture& light, const LightPicture& other);
 
-/// A sum of the light of frames of one size, as it reaches the eye: before the shoulder. It counts in 2^-20 of full
-/// scale and, above 4,096 times that, as 4,096 times, so sums are whole numbers below 2^48: no order and no number of
-/// threads changes them. Only what is shown of their mean is rounded to a screen's levels.
-///
-/// What lies behind the model is no light of it. A pixel's surfaces are shown by the mean of the frames in which they
-/// cover it, and mixed with the background by the share of these frames in the linear light of the screen: the
-/// brightest of backgrounds takes no more of an edge than it covers. A shadow on the ground takes as much of the
-/// background's light as the mean of the frames has it; a transparent one is black, and covers by how dark it is.
+/// A sum of the light of frames of one size, before tone mapping. Light is counted in units of 2^-20 of full scale, and
+/// clamped to 4096 times full scale. Sums are therefore integers below 2^48, and independent of order and number of
+/// threads. Only the displayed mean is rounded to the levels of a screen.
+/// The background is not part of the light. The surfaces of a pixel have the mean over the frames in which they cover
+/// it. This share of the frames then blends surface and background in displayed linear light, so a very bright
+/// background does not eat into edges. A shadow on the ground removes its mean share of the background's light. On a
+/// transparent background, a ground shadow is black and its darkness is the coverage.
 class LightSum {
 public:
     static constexpr int kMost = 65535;
 
-    /// What an image of so many pixels holds at once while frames are added and shown: the sums, the light of a frame
-    /// in and out of the shadow, and their copies; of a ground and of a sky that are summed, too.
+    /// Returns the peak memory for an image with `pixels` pixels: the sums, the light of a frame in and out of shadow,
+    /// and copies. Ground and sky need more.
     static Bytes bytes(std::uint64_t pixels, bool hasGround, bool hasSky);
 
-    /// Begins anew with nothing, and gives back what there was. With `hasGround` it counts what shadows leave of the
-    /// background. The frames hold the rows of the image from `firstRow` on, counted from the bottom.
+    /// Clears the sum and frees its memory. With `hasGround`, also sums ground shadows. The frames contain the rows of
+    /// the image from `firstRow` on, counted from the bottom.
     void reset(bool hasGround = false, int firstRow = 0);
 
-    /// Adds one more, at most kMost in all and of the size of the first; where it is of some tiles, only what lies in
-    /// them. All frames from the first such on are of these.
+    /// Adds a frame of the same size as the first; at most kMost frames. With `tiles`, adds only the pixels of these
+    /// tiles. All later frames must then have the same tiles.
     void add(const LightPicture& light, const shadow::TileMask* tiles = nullptr);
 
-    /// How many frames; those of some tiles count.
+    /// Returns the number of frames, including frames of tiles.
     int count() const { return count_; }
 
-    /// The mean over the frames that cover a pixel.
+    /// Returns the mean light over the frames that cover a pixel.
     LightPicture mean() const;
 
-    /// At least one frame; the rows of the background are those of the whole image. Of equal frames it is what each of
-    /// them shows.
+    /// Returns the picture of the mean. Requires at least one frame. The background rows are those of the whole image.
+    /// The mean of equal frames is the picture of each of them.
     Picture picture(const Shown& shown) const;
 
-    /// The share of the frames that cover each pixel.
+    /// Returns the share of the frames that cover each pixel.
     Coverage coverage() const;
 
 private:
@@ -72,12 +72,12 @@ private:
 
     int firstRow_ = 0;
     int count_ = 0;
-    int whole_ = 0;                         // the frames before the first of some tiles
-    std::optional<shadow::TileMask> tiles_; // of those from there on
+    int whole_ = 0;                         // frames before the first frame of tiles
+    std::optional<shadow::TileMask> tiles_; // tiles of all later frames
     Raster<Sums> sums_;
-    Raster<std::uint16_t> covered_; // by how many
+    Raster<std::uint16_t> covered_; // number of frames that cover the pixel
     bool hasGround_ = false;
-    Raster<Sums> shadows_; // what is missing of the background where it shows; empty without a ground
+    Raster<Sums> shadows_; // removed light of the visible background; empty without a ground
 };
 
 } // namespace gnomon::executor

@@ -6,7 +6,7 @@ namespace gnomon::executor {
 
 namespace {
 
-/// Nine rows of five dots, the left one in the highest bit; the last two rows lie below the line.
+/// A letter as nine rows of five dots, with the left dot in the highest bit. The last two rows are below the baseline.
 struct Glyph {
     char letter;
     std::array<std::uint8_t, 9> rows;

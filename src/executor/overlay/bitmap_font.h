@@ -1,4 +1,4 @@
-// Letters of five by nine dots, for what is written into pictures.
+// A bitmap font of five by nine dots for text in pictures.
 #pragma once
 
 #include "executor/picture.h"
@@ -7,17 +7,17 @@
 
 namespace gnomon::executor {
 
-/// The height of a line of text in dots, what lies below its letters included, and the width of a letter with its gap.
+/// Height of a line of text in dots, including descenders, and width of a letter with its gap.
 inline constexpr int kLineDots = 11;
 inline constexpr int kLetterDots = 6;
 
-/// Whether there is a letter for `c`; capital letters are written as small ones.
+/// Returns true if the font contains `c`. Capital letters use the glyphs of small letters.
 bool hasGlyph(char c);
 
-/// Fills what of a rectangle lies in `picture`.
+/// Fills a rectangle, clipped to `picture`.
 void fillRectangle(Picture& picture, int x, int y, int width, int height, const Rgb& color);
 
-/// Writes `text` with its upper left corner at (x, y), `dot` pixels a dot; what has no letter is a gap.
+/// Draws `text` with its upper left corner at (x, y) and `dot` pixels per dot. A missing letter becomes a gap.
 void drawText(Picture& picture, int x, int y, int dot, std::string_view text, const Rgb& color);
 
 } // namespace gnomon::executor

@@ -1,4 +1,4 @@
-// The colours of values along a line.
+// Colour maps for scalar values.
 #pragma once
 
 #include "plan/color_map.h"
@@ -7,9 +7,9 @@
 
 namespace gnomon::executor {
 
-/// The colour of `part`, from 0, the least value, to 1, the greatest; what lies outside has the end's colour, and what
-/// is no number the first. Viridis (Smith and van der Walt 2015) and cividis (Nuñez, Anderton and Renslow 2018) by ten
-/// of their colours and straight lines between, less than two levels of 255 off; grey from 15% of full scale to 95%.
+/// Returns the colour of `part`, from 0 (min) to 1 (max). Values outside are clamped, and NaN has the first colour.
+/// Viridis (Smith and van der Walt 2015) and cividis (Nuñez, Anderton and Renslow 2018) are interpolated between ten of
+/// their colours, with an error of less than two levels of 255. Grey ranges from 15% to 95% of full scale.
 glm::vec3 mapColor(plan::ColorMap map, float part);
 
 } // namespace gnomon::executor

@@ -14,11 +14,11 @@ namespace {
 
 constexpr Rgb kPaper = {20, 24, 30};
 constexpr Rgb kInk = {240, 240, 240};
-constexpr int kMargin = 5; // all in dots
+constexpr int kMargin = 5; // all sizes are in dots
 constexpr int kSwatch = 12;
 constexpr int kBarWidth = 192;
 constexpr int kBarHeight = 8;
-constexpr double kLowest = -2; // logarithms to base 2 of the scale's ends
+constexpr double kLowest = -2; // log2 of the factors at the ends of the scale
 constexpr double kHighest = 4;
 
 Rgb bytes(const glm::vec3& color) {
@@ -27,7 +27,7 @@ Rgb bytes(const glm::vec3& color) {
         static_cast<std::uint8_t>(scaled.r), static_cast<std::uint8_t>(scaled.g), static_cast<std::uint8_t>(scaled.b)};
 }
 
-/// A map a line, up to as many as there are colours.
+/// Adds one line per map, up to the number of colours.
 void addMaps(const plan::FramePlan& plan, Legend& legend) {
     for (std::size_t i = 0; i < plan.passes.size() && i < kIndexColors; ++i) {
         const shadow::ShadowMap& map = plan.passes[i].map;
@@ -69,7 +69,7 @@ Size sizeInDots(const Legend& legend) {
     return {width + 2 * kMargin, static_cast<int>(lines) * kLineDots + scale + 2 * kMargin};
 }
 
-/// Draws in dots, from the legend's upper left corner.
+/// A painter with dots as unit and its origin at the legend's upper left corner.
 class Pen {
 public:
     Pen(Picture& picture, int top, int dot) : picture_(&picture), top_(top), dot_(dot) {}
@@ -88,7 +88,7 @@ private:
     int dot_;
 };
 
-/// Where a place on the scale lies, in dots from its left end.
+/// Returns the position of a value in [0, 1] on the scale, in dots from the left end.
 int barPlace(double place) {
     return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0) * (kBarWidth - 1)));
 }
@@ -115,7 +115,7 @@ void drawSwatch(const Pen& pen, int y, const LegendEntry& entry) {
             pen.fill(kMargin + x, y + row, 1, 1, bytes(entry.color * kWithoutMap[(x + row) / 4 % 2 == 0 ? 0 : 1]));
 }
 
-/// The power of ten times 1, 2 or 5 by which `span` has at most `most` steps.
+/// Returns the smallest step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` steps.
 double roundStep(double span, int most) {
     const double least = span / most;
     const double power = std::pow(10.0, std::floor(std::log10(least)));
@@ -149,7 +149,7 @@ glm::vec3 ValueScale::color(double value) const {
 
 namespace {
 
-/// Whether figures stand clear of each other below a bar.
+/// Returns true if the numbers below a bar do not overlap.
 bool areClear(const std::vector<ColorScale::Tick>& ticks) {
     const auto reach = [](const ColorScale::Tick& tick) {
         return 0.5 * static_cast<double>(kLetterDots) * static_cast<double>(tick.text.size() + 1);
@@ -159,7 +159,7 @@ bool areClear(const std::vector<ColorScale::Tick>& ticks) {
     return true;
 }
 
-/// Figures at 1, 2 and 5 times powers of ten, or at fewer of these where they would run into each other.
+/// Returns ticks at 1, 2 and 5 times powers of ten, or fewer ticks if their numbers would overlap.
 std::vector<ColorScale::Tick> logarithmicTicks(const ValueScale& values) {
     const int first = static_cast<int>(std::floor(std::log10(values.least)));
     const int last = static_cast<int>(std::ceil(std::log10(values.most)));
@@ -194,7 +194,8 @@ ColorScale colorScale(const ValueScale& values) {
     const double first = std::ceil(values.least / step - 1e-6);
     for (int i = 0; i <= kMostSteps && (first + i) * step <= values.most + 1e-6 * step; ++i)
         scale.ticks.push_back(
-            {double{values.place((first + i) * step)}, formatted("%.7g", (first + i) * step + 0.0)}); // no -0
+            // + 0.0 removes the sign of -0
+            {double{values.place((first + i) * step)}, formatted("%.7g", (first + i) * step + 0.0)});
     return scale;
 }
 

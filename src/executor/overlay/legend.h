@@ -1,4 +1,4 @@
-// What the colours of an overlay mean, and its drawing into a picture.
+// The legend of an overlay and its drawing into a picture.
 #pragma once
 
 #include "executor/executor.h"
@@ -11,14 +11,14 @@
 
 namespace gnomon::executor {
 
-/// A colour and what it stands for.
+/// A colour and its meaning.
 struct LegendEntry {
     glm::vec3 color{0};
     std::string text;
-    bool isStriped = false; // as what has no map is painted
+    bool isStriped = false; // striped, as surfaces without a map
 };
 
-/// A bar of colours with figures below it; places along it go from 0, its left end, to 1.
+/// A bar of colours with numbers below it. Positions range from 0 at the left end to 1.
 struct ColorScale {
     struct Tick {
         double place = 0;
@@ -27,45 +27,47 @@ struct ColorScale {
 
     std::function<glm::vec3(float place)> color;
     std::vector<Tick> ticks;
-    std::optional<double> mark; // a place that is pointed at
+    std::optional<double> mark; // a position with a marker
 };
 
-/// The scale of heatColor, the factors from 1/4 to 16, with a mark at one of them.
+/// Returns the scale of heatColor, the factors from 1/4 to 16, with an optional marker at one factor.
 ColorScale heatScale(std::optional<double> markedFactor = std::nullopt);
 
-/// What values are shown in: colours from `least` to `most`, both finite and the first less; where they go by the
-/// logarithm it is above 0.
+/// A mapping of values to colours from `least` to `most`. Both are finite and least < most. A logarithmic scale also
+/// requires least > 0.
 struct ValueScale {
     plan::ColorMap map = plan::ColorMap::Viridis;
     double least = 0;
     double most = 1;
     bool isLogarithmic = false;
 
-    /// Where `value` lies between them, 0 to 1 within; below 0 where it has no logarithm.
+    /// Returns the position of `value` on the scale, from 0 to 1 within the range. Returns a negative position if the
+    /// value has no logarithm.
     float place(double value) const;
 
     glm::vec3 color(double value) const;
 };
 
-/// What a scale that goes by the logarithm usually spans: by its maps each eye parts each of its factors of two.
+/// Usual ratio of most to least on a logarithmic scale. At this ratio, each factor of two remains distinguishable in
+/// all colour maps.
 inline constexpr double kScaleSpan = 64;
 
-/// The scale of `values`, with figures at round values.
+/// Returns the colour bar of `values`, with ticks at round numbers.
 ColorScale colorScale(const ValueScale& values);
 
 /// The legend of one picture.
 struct Legend {
-    std::vector<std::string> title; // lines
+    std::vector<std::string> title; // one entry per line
     std::optional<ColorScale> scale;
     std::vector<LegendEntry> entries;
 };
 
-/// What `overlay` shows of a frame of `plan`; nothing for Overlay::None. Depths are in the model's units, along the
-/// view.
+/// Returns the legend of `overlay` for a frame of `plan`, or an empty legend for Overlay::None. Depths are along the
+/// view, in the model's units.
 Legend legendOf(Overlay overlay, const plan::FramePlan& plan);
 
-/// Draws `legend` into the lower left corner, in letters of two or of one pixel a dot as they fit. Pictures too small
-/// for it stay as they are, and any for an empty one.
+/// Draws `legend` into the lower left corner, with two pixels or one pixel per dot, as it fits. Does nothing if the
+/// legend is empty or the picture is too small.
 void drawLegend(Picture& picture, const Legend& legend);
 
 } // namespace gnomon::executor

@@ -1,4 +1,4 @@
-// A picture as a window takes it.
+// A picture in the pixel format of windows.
 #pragma once
 
 #include "executor/picture.h"
@@ -7,10 +7,10 @@
 
 namespace gnomon::executor {
 
-/// A word a pixel: 255, red, green and blue from the highest byte to the lowest, which is how window systems have it.
+/// One word per pixel with 255, red, green and blue from the highest to the lowest byte, as in window systems.
 using WindowPicture = Raster<std::uint32_t>;
 
-/// Makes `words` what `picture` is; its memory is kept.
+/// Converts `picture` to `words`, and reuses the memory of `words`.
 void takePicture(const Picture& picture, WindowPicture& words);
 
 } // namespace gnomon::executor

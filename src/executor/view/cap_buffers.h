@@ -1,21 +1,21 @@
-// Where the lines of a section plane are drawn before its caps are.
+// Buffers for the lines of a section plane, from which its caps are made.
 #pragma once
 
 #include "executor/picture.h"
 
 namespace gnomon::executor {
 
-/// What a section plane shows at a pixel.
+/// The part of a section plane that a pixel shows.
 enum class CapKind : std::uint8_t {
     None,
-    Solid,    // the inside of a closed surface
-    Outline,  // where the plane meets that surface
-    OpenEdge, // where it meets one that is not closed
+    Solid,    // inside of a closed surface
+    Outline,  // intersection of the plane with a closed surface
+    OpenEdge, // intersection of the plane with an open surface
 };
 
-/// The memory of an image of lines, all 0 between planes.
+/// The buffers of an image of lines. All values are 0 between planes.
 struct CapBuffers {
-    Raster<int> windings; // by what differs along a row
+    Raster<int> windings; // change of the winding number along a row
     Raster<CapKind> kinds;
 };
 

@@ -16,10 +16,10 @@ namespace gnomon::executor {
 
 namespace {
 
-constexpr double kWeld = 2;   // cells: how far ends at one place may lie apart
-constexpr double kBridge = 8; // cells: how far two ends may lie apart that a line of its own joins
+constexpr double kWeld = 2;   // max distance of ends that are merged, in cells
+constexpr double kBridge = 8; // max distance of ends that an additional line can connect, in cells
 
-/// Sets of things that are joined two by two.
+/// A union-find structure.
 class Joined {
 public:
     explicit Joined(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
@@ -41,17 +41,17 @@ std::uint64_t hashOfThree(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
 }
 
 std::uint64_t hashOfPoint(const glm::dvec3& p) {
-    const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); }; // one zero
+    const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); }; // + 0.0 makes -0 and 0 equal
     return hashOfThree(bits(p.x), bits(p.y), bits(p.z));
 }
 
-/// The ends of lines by place: two of a line, its beginning first.
+/// The end points of lines, by place. Each line has two entries, its start first.
 struct Places {
     std::vector<std::uint32_t> ofEnds;
-    std::vector<glm::dvec3> points; // of each place
+    std::vector<glm::dvec3> points; // position per place
 };
 
-/// Ends are at one place where they agree to the bit.
+/// Returns the places of all ends. Ends with bit-identical positions have the same place.
 Places samePlaces(const std::vector<SectionLine>& lines) {
     Places places;
     places.ofEnds.reserve(2 * lines.size());
@@ -80,12 +80,12 @@ void forAllKeys(const PointKey& low, const PointKey& high, const Use& use) {
                 use(key);
 }
 
-/// Calls `use` with each two of `points` that lie within `reach` of each other, the later one first.
+/// Calls `use` for each pair of `points` with a distance of at most `reach`. The later point comes first.
 template <class Use>
 void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use& use) {
-    const double perCell = 1 / (16 * reach); // so that few points lie near a border
+    const double perCell = 1 / (16 * reach); // large cells, so that few points are near a border
     const auto keyOf = [&](const glm::dvec3& p) {
-        constexpr double kBeyondAll = 0x1p40; // so that what is cut off is always below
+        constexpr double kBeyondAll = 0x1p40; // makes all coordinates positive, so that truncation rounds down
         return PointKey{
             static_cast<std::int64_t>(p.x * perCell + kBeyondAll),
             static_cast<std::int64_t>(p.y * perCell + kBeyondAll),
@@ -96,11 +96,11 @@ void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use&
         return hashOfThree(bits(0), bits(1), bits(2));
     };
     constexpr std::uint32_t kLast = IndexTable::kAbsent;
-    IndexTable firsts(points.size());               // by cell
-    std::vector<std::uint32_t> next(points.size()); // in the same cell
+    IndexTable firsts(points.size());               // first point per cell
+    std::vector<std::uint32_t> next(points.size()); // next point in the same cell
     std::vector<PointKey> keys(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        // The cells that a point within reach may lie in: mostly this one alone.
+        // The cells that a point within reach can be in; usually one.
         const PointKey low = keyOf(points[i] - reach);
         const PointKey high = keyOf(points[i] + reach);
         keys[i] = low == high ? low : keyOf(points[i]);
@@ -116,7 +116,7 @@ void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use&
     }
 }
 
-/// How often more each place is left than reached.
+/// Returns the number of outgoing minus incoming lines per place.
 std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t placeCount) {
     std::vector<int> surplus(placeCount);
     for (std::size_t i = 0; i < ends.size(); i += 2) {
@@ -126,7 +126,7 @@ std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t p
     return surplus;
 }
 
-/// Marks the lines that are connected with no place that is left more or less often than reached.
+/// Marks the connected components of lines in which each place has as many outgoing as incoming lines.
 void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
     const std::vector<int> surplus = surplusOf(places.ofEnds, places.points.size());
     Joined joined(places.points.size());
@@ -139,7 +139,7 @@ void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
         lines[i].isClosed = !isOpen[joined.find(places.ofEnds[2 * i])];
 }
 
-/// The lines of `lines` that are not marked, by number, and their places.
+/// The unmarked lines of `lines`, by index, and their places.
 struct OpenLines {
     std::vector<std::uint32_t> numbers;
     Places places;
@@ -163,15 +163,15 @@ OpenLines openLines(const std::vector<SectionLine>& lines, const Places& places)
     return open;
 }
 
-/// A graph of lines between places; the last ones may be left out any number of times.
+/// A graph of lines between places. The lines from onceCount on can be removed any number of times.
 struct LineGraph {
-    std::vector<std::uint32_t> ends;   // two of a line, by place
-    std::vector<std::int64_t> lengths; // by line
-    std::vector<int> surplus;          // by place: how often more it is left than reached
-    std::size_t onceCount = 0;         // lines that may be left out once
+    std::vector<std::uint32_t> ends;   // two places per line
+    std::vector<std::int64_t> lengths; // per line
+    std::vector<int> surplus;          // per place: outgoing minus incoming lines
+    std::size_t onceCount = 0;         // number of lines that can be removed once
 };
 
-/// Leaves out of a graph the least length of lines by which each place loses its surplus.
+/// An algorithm that removes lines with the min total length, so that the surplus of each place becomes 0.
 class LeastOpening {
 public:
     explicit LeastOpening(LineGraph graph)
@@ -198,7 +198,7 @@ public:
                 leaveOutFrom(place);
     }
 
-    /// How often a line is left out.
+    /// Returns how many times a line is removed.
     int leftOut(std::size_t line) const { return leftOut_[line]; }
 
 private:
@@ -207,20 +207,20 @@ private:
 
     struct Reached {
         std::int64_t length = kFar;
-        std::uint32_t byEnd = kNoEnd; // of the line that leads here: the end at the place before
+        std::uint32_t byEnd = kNoEnd; // end of the last line of the path, at its previous place
     };
 
     struct Waiting {
         std::int64_t length;
         std::uint32_t place;
 
-        bool operator<(const Waiting& other) const { // the nearest first out of a heap
+        bool operator<(const Waiting& other) const { // reversed, because the heap has its max at the top
             return length != other.length ? length > other.length : place > other.place;
         }
     };
 
-    /// Appends what is reached from a place whose distance is known: along lines that are there, and back along those
-    /// that are left out, which then are there again.
+    /// Relaxes the lines at a place with known distance: forward along existing lines, and backward along removed
+    /// lines, which restores them.
     void spread(const Waiting& from) {
         for (std::uint32_t k = firstAt_[from.place]; k < firstAt_[from.place + 1]; ++k) {
             const std::uint32_t end = linesAt_[k];
@@ -239,12 +239,13 @@ private:
         }
     }
 
-    /// Leaves out the shortest way from `start` to a place that is reached too often.
+    /// Removes the shortest path from `start` to a place with a negative surplus.
     void leaveOutFrom(std::uint32_t start) {
         touched_.assign(1, start);
         waiting_.assign(1, {0, start});
         reached_[start] = {0, kNoEnd};
-        // What is left too often has a way to a place that is reached too often: lines that are there go on until then.
+        // A place with more outgoing than incoming lines has a path to a place with more incoming lines, because
+        // existing lines lead on until then.
         Waiting nearest = waiting_.front();
         while (true) {
             std::pop_heap(waiting_.begin(), waiting_.end());
@@ -261,7 +262,7 @@ private:
         }
         --surplus_[start];
         ++surplus_[nearest.place];
-        for (const std::uint32_t place : touched_) { // no way back is of a length below 0, and no place left twice
+        for (const std::uint32_t place : touched_) { // updates the potentials so that reduced lengths stay non-negative
             potentials_[place] += std::min<std::int64_t>(reached_[place].length - nearest.length, 0);
             reached_[place] = {};
         }
@@ -272,8 +273,8 @@ private:
     std::vector<int> surplus_;
     std::size_t onceCount_;
     std::vector<int> leftOut_;
-    std::vector<std::uint32_t> firstAt_; // of linesAt_, by place
-    std::vector<std::uint32_t> linesAt_; // their ends there
+    std::vector<std::uint32_t> firstAt_; // index in linesAt_ per place
+    std::vector<std::uint32_t> linesAt_; // ends of lines at each place
     std::vector<std::int64_t> potentials_;
     std::vector<Reached> reached_;
     std::vector<Waiting> waiting_;
@@ -284,8 +285,8 @@ std::int64_t lengthOf(const glm::dvec3& a, const glm::dvec3& b) {
     return 1 + std::llround(glm::length(b - a));
 }
 
-/// Adds lines to `graph` that stand for those that would join what is reached too often with what is left too often,
-/// where they lie near each other: to leave one out is to join its ends once more.
+/// Adds bridges to `graph` between nearby places with opposite surplus. To remove a bridge from the graph means to add
+/// a line between its ends.
 void addBridges(const std::vector<glm::dvec3>& points, LineGraph& graph) {
     std::vector<std::uint32_t> places;
     std::vector<glm::dvec3> positions;
@@ -322,7 +323,7 @@ void markClosed(std::vector<SectionLine>& lines) {
     opening.run();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (opening.leftOut(i) != 0) continue;
-        // Ends that are one place meet to the bit from now on: through a gap between them a row of pixels would leak.
+        // Merged ends get identical positions, because a gap between them would leak a row of pixels.
         lines[numbers[i]] = {places.points[ends[2 * i]], places.points[ends[2 * i + 1]], true};
     }
     for (std::size_t i = numbers.size(); i < ends.size() / 2; ++i)

@@ -1,4 +1,5 @@
-// Which of the lines in which a plane meets a model are closed: all but the least length that has to be left out.
+// Detection of the closed intersection lines of a plane and a model. All lines count as closed except a set of min
+// total length.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,21 +8,22 @@
 
 namespace gnomon::executor {
 
-/// A directed line in which a plane meets a triangle, what is solid to its left as seen from where the plane's normal
-/// points to. Cells from draw space's origin.
+/// A directed intersection line of a plane and a triangle. Seen from the side of the plane's normal, solid material is
+/// on its left. Coordinates are cells from draw space's origin.
 struct SectionLine {
     glm::dvec3 from{0};
     glm::dvec3 to{0};
-    bool isClosed = false; // it is part of closed lines
+    bool isClosed = false; // true if it belongs to closed lines
 };
 
-/// Marks those of `lines` that belong to closed ones, by which each end is left as often as it is reached. Lines whose
-/// ends agree to the bit are joined first: what is closed by itself stays so, whatever it touches. Of the others, ends
-/// within two cells of each other are one, and those lines are left out, and ends up to eight cells apart joined by
-/// lines that are appended, that are of the least length in all: an open part that touches a closed one takes nothing
-/// of it along, and parts of which the model keeps one of two equal faces are closed around both. The ends of closed
-/// lines are moved to where the others are that they are one with, so that they meet to the bit. A minimum cost flow,
-/// by shortest paths with potentials (Edmonds, Karp 1972); among equal lengths the order of `lines` decides.
+/// Marks the closed lines, in which each end point has as many outgoing as incoming lines. Lines with bit-identical
+/// ends are connected first, so a closed surface stays closed even if it touches others.
+/// For the remaining lines, ends within two cells are merged. Ends up to eight cells apart can be connected by
+/// additional lines, which are appended. The removed lines plus the added lines have the min total length. Therefore an
+/// open part that touches a closed one does not open it. Two parts that share one face, of which the model stores only
+/// one copy, are both closed.
+/// Ends of closed lines are moved to their merged position, so that they match exactly. The algorithm is min-cost flow
+/// by shortest paths with potentials (Edmonds, Karp 1972). Ties are broken by the order of `lines`.
 void markClosed(std::vector<SectionLine>& lines);
 
 } // namespace gnomon::executor

@@ -1,4 +1,4 @@
-// What a pixel of the visibility buffer names: a triangle of a cluster of a pass.
+// The triangle ids of the visibility buffer: a triangle of a cluster of a pass.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -6,22 +6,22 @@
 
 namespace gnomon::executor {
 
-/// A triangle's name in the visibility buffer: the drawn cluster's place above, the triangle's place in it below.
+/// A triangle id has the index of the drawn cluster in its high bits and the index of the triangle in its low bits.
 constexpr unsigned kTriangleBits = 8;
 static_assert(raster::kMaxClusterTriangles == 1U << kTriangleBits);
 
-/// A cluster of a pass, as shading wants it.
+/// A cluster of a pass, as shading needs it.
 struct DrawnCluster {
     const hierarchy::Vertex* vertices = nullptr;
     const hierarchy::Triangle* triangles = nullptr;
     const hierarchy::Page* page = nullptr;
     std::uint32_t pageId = 0;
-    std::uint32_t cluster = 0; // in the page
+    std::uint32_t cluster = 0; // index in the page
     bool isGround = false;
-    bool isPiece = false; // triangles are those of the cluster that pieces of them are drawn for, one a piece
+    bool isPiece = false; // if true, `triangles` has one entry per piece: the triangle that the piece belongs to
 };
 
-/// A cluster of a page, whole.
+/// Returns a whole cluster of a page.
 inline DrawnCluster drawnCluster(const hierarchy::Page& page, std::uint32_t id, std::uint32_t index) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     return {

@@ -4,12 +4,12 @@ namespace gnomon::executor {
 
 namespace {
 
-/// A point on the way from `a` to `b` where a plane is met, at the distances from it, rounded to the grid; the same for
-/// both directions.
+/// Returns the intersection of an edge and a plane, rounded to the grid. The inputs are both ends and their distances
+/// to the plane. The result is the same for both directions of the edge.
 glm::dvec3 crossing(const glm::dvec3& a, double atA, const glm::dvec3& b, double atB) {
     const bool isTurned = a.x != b.x ? b.x < a.x : a.y != b.y ? b.y < a.y : b.z < a.z;
     const glm::dvec3 met = isTurned ? b + (a - b) * (atB / (atB - atA)) : a + (b - a) * (atA / (atA - atB));
-    const glm::u64vec3 nearest(met + 0.5); // they are not below 0
+    const glm::u64vec3 nearest(met + 0.5); // truncation rounds correctly, because coordinates are not negative
     return {nearest.x, nearest.y, nearest.z};
 }
 

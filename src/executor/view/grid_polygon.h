@@ -1,4 +1,4 @@
-// A triangle of a model and what planes leave of it, with corners on the grid.
+// Clipping of a model's triangles by planes, with corners on the grid.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -15,7 +15,7 @@ inline constexpr std::size_t kMostSections = 6;
 
 glm::dvec3 gridCellOf(const hierarchy::GridPoint& point);
 
-/// A convex polygon of points of the grid: a triangle that at most kMostSections planes cut.
+/// A convex polygon of grid points: a triangle clipped by at most kMostSections planes.
 struct GridPolygon {
     std::array<glm::dvec3, 3 + kMostSections> corners{};
     std::size_t size = 0;
@@ -23,8 +23,8 @@ struct GridPolygon {
     void add(const glm::dvec3& corner) { corners.at(size++) = corner; }
 };
 
-/// What of it has a distance of at least 0 to a plane, in cells. Corners that this makes are rounded to the grid, alike
-/// for both triangles at an edge.
+/// Returns the part of `polygon` with a distance of at least 0 to `plane`, in cells. New corners are rounded to the
+/// grid, equally for both triangles at an edge.
 GridPolygon clipped(const GridPolygon& polygon, const Plane& plane);
 
 } // namespace gnomon::executor

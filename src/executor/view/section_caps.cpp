@@ -20,9 +20,9 @@ namespace gnomon::executor {
 
 namespace {
 
-constexpr glm::vec3 kSolid{0.71F, 0.36F, 0.24F};    // of the displayed values
-constexpr glm::vec3 kOutline{0.22F, 0.10F, 0.07F};  //
-constexpr glm::vec3 kOpenEdge{0.83F, 0.21F, 0.13F}; //
+constexpr glm::vec3 kSolid{0.71F, 0.36F, 0.24F};    // displayed values
+constexpr glm::vec3 kOutline{0.22F, 0.10F, 0.07F};  // displayed values
+constexpr glm::vec3 kOpenEdge{0.83F, 0.21F, 0.13F}; // displayed values
 
 Rgb byteColor(const glm::vec3& color, float light) {
     Rgb rgb{};
@@ -31,7 +31,7 @@ Rgb byteColor(const glm::vec3& color, float light) {
     return rgb;
 }
 
-/// The image of lines: which pixels they pass, and how often those of closed ones go around each.
+/// An image of section lines: the pixels that the lines cross, and the winding number of closed lines per pixel.
 class LineImage {
 public:
     LineImage(const FrameDrawing& frame, const glm::dmat4& clipFromCell)
@@ -47,14 +47,14 @@ public:
     }
 
     void add(const SectionLine& line) {
-        if (line.from == line.to) return; // what markClosed found to be one place goes around nothing
+        if (line.from == line.to) return; // markClosed has merged both ends, so the line encloses nothing
         const End a = seen(line.from);
         const End b = seen(line.to);
         if (line.isClosed) wind(a, b);
         draw(a, b, line.isClosed ? CapKind::Outline : CapKind::OpenEdge);
     }
 
-    /// Calls `use` with what is at the pixels of a row, which then is as it was before.
+    /// Calls `use` for each pixel of row `y` with a line or a non-zero winding number. Clears the row.
     template <class Use>
     void forRow(int y, const Use& use) {
         int* changes = &windings_->at(0, y);
@@ -66,7 +66,7 @@ public:
             if (x == width_) break;
             winding += std::exchange(changes[x], 0);
             const CapKind line = std::exchange(lines[x], CapKind::None);
-            // What is open within what is solid ends nothing.
+            // An open line inside a solid part does not end the solid part.
             const CapKind inside = line == CapKind::None ? CapKind::Solid : CapKind::Outline;
             const CapKind kind = winding != 0 ? inside : line;
             if (kind != CapKind::None) use(x, kind);
@@ -75,23 +75,23 @@ public:
     }
 
 private:
-    static constexpr int kAtOnce = 16; // pixels
+    static constexpr int kAtOnce = 16; // in pixels
 
-    /// Whether so many are 0.
+    /// Returns true if the next kAtOnce values are 0.
     template <class Value>
     static bool isNothing(const Value* values) {
         constexpr std::array<Value, kAtOnce> kNothing{};
         return std::memcmp(values, kNothing.data(), sizeof(kNothing)) == 0;
     }
 
-    /// An end of a line: clip coordinates, and where that is in the image, behind the eye too.
+    /// An end of a line: clip coordinates and image position. The position is also defined behind the eye.
     struct End {
         glm::dvec4 clip{0};
         glm::dvec2 pixel{0};
 
         bool isBehind() const { return clip.w < 0; }
 
-        /// On which side of the middle of a row in the section plane, where that is a line.
+        /// Returns true if the end is above `row`, the middle of a row of pixels, which is a line in the section plane.
         bool isAbove(double row) const { return isBehind() ? pixel.y <= row : pixel.y > row; }
     };
 
@@ -103,15 +103,16 @@ private:
         return end;
     }
 
-    /// Counts a line that meets row `y` at `column`.
+    /// Adds a crossing of row `y` at `column` to the winding numbers.
     void windAt(double column, int y, bool isBehind, int sign) {
         const int beyond = static_cast<int>(std::clamp(std::ceil(column - 0.5), 0.0, static_cast<double>(width_)));
         windings_->at(beyond, y) += isBehind ? -sign : sign;
         if (isBehind) windings_->at(0, y) += sign;
     }
 
-    /// Counts the line at the pixels that lie, along their row, to one side of where it meets that row. A row is a line
-    /// of the section plane, of which a part may lie behind the eye: what is met there lies to the other side.
+    /// Adds a line to the winding numbers of all pixels on one side of its crossing with their row. A row is a line of
+    /// the section plane, and a part of this line can be behind the eye. Crossings behind the eye count on the other
+    /// side.
     void wind(const End& a, const End& b) {
         if (a.isBehind() != b.isBehind()) return windThroughEyePlane(a, b);
         const auto [low, high] = std::minmax(a.pixel.y, b.pixel.y);
@@ -124,7 +125,7 @@ private:
             windAt(a.pixel.x + (y + 0.5 - a.pixel.y) * slope, y, a.isBehind(), sign);
     }
 
-    /// Of a line that is behind the eye in part.
+    /// Adds a line that is partly behind the eye.
     void windThroughEyePlane(const End& a, const End& b) {
         for (int y = 0; y < height_; ++y) {
             const bool isAbove = a.isAbove(y + 0.5);
@@ -141,7 +142,8 @@ private:
         constexpr double kLeastW = 1e-9;
         const double nearest = kLeastW * std::max(std::abs(a.clip.w), std::abs(b.clip.w));
         if (a.clip.w <= nearest && b.clip.w <= nearest) return;
-        const auto before = [&](const End& end, const End& other) { // the eye
+        // clips the line to the half-space in front of the eye
+        const auto before = [&](const End& end, const End& other) {
             if (end.clip.w > nearest) return end.pixel;
             const double way = (nearest - end.clip.w) / (other.clip.w - end.clip.w);
             const glm::dvec4 met = glm::mix(end.clip, other.clip, way);
@@ -152,7 +154,7 @@ private:
         const glm::dvec2 size(width_, height_);
         double first = 0;
         double last = 1;
-        for (int axis = 0; axis < 2; ++axis) { // within the image
+        for (int axis = 0; axis < 2; ++axis) { // clips the line to the image
             if (way[axis] == 0) {
                 if (start[axis] < 0 || start[axis] >= size[axis]) return;
                 continue;
@@ -182,7 +184,8 @@ private:
     Raster<CapKind>* kinds_;
 };
 
-/// Where a line of sight comes in through the plane with that number: nothing where others leave nothing of it.
+/// Returns the depth at which a primary ray enters the plane with index `plane`. Returns nullopt if other planes remove
+/// this point.
 std::optional<double> capDepth(
     const Lens& lens, const std::vector<Plane>& planes, std::size_t plane, const glm::dvec2& at) {
     const glm::dvec3 start = lens.seenAt(at, 0);
@@ -201,7 +204,7 @@ void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words) {
     const plan::View& view = frame.plan->view;
     const Lens lens = lensOf(frame);
     const std::vector<Plane> inCells = sectionPlanes(frame);
-    std::vector<Plane> planes; // camera space
+    std::vector<Plane> planes; // in camera space
     planes.reserve(inCells.size());
     for (const Plane& plane : inCells)
         planes.push_back(

@@ -1,4 +1,4 @@
-// The caps of section planes: where what is solid is cut through, and the lines of what is not closed.
+// The caps of section planes: filled cuts through solid parts, and the outlines of open surfaces.
 #pragma once
 
 #include "executor/executor.h"
@@ -8,19 +8,19 @@
 
 namespace gnomon::executor {
 
-/// Names in the visibility buffer from here on are those of caps, no triangles.
+/// First id of caps in the visibility buffer. Ids from here on are caps and not triangles.
 constexpr std::uint32_t kFirstCapName = 0xFFFFFF00U;
 
 constexpr bool isCapName(std::uint32_t name) {
     return name >= kFirstCapName;
 }
 
-/// Writes the section planes of `frame` into the words of its image, over what is kept behind them. A plane shows the
-/// inside of closed surfaces, those whose cuts by it are closed lines, whatever they overlap: each pixel counts how
-/// often such lines go around it (the winding number). Of all others it shows the lines alone.
+/// Writes the caps of `frame`'s section planes into the words of its image, over the geometry behind them. A cap fills
+/// the inside of closed surfaces, whose intersection lines with the plane are closed. Surfaces can overlap, because
+/// each pixel computes its winding number. Open surfaces show only their lines.
 void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words);
 
-/// The colour of what a cap's name stands for.
+/// Returns the colour of the cap with the id `name`.
 Rgb capColor(const FrameDrawing& frame, std::uint32_t name);
 
 } // namespace gnomon::executor

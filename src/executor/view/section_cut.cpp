@@ -58,7 +58,7 @@ Containment SectionCut::place(const hierarchy::GridBox& box) const {
     return result;
 }
 
-/// Room for what is left of a cluster; nothing where that is known.
+/// Adds an entry for a cluster, or returns null if the cache already contains it.
 SectionCut::CutCluster* SectionCut::insert(const DrawnCluster& whole) {
     const auto [place, isNew] = cuts_.try_emplace(keyOf(whole));
     return isNew ? &place->second : nullptr;
@@ -85,7 +85,7 @@ void SectionCut::cut(const FrameDrawing& frame, std::span<const selection::Clust
         bytes_ += bytesOf(*cut);
 }
 
-/// `beyond` are the planes that go through it.
+/// Clips a triangle. Each bit of `beyond` is a plane that intersects it.
 void SectionCut::cutTriangle(
     const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned beyond, CutCluster& cut) const {
     GridPolygon polygon;
@@ -115,7 +115,7 @@ void SectionCut::cutTriangle(
 
 void SectionCut::cutCluster(const DrawnCluster& whole, CutCluster& cut) const {
     const hierarchy::Cluster& cluster = whole.page->clusters[whole.cluster];
-    std::array<std::uint8_t, raster::kMaxClusterVertices> beyond{}; // by vertex: the planes that cut it away
+    std::array<std::uint8_t, raster::kMaxClusterVertices> beyond{}; // per vertex: bits of the planes that remove it
     for (std::size_t plane = 0; plane < planes_.size(); ++plane)
         for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
             if (planes_[plane].signedDistance(gridCellOf(whole.vertices[v].position)) < 0)

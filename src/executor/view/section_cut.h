@@ -1,4 +1,5 @@
-// What section planes leave of clusters: whole ones, none, or some of their triangles and pieces of others.
+// Clipping of clusters by section planes: a cluster stays whole, disappears, or is replaced by triangles and pieces of
+// triangles.
 #pragma once
 
 #include "executor/executor.h"
@@ -9,34 +10,35 @@
 
 namespace gnomon::executor {
 
-/// Cuts the clusters of a model by section planes, each cluster once as long as the planes stay where they are. Corners
-/// that a cut makes are rounded to the grid, alike on both sides of an edge, so that nothing comes apart. What is seen
-/// of a piece is shaded as the triangle that it is a piece of: its place on the screen is all that is cut.
+/// A cache of clusters clipped by section planes. Each cluster is clipped once, as long as the planes do not move. New
+/// corners are rounded to the grid equally on both sides of an edge, so no cracks appear. A piece has the shading of
+/// its original triangle; only its position on the screen is clipped.
 class SectionCut {
 public:
-    /// Forgets what was cut, if other planes than those of `frame` cut it or it is more than 32 MiB.
+    /// Clears the cache if the planes of `frame` have changed or the cache exceeds 32 MiB.
     void begin(const FrameDrawing& frame);
 
-    /// Where a box of the grid lies.
+    /// Classifies a box of the grid against the planes.
     Containment place(const hierarchy::GridBox& box) const;
 
-    /// Cuts those of `ranges` that a plane goes through, in parallel.
+    /// Clips the clusters of `ranges` that intersect a plane, in parallel.
     void cut(const FrameDrawing& frame, std::span<const selection::ClusterRange> ranges);
 
-    /// Appends what is left of a cluster that a plane goes through: its triangles that no plane touches, on its own
-    /// vertices, and as many clusters as the pieces of others call for, under the names from `clusters.size()` on. They
-    /// are there until the next `begin`.
+    /// Appends the remaining parts of a cluster that intersects a plane. First come the triangles that no plane
+    /// intersects, with the vertices of the cluster. Then come as many clusters as the pieces need. Their ids start at
+    /// `clusters.size()`. They stay valid until the next `begin`.
     void addPieces(const DrawnCluster& whole, std::vector<raster::Cluster>& clusters, std::vector<DrawnCluster>& drawn);
 
 private:
-    /// What is left of a cluster.
+    /// The remaining parts of a cluster.
     struct CutCluster {
-        std::vector<raster::Triangle> untouched;             // of the cluster's vertices
-        std::vector<std::array<std::uint32_t, 3>> positions; // of pieces
-        std::vector<raster::Triangle> triangles;             // of these, each part's from its first
-        std::vector<hierarchy::Triangle> wholes;             // what they are pieces of
+        std::vector<raster::Triangle> untouched;             // refer to the cluster's vertices
+        std::vector<std::array<std::uint32_t, 3>> positions; // corners of the pieces
+        // refer to these corners, relative to the first of their part
+        std::vector<raster::Triangle> triangles;
+        std::vector<hierarchy::Triangle> wholes; // original triangle per piece
 
-        /// As many pieces as a cluster can hold.
+        /// A part with at most as many pieces as a cluster may have.
         struct Part {
             std::size_t firstPosition = 0;
             std::size_t firstTriangle = 0;
@@ -51,15 +53,17 @@ private:
     void cutTriangle(
         const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned beyond, CutCluster& cut) const;
 
-    std::vector<Plane> planes_;                          // what is kept has a distance of at least 0; cells of the grid
-    std::size_t bytes_ = 0;                              // of what was cut
-    std::unordered_map<std::uint64_t, CutCluster> cuts_; // by page and cluster
+    // the kept side has a distance of at least 0; in cells of the grid
+    std::vector<Plane> planes_;
+    std::size_t bytes_ = 0;                              // size of the cache
+    std::unordered_map<std::uint64_t, CutCluster> cuts_; // per page and cluster
 };
 
-/// The section planes of `frame` in cells from draw space's origin: what is kept has a distance of at least 0 to each.
+/// Returns the section planes of `frame` in cells from draw space's origin. The kept side of each plane has a distance
+/// of at least 0.
 std::vector<Plane> sectionPlanes(const FrameDrawing& frame);
 
-/// The same in cells of the grid.
+/// Returns the section planes of `frame` in cells of the grid.
 std::vector<Plane> sectionPlanesOfGrid(const FrameDrawing& frame);
 
 } // namespace gnomon::executor

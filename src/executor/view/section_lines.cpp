@@ -12,7 +12,8 @@ namespace gnomon::executor {
 
 namespace {
 
-/// A point on the edge from `a` to `b` where a plane is met; the same for both directions.
+/// Returns the intersection of the edge from `a` to `b` with a plane. The result is the same for both directions of the
+/// edge.
 glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     const bool isTurned = std::array{b.x, b.y, b.z} < std::array{a.x, a.y, a.z};
     if (isTurned) {
@@ -22,13 +23,13 @@ glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     return a + (b - a) * (atA / (atA - atB));
 }
 
-/// Whether the plane goes through a box, or touches it.
+/// Returns true if the plane intersects or touches the box, with a tolerance of one cell.
 bool isMet(const hierarchy::GridBox& box, const Plane& plane) {
     const glm::dvec3 half = (gridCellOf(box.max) - gridCellOf(box.min)) * 0.5;
     return std::abs(plane.signedDistance(gridCellOf(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
 }
 
-/// The lines in which `plane` meets a cluster's triangles.
+/// Returns the intersection lines of `plane` with a cluster's triangles.
 std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const Plane& plane) {
     const auto placeOf = [&](std::size_t v) { return gridCellOf(page.vertices[cluster.firstVertex + v].position); };
     std::array<double, raster::kMaxClusterVertices> sides{};
@@ -45,7 +46,8 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
             const std::size_t a = corners[i];
             const std::size_t b = corners[(i + 1) % 3];
             if ((sides.at(a) >= 0) == (sides.at(b) >= 0)) continue;
-            // Around a triangle, against the clock as seen from outside, the plane is entered once and left once.
+            // Seen from outside, the corners are counter-clockwise. The outline of a triangle enters the plane once and
+            // leaves it once.
             (sides.at(a) >= 0 ? line.from : line.to) = meeting(placeOf(a), sides.at(a), placeOf(b), sides.at(b));
         }
     }
@@ -54,7 +56,7 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
 
 } // namespace
 
-/// Finds the lines of clusters that are not known yet, and puts all together.
+/// Computes the lines of clusters that are not in the cache, and concatenates all lines.
 void SectionLines::gather(const FrameDrawing& frame, Held& held) {
     std::vector<const std::vector<SectionLine>*> parts;
     std::vector<std::pair<ClusterName, std::vector<SectionLine>*>> missing;

@@ -1,4 +1,4 @@
-// The lines in which section planes meet a model, kept from frame to frame.
+// The intersection lines of section planes with a model, cached from frame to frame.
 #pragma once
 
 #include "executor/executor.h"
@@ -9,14 +9,14 @@
 
 namespace gnomon::executor {
 
-/// The lines of each section plane of the last frames of a model, as long as the plane and the clusters that lie near
-/// it stay the same.
+/// A cache of the intersection lines per section plane. Lines stay valid as long as the plane and the clusters near it
+/// do not change.
 class SectionLines {
 public:
-    /// Finds those of `frame`, in cells of the grid, and marks those that are closed.
+    /// Computes the lines of `frame`, in cells of the grid, and marks the closed ones.
     void find(const FrameDrawing& frame);
 
-    /// Of a plane of the frame that they were found for.
+    /// Returns the lines of a plane of the last frame.
     const std::vector<SectionLine>& of(std::size_t plane) const { return held_[plane].lines; }
 
 private:
@@ -24,8 +24,8 @@ private:
         Plane plane;
         std::vector<selection::ClusterRange> ranges;
         std::vector<SectionLine> lines;
-        std::unordered_map<std::uint64_t, std::vector<SectionLine>> ofClusters; // by page and cluster
-        std::size_t known = 0;                                                  // lines in these
+        std::unordered_map<std::uint64_t, std::vector<SectionLine>> ofClusters; // per page and cluster
+        std::size_t known = 0;                                                  // number of lines in ofClusters
     };
 
     struct ClusterName {

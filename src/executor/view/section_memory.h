@@ -1,4 +1,4 @@
-// What is kept of a model's sections from frame to frame.
+// The cached sections of a model.
 #pragma once
 
 #include "executor/view/cap_buffers.h"
@@ -7,7 +7,7 @@
 
 namespace gnomon::executor {
 
-/// Of one model; whoever draws it has one, and frames of it that have sections name it.
+/// The cached sections of one model. The owner passes it with each frame that has sections.
 struct SectionMemory {
     SectionCut cut;
     SectionLines lines;

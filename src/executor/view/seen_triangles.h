@@ -1,4 +1,4 @@
-// Which triangle of the model each pixel of a visibility buffer shows.
+// The visible triangle of the model per pixel of a visibility buffer.
 #pragma once
 
 #include "executor/executor.h"

@@ -11,7 +11,7 @@ namespace gnomon::proof {
 
 namespace {
 
-/// About a level of the picture: a kernel's weights follow what rounding moves a point by.
+/// About one level of the picture. Smaller changes come from rounding, which moves the weights of a filter kernel.
 constexpr float kSeenChange = 1.0F / 128;
 
 bool isInView(const executor::FrameDrawing& frame, const glm::dvec3& position) {
@@ -24,7 +24,7 @@ bool isSameSlice(const plan::ShadowPass& a, const plan::ShadowPass& b) {
     return a.map.region.slice == b.map.region.slice && a.map.region.face == b.map.region.face;
 }
 
-/// Two frames, looked up at the same points.
+/// A comparison of the shadow lookups of two frames at the same points.
 class Comparison {
 public:
     Comparison(const DrawnMaps& before, const DrawnMaps& now)
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// Empties the batch.
+    /// Compares the points of the batch and empties it.
     void compare(executor::PointBatch& points, Crawl& found) const {
         executor::PointBatch moved = points;
         const glm::vec3 offset(nowFromBefore_);
@@ -76,7 +76,7 @@ private:
     const executor::FrameDrawing* now_;
     executor::Shading then_;
     executor::Shading later_;
-    glm::dvec3 nowFromBefore_{0}; // to add to a position
+    glm::dvec3 nowFromBefore_{0}; // offset of a position from the earlier to the later draw space
 };
 
 } // namespace

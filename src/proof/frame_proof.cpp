@@ -13,7 +13,7 @@ namespace gnomon::proof {
 
 namespace {
 
-/// Prepares the finest level of `frame`'s view, with the casters that rays can meet.
+/// Prepares the finest level of `frame`'s view, with all casters that shadow rays can hit.
 frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame, plan::ShadowMode shadows) {
     plan::Quality quality = frame.plan.quality;
     quality.shadows = shadows;
@@ -24,7 +24,8 @@ frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame
     return fine;
 }
 
-/// The picture of the finest level in ray-traced shadows; drawn. For `oracle` of full detail it is whole, or an error.
+/// Draws and returns the picture of the finest level with ray-traced shadows. For Oracle::FullDetail, throws Error if
+/// the level is incomplete.
 executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame, Oracle oracle) {
     frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Rays);
     std::optional<RayMemory> memory;
@@ -33,25 +34,27 @@ executor::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& f
     return renderer.executor().picture();
 }
 
-/// Rays from the surfaces of `frame`, which was just drawn with them, to the finest level.
+/// Traces shadow rays from the surfaces of `frame` against the finest level. The frame must have been drawn with its
+/// surfaces just before.
 ShadowTruth truthOfFullDetail(
     frame::Renderer& renderer, const frame::Frame& frame, const executor::FrameDrawing& drawing) {
     const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
-    // As an exact frame, which keeps nothing beside its pages: rays meet one scene here.
+    // Prepared as an exact frame, which has no auxiliary bytes per page, because one scene contains all triangles here.
     const frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Exact);
     const RayMemory memory(renderer, fine);
     const raycast::Scene scene = executor::rayScene(drawing, listsOf(fine));
-    // The true surface may lie as far from the drawn one as the cut allows.
+    // The error limit of the cut bounds the distance between drawn and true surface.
     const auto light =
         executor::lightByRays(scene, drawing, surfaces, std::max(executor::kTouchingPixels, frame.errorPixels));
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
-/// Rays from the surfaces of `frame`, which was just drawn with them, to all that its maps' cut holds.
+/// Traces shadow rays from the surfaces of `frame` against the cut of its maps. The frame must have been drawn with its
+/// surfaces just before.
 ShadowTruth truthOfSameDetail(
     const frame::Renderer& renderer, const frame::Frame& frame, const executor::FrameDrawing& drawing) {
     const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
-    // The same rule decides as for the maps, so every cluster is the one that they drew; the volume alone is wider.
+    // The same error rule as for the maps selects the same clusters. Only the volume is larger.
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
     selection::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
@@ -62,8 +65,8 @@ ShadowTruth truthOfSameDetail(
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
-/// The share of all pixels of `frame`, which was just drawn with its surfaces, that are lit where integers have them
-/// dark or dark where those have them lit, against all that its cut holds.
+/// Returns the share of all pixels of `frame` whose lit or dark result differs from integer arithmetic over its whole
+/// cut. The frame must have been drawn with its surfaces just before.
 double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, executor::FrameDrawing drawing) {
     const executor::Raster<executor::SurfaceSample> surfaces = renderer.executor().surfaces();
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
@@ -81,7 +84,8 @@ double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, e
     return static_cast<double>(wrong) / static_cast<double>(truth.pixels.size());
 }
 
-/// Draws the frame before `now` once more: a plan is steady when its own view comes again. `maps` are those of `now`.
+/// Draws the frame before `now` again and compares both. A plan does not change if its own view is planned again.
+/// `maps` are the maps of `now`.
 Crawl crawlSince(
     frame::Renderer& renderer,
     const std::shared_ptr<const plan::PlannedFrame>& before,
@@ -129,7 +133,7 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     if (options.comparesWithFinest)
         proof.imageDifference = executor::difference(finestPicture(renderer, frame, options.oracle), picture).mean;
     if (hasCrawl) proof.crawl = crawlSince(renderer, frame.before, drawn, maps);
-    // What the executor shows is the frame that was asked for, and its pages are there.
+    // Restores the requested frame, so that its picture and its pages are available again.
     again = renderer.prepare(
         frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before, frame.options.margin());
     again.isSunless = frame.isSunless;

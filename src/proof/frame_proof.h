@@ -1,4 +1,4 @@
-// What a frame that was drawn is held against: rays, the promise of its plan, the finest level, the frame before.
+// Validation of a drawn frame against ray tracing, its aliasing bound, the finest level and the frame before.
 #pragma once
 
 #include "core/words.h"
@@ -12,52 +12,54 @@
 
 namespace gnomon::proof {
 
-/// What the shadows of a frame are held against.
+/// The ground truth (option --oracle) for the shadows of a frame.
 enum class Oracle : std::uint8_t {
     None,
-    SameDetail, // rays against what the maps' cut draws in the whole frustum's caster volume
-    FullDetail, // rays against the finest level there
-    Exact,      // integers against what the frame's cut draws there
+    SameDetail, // rays against the cut of the maps, in the caster volume of the whole frustum
+    FullDetail, // rays against the finest level in that volume
+    Exact,      // integer arithmetic against the cut of the frame in that volume
 };
 
-/// Those of them that compare.
+/// All kinds of ground truth except None.
 inline constexpr std::array kOracles = {
     Word<Oracle>{Oracle::SameDetail, "same"},
     Word<Oracle>{Oracle::FullDetail, "full"},
     Word<Oracle>{Oracle::Exact, "exact"},
 };
 
-/// Whether shadow maps alone can be held against it.
+/// Returns true if this ground truth requires shadow maps.
 constexpr bool isOfMaps(Oracle oracle) {
     return oracle == Oracle::SameDetail || oracle == Oracle::FullDetail;
 }
 
-/// What is to be found out about a frame.
+/// The requested measurements of a frame.
 struct ProofOptions {
     bool measuresAliasing = false;
     bool measuresCrawl = false; // against the frame before, if that had maps too
     Oracle oracle = Oracle::None;
-    bool countsWrongPixels = false;  // as Oracle::Exact does, whatever the oracle
-    bool comparesWithFinest = false; // the picture with that of the finest level in ray-traced shadows
+    bool countsWrongPixels = false;  // like Oracle::Exact, but independent of `oracle`
+    bool comparesWithFinest = false; // compares the picture with the finest level in ray-traced shadows
 };
 
-/// What was found out.
+/// The results of the measurements.
 struct FrameProof {
     std::optional<MeasuredAliasing> aliasing; // of a frame with maps
     std::optional<ShadowTruth> truth;         // of a frame with maps
-    std::optional<Crawl> crawl;               // of a frame with maps after one with maps
-    std::optional<double> imageDifference;    // mean, fraction of full scale
-    std::optional<double> wrongPixelsAll;     // share of all pixels, by integers; of any frame with shadows
+    std::optional<Crawl> crawl;               // of a frame with maps after a frame with maps
+    std::optional<double> imageDifference;    // mean, as a fraction of full scale
+    std::optional<double> wrongPixelsAll;     // share of all pixels, by integer arithmetic; of any frame with shadows
 };
 
-/// Holds `frame`, the last one that `renderer` drew, against what `options` name. Each of these is drawn, untimed: the
-/// frame with its surfaces, without overlay; the finest level by rays, for `comparesWithFinest`; the frame before, for
-/// the crawl; and at the end `frame` again as it was, whose picture and pages are then there. The frames to come do not
-/// depend on it. Draws and finds nothing for a frame that an observer camera sees. Throws Error, also where the memory
-/// does not hold what Oracle::FullDetail takes, or some of that is damaged.
+/// Measures `frame`, the last frame of `renderer`, as `options` say. This draws additional frames without timing:
+/// - the frame with its surfaces and without overlay;
+/// - the finest level with rays, for `comparesWithFinest`;
+/// - the frame before, for the crawl;
+/// - at the end `frame` again, so that its picture and pages are available.
+/// Later frames do not depend on this function. For a frame with an observer camera, it draws nothing and returns an
+/// empty result. Throws Error, for example if the memory is too small for Oracle::FullDetail or its pages are damaged.
 FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const ProofOptions& options);
 
-/// Fills the columns of accuracy of `row`: those that `proof` knows nothing of become empty.
+/// Fills the accuracy columns of `row`. A column without a measurement in `proof` becomes empty.
 void setAccuracy(const FrameProof& proof, telemetry::FrameRow& row);
 
 } // namespace gnomon::proof

@@ -16,7 +16,7 @@ bool isWhole(const frame::PreparedFrame& frame) {
     return frame.cut.wanted.empty() && frame.residency.pagesMissing == 0;
 }
 
-/// The triangles that rays against all of `frame` can meet, which is whole.
+/// Returns the number of triangles that rays can hit in `frame`, whose pages must all be resident.
 std::uint64_t triangleCount(const frame::Renderer& renderer, const frame::PreparedFrame& frame) {
     const hierarchy::ResidentPages resident = renderer.residency().resident();
     std::uint64_t triangles = 0;
@@ -25,7 +25,7 @@ std::uint64_t triangleCount(const frame::Renderer& renderer, const frame::Prepar
     return triangles;
 }
 
-/// The triangles of the finest of `pages`.
+/// Returns the number of triangles of level 0 in `pages`.
 std::uint64_t finestTriangles(const frame::Renderer& renderer, std::span<const std::uint32_t> pages) {
     std::uint64_t triangles = 0;
     for (const std::uint32_t page : pages) {
@@ -35,7 +35,7 @@ std::uint64_t finestTriangles(const frame::Renderer& renderer, std::span<const s
     return triangles;
 }
 
-/// Rounded up, so that it does where it is asked for.
+/// Rounds up to whole mebibytes, so that the printed amount is sufficient.
 std::uint64_t wholeMebibytes(Bytes bytes) {
     return (bytes.count + mebibytes(1).count - 1) / mebibytes(1).count;
 }
@@ -71,7 +71,8 @@ RayMemory::RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine
             "the finest level of this view and rays against it take more than the page memory",
             "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
             readableBytes(residency_->memory()));
-    if (!fine.isRayTraced()) residency_->reserve(needed.rays); // else its trees have their room beside its pages
+    // otherwise the trees have reserved memory next to their pages
+    if (!fine.isRayTraced()) residency_->reserve(needed.rays);
 }
 
 RayMemory::~RayMemory() {

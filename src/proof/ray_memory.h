@@ -1,4 +1,4 @@
-// The memory of rays against the finest level: counted beside the pages, in what --memory allows for both.
+// The memory for rays against the finest level. It counts, like the pages, towards --memory.
 #pragma once
 
 #include "frame/renderer.h"
@@ -7,26 +7,27 @@
 
 namespace gnomon::proof {
 
-/// What a frame of the finest level takes.
+/// The memory that a frame of the finest level needs.
 struct MemoryWithRays {
-    Bytes pages; // with the tables
-    Bytes rays;  // a scene of all its triangles, or the trees that are kept beside its pages
+    Bytes pages; // including the tables
+    Bytes rays;  // a scene of all triangles, or the trees that are stored next to their pages
 
     Bytes all() const { return {pages.count + rays.count}; }
 };
 
-/// All that rays of `frame` can meet: the image's list, and the casters' where anything faces the light.
+/// Returns all draw lists that rays of `frame` can hit: the list of the image, and that of the casters if a surface
+/// faces the light.
 std::vector<const selection::DrawList*> listsOf(const frame::PreparedFrame& frame);
 
-/// What `fine` takes, which `renderer` has just prepared: exactly if all its pages are resident, else no less than
-/// that.
+/// Returns the memory for `fine`, which `renderer` has just prepared. The result is exact if all its pages are
+/// resident, otherwise a lower bound.
 MemoryWithRays memoryWithRays(const frame::Renderer& renderer, const frame::PreparedFrame& fine);
 
-/// Room for the scene of a frame beside its pages, as long as this lives.
+/// A reservation of memory for the scene of a frame, next to its pages.
 class RayMemory {
 public:
-    /// Throws Error if pages of `fine`, which `renderer` has just prepared, are damaged, or if the memory does not hold
-    /// it and its scene; names what does.
+    /// Reserves the memory for `fine`, which `renderer` has just prepared. Throws Error if pages are damaged, or if the
+    /// memory is too small. The message then says how much is needed.
     RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine);
     ~RayMemory();
     RayMemory(const RayMemory&) = delete;

@@ -14,17 +14,17 @@ namespace {
 
 using raycast::Light;
 
-constexpr double kLeastCosine = 0.1; // where the bias of a lookup stops growing
+constexpr double kLeastCosine = 0.1; // limit of N.L below which the bias of a lookup no longer grows
 constexpr double kContactFootprints = 1.5;
 
-/// A point's place in its neighbourhood, in texels along columns and rows.
+/// An offset from a point in its neighbourhood, in texels along columns and rows.
 struct Offset {
     double column = 0;
     double row = 0;
-    double reach = 0; // the larger of the two
+    double reach = 0; // the larger absolute value of both
 };
 
-/// A grid over the footprint, the nearest first.
+/// Returns a grid of offsets over the footprint, nearest first.
 std::vector<Offset> neighbourhood() {
     constexpr int kSteps = 6;
     std::vector<Offset> result;
@@ -38,7 +38,7 @@ std::vector<Offset> neighbourhood() {
     return result;
 }
 
-/// Judges one wrong pixel at a time by more rays around it.
+/// A classifier of wrong pixels, which traces more rays around each of them.
 class Judge {
 public:
     Judge(
@@ -70,8 +70,8 @@ public:
         return unexplained;
     }
 
-    /// Whether a map of these texels need not hold the shadow, or the gap in one, that a pixel at its edge lies in: it
-    /// is narrower than a texel, or so near to its caster that it is one of contact.
+    /// Returns true if the shadow or the lit gap at a pixel on its edge is too fine for a map with these texels. It is
+    /// too fine if it is narrower than a texel, or if it is a contact shadow, whose caster is very near.
     bool isTooFine(std::size_t pixel, Light truth) const {
         const executor::SurfaceSample& surface = surfaces_->pixels[pixel];
         if (surface.partition() < 0) return false;
@@ -83,10 +83,10 @@ private:
     struct Receiver {
         glm::vec3 position{0};
         glm::vec3 normal{0};
-        glm::vec3 column{0}; // a texel's footprint on the receiver's plane
+        glm::vec3 column{0}; // the footprint of a texel on the receiver's plane
         glm::vec3 row{0};
-        glm::vec3 light{0, 1, 0}; // towards it, of unit length
-        float offset = 0;         // of rays from the surface
+        glm::vec3 light{0, 1, 0}; // unit direction to the light
+        float offset = 0;         // offset of rays from the surface
     };
 
     Receiver receiverOf(const executor::SurfaceSample& surface) const {
@@ -110,7 +110,8 @@ private:
             static_cast<float>(executor::kTouchingPixels * pixel)};
     }
 
-    /// What rays say of the surface that lies where the receiver's plane has `offset`; Nothing where none does.
+    /// Returns the ray-traced result for the surface at `offset` on the receiver's plane, or Nothing if there is no
+    /// surface.
     Light truthAt(const Receiver& receiver, const Offset& offset) const {
         const glm::vec3 moved = receiver.position + static_cast<float>(offset.column) * receiver.column +
                                 static_cast<float>(offset.row) * receiver.row;
@@ -122,7 +123,7 @@ private:
         return raycast::litByRay(*scene_, point, source_);
     }
 
-    /// Whether the caster is nearer to the receiver than one and a half footprints, along the light.
+    /// Returns true if the caster is nearer to the receiver than 1.5 footprints, along the light.
     bool isTouched(const Receiver& receiver) const {
         const float footprint = std::max(glm::length(receiver.column), glm::length(receiver.row));
         const glm::vec3 from = receiver.position + receiver.offset * receiver.normal;
@@ -133,14 +134,14 @@ private:
              std::min(static_cast<float>(kContactFootprints) * footprint, source_.distance(from))});
     }
 
-    /// Whether a shadow is narrower than a texel along columns or along rows: the light reaches both sides, less than a
-    /// texel apart. Likewise a lit gap, with darkness on both sides.
+    /// Returns true if a shadow is narrower than a texel along columns or rows: both sides have light less than a texel
+    /// apart. The same applies to a lit gap between dark sides.
     bool isThin(const Receiver& receiver, Light truth) const {
         const Light other = truth == Light::Dark ? Light::Lit : Light::Dark;
         constexpr int kSteps = 8;
         for (const bool alongRows : {false, true}) {
             const glm::vec3& side = alongRows ? receiver.row : receiver.column;
-            std::array<int, 2> nearest = {kSteps + 1, kSteps + 1}; // step at which the other is reached, on each side
+            std::array<int, 2> nearest = {kSteps + 1, kSteps + 1}; // per side: the first step with the opposite result
             for (const int sign : {0, 1})
                 for (int step = 1; step < kSteps; ++step) {
                     const float along = static_cast<float>(sign == 0 ? -step : step) / kSteps;
@@ -164,7 +165,7 @@ private:
     std::vector<TexelProbe> probes_;
 };
 
-/// Counts `truth.verdicts`; a surface that the light only grazes is not judged.
+/// Counts `truth.verdicts`. Surfaces at a grazing angle to the light are not judged.
 void countVerdicts(
     const executor::Raster<executor::SurfaceSample>& surfaces, const raycast::LightSource& source, ShadowTruth& truth) {
     for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {

@@ -1,4 +1,4 @@
-// How true the shadows of a picture are: held against rays, pixel by pixel, and in texels where they differ.
+// Comparison of a picture's shadows with ray-traced shadows, pixel by pixel, with a cause for each difference.
 #pragma once
 
 #include "executor/executor.h"
@@ -6,37 +6,36 @@
 
 namespace gnomon::proof {
 
-/// What is to be said of a pixel's shadow.
+/// The result of the comparison at a pixel.
 enum class ShadowVerdict : std::uint8_t {
-    Unasked,     // no surface, or one turned from the light
-    Right,       // as rays have it
-    NearEdge,    // wrong, within a texel's footprint of an edge of the true shadow
-    ContactGap,  // lit where rays see dark, within 1.5 footprints of the caster or of where the light reaches
-    Missed,      // lit where rays see dark: the caster is thinner than a texel, along its columns or its rows
-    FalseShadow, // dark where rays see light, further from an edge
-    Leak         // lit where rays see dark, and none of these
+    Unasked,     // no surface, or a surface that faces away from the light
+    Right,       // equal to the ray-traced result
+    NearEdge,    // wrong, but within a texel's footprint of an edge of the true shadow
+    ContactGap,  // lit instead of dark, within 1.5 footprints of the caster or of a lit point
+    Missed,      // lit instead of dark, because the caster is thinner than a texel along columns or rows
+    FalseShadow, // dark instead of lit, farther from an edge
+    Leak         // lit instead of dark, without one of these causes
 };
 
-/// A picture's shadows against those that rays find.
+/// The comparison of a picture's shadows with ray-traced shadows.
 struct ShadowTruth {
-    raycast::ShadowComparison shadows; // all pixels
-    /// The same with what is finer than a texel counted apart, for which a map that samples once a texel may hold
-    /// anything: the pixels of missed casters are not wrong; edges of casters, and of gaps between them, that are
-    /// thinner than a texel, and of shadows of contact, whose caster is within 1.5 footprints, need not be drawn. Where
-    /// they are drawn they have to be where they are, as all edges. The log's wrong shadows and edge distances are
-    /// these.
+    raycast::ShadowComparison shadows; // over all pixels
+    /// The comparison without details finer than a texel, which a map cannot represent. Pixels of missed casters are
+    /// not wrong. The edges of casters and gaps thinner than a texel may be absent, and so may contact shadows, whose
+    /// caster is within 1.5 footprints. If such an edge is drawn, its position is measured like that of all others. The
+    /// columns of wrong shadows and edge distances use this comparison.
     raycast::ShadowComparison answerable;
     std::vector<ShadowVerdict> verdicts; // rows from top to bottom
     std::uint64_t missedPixels = 0;
-    /// Lit-side pixels with N.L above 0.1, where bias is not capped, and those of them that are false shadows or leaks.
+    /// Lit-side pixels with N.L above 0.1, where the bias is not capped, and the false shadows and leaks among them.
     std::uint64_t judgedPixels = 0;
     std::uint64_t unexplainedPixels = 0;
 
-    double missedFraction() const;      // of the lit-side pixels
-    double unexplainedFraction() const; // of the judged ones
+    double missedFraction() const;      // share of the lit-side pixels
+    double unexplainedFraction() const; // share of the judged pixels
 };
 
-/// Compares the shadows of the picture of `frame` that shows `surfaces` with `light`, which rays found against `scene`.
+/// Compares the shadows of the picture of `frame` that shows `surfaces` with `light`, the ray-traced result in `scene`.
 ShadowTruth shadowTruth(
     const raycast::Scene& scene,
     const executor::FrameDrawing& frame,

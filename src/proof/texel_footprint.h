@@ -1,48 +1,50 @@
-// The texel of a shadow map at a point, from finite differences of the matrix that the map was drawn with, as uploaded:
-// nothing here knows of the functions that plan maps and promise their errors.
+// The footprint of a shadow-map texel at a point, by finite differences of the uploaded matrix. This code is
+// independent of the functions that plan maps and bound their aliasing.
 #pragma once
 
 #include "executor/executor.h"
 
 namespace gnomon::proof {
 
-/// The length over which a texel's differences are taken, of a pixel's width: far below any texel that matters, far
-/// above what doubles lose.
+/// Step of the finite differences relative to a pixel's width. It is far smaller than a texel, and far larger than the
+/// rounding error of doubles.
 constexpr double kStepOverPixel = 1e-3;
 
-/// How far a texel reaches at a point, measured across the light: world units, without the receiver's slope.
+/// The widths of a texel at a point, perpendicular to the light, in world units. They do not include the receiver's
+/// slope.
 struct TexelWidths {
-    double x = 0; // along the light frame's x
-    double z = 0; // along its z, without the shear
+    double x = 0; // along the light frame's x axis
+    double z = 0; // along its z axis, without shear
 };
 
-/// A whole texel at a point, as displacements across the light (draw space): sheared, as it is.
+/// The footprint of a texel at a point, as two displacements perpendicular to the light in draw space, including shear.
 struct TexelFootprint {
-    glm::dvec3 column{0}; // to the same place in the next column
+    glm::dvec3 column{0}; // displacement to the same position in the next column
     glm::dvec3 row{0};
 };
 
-/// One map of a frame as its texels are.
+/// Measures the texels of one map of a frame.
 class TexelProbe {
 public:
     TexelProbe(const executor::FrameDrawing& frame, const shadow::ShadowMap& map);
 
-    /// The widths at `p` (draw space); `step` is the world length over which differences are taken, well under a texel.
+    /// Returns the widths at `p` (draw space). `step` is the world length of the finite differences, and must be much
+    /// smaller than a texel.
     TexelWidths widths(const glm::dvec3& p, double step) const;
 
     TexelFootprint footprint(const glm::dvec3& p, double step) const;
 
 private:
     struct Derivatives {
-        glm::dvec2 byX{0}; // of (column, row)
+        glm::dvec2 byX{0}; // derivative of (column, row)
         glm::dvec2 byZ{0};
     };
 
     glm::dvec2 texel(const glm::dvec3& p) const;
     Derivatives derivatives(const glm::dvec3& p, double step) const;
 
-    shadow::FloatMapImage image_; // the floats that are uploaded
-    glm::dvec3 x_;                // of the light frame, in draw space
+    shadow::FloatMapImage image_; // the uploaded floats
+    glm::dvec3 x_;                // axes of the light frame in draw space
     glm::dvec3 z_;
 };
 

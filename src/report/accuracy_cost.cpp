@@ -12,14 +12,14 @@ bool allKnow(std::span<const RunSummary> runs, ErrorKind kind) {
     return std::all_of(runs.begin(), runs.end(), [&](const auto& run) { return knownError(run, kind).has_value(); });
 }
 
-/// The same for the runs with maps, if there are any: the others have no such errors.
+/// Returns true if there are runs with maps and all of them have the error. Other runs never have errors of maps.
 bool allMapsKnow(std::span<const RunSummary> runs, ErrorKind kind) {
     const auto lacks = [&](const auto& run) { return run.shadowMaps > 0 && !knownError(run, kind); };
     return std::none_of(runs.begin(), runs.end(), lacks) &&
            std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.shadowMaps > 0; });
 }
 
-/// Ranks from 0; equal values share the mean of their ranks.
+/// Returns the ranks of `values`, starting at 0. Equal values share their mean rank.
 std::vector<double> ranks(const std::vector<double>& values) {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -136,7 +136,7 @@ std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind
         if (knownError(runs[i], kind)) order.push_back(i);
     const auto rank = [&](std::size_t i) { return std::pair(*knownError(runs[i], kind), runs[i].p50Ms); };
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return rank(a) < rank(b); });
-    std::vector<std::size_t> front; // most accurate first
+    std::vector<std::size_t> front; // most accurate run first
     for (const std::size_t i : order)
         if (front.empty() || compareTimes(runs[i], runs[front.back()]) == TimeOrder::Less) front.push_back(i);
     std::reverse(front.begin(), front.end());
@@ -147,7 +147,8 @@ std::optional<std::size_t> recommendedRun(std::span<const RunSummary> runs, Erro
     const std::vector<std::size_t> front = paretoFront(runs, kind);
     std::optional<std::size_t> best;
     for (const std::size_t i : front)
-        if (runs[i].p50Ms <= kWorthwhileTimes * runs[front.front()].p50Ms) best = i; // the front grows more accurate
+        // the accuracy grows along the front
+        if (runs[i].p50Ms <= kWorthwhileTimes * runs[front.front()].p50Ms) best = i;
     return best;
 }
 

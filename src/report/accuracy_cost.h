@@ -1,4 +1,5 @@
-// What accuracy costs in time: the Pareto front of a set of runs, and the setting that a budget or a bound calls for.
+// The trade-off between accuracy and time: the Pareto front of a set of runs, and the best run within a budget or an
+// error bound.
 #pragma once
 
 #include "report/run_summary.h"
@@ -9,30 +10,31 @@
 
 namespace gnomon::report {
 
-/// The error of `run`, if it was measured and is a number.
+/// Returns the error of `run` if it was measured and is finite.
 std::optional<double> knownError(const RunSummary& run, ErrorKind kind);
 
-/// The error that runs are chosen by: the first that all of them know of image difference, the only one that a coarse
-/// model raises as a coarse map does, and what `shadowError` asks for.
+/// Returns the error for comparing runs: the image difference if all runs have it, otherwise the result of
+/// `shadowError`. Only the image difference measures coarse models and coarse maps alike.
 ErrorKind comparedError(std::span<const RunSummary> runs);
 
-/// The error that a page shows first: wrong pixels, which leave nothing out, if all runs know them, else what
-/// `comparedError` says.
+/// Returns the error that a page shows first: wrong pixels, which cover all pixels, if all runs have them. Otherwise
+/// returns the result of `comparedError`.
 ErrorKind leadingError(std::span<const RunSummary> runs);
 
-/// The error that tells maps apart: the first of wrong shadow pixels, edge distance and promise that all runs with maps
-/// know. The edge distance comes second because it does not compare from scheme to scheme: a map is held only to the
-/// edges that its texels can show, so a coarse map is held to fewer of them; what it misses is among its wrong pixels.
+/// Returns the error for comparing maps: the first of wrong shadow pixels, edge distance and aliasing bound that all
+/// runs with maps have. The edge distance comes second because it is not comparable between schemes. It covers only
+/// edges that the texels of a map can represent, so fewer edges for a coarse map. The missed edges count among the
+/// wrong pixels.
 ErrorKind shadowError(std::span<const RunSummary> runs);
 
-/// `a` dominates `b` if it is nowhere worse in median time and error and somewhere better.
-/// Runs that do not know the error neither dominate nor are dominated.
+/// Returns true if `a` dominates `b`: it is not worse in median time and error, and better in one of them. A run
+/// without the error neither dominates nor is dominated.
 bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind);
 
-/// What the noise of a run is taken for where it was walked but once.
+/// The assumed noise of a run that was measured only once.
 inline constexpr double kUnknownNoise = 0.1;
 
-/// The median times that a run may have, by its noise.
+/// The range of a run's median time, given its noise.
 struct TimeRange {
     double low = 0;
     double high = 0;
@@ -40,53 +42,53 @@ struct TimeRange {
 
 TimeRange timeRange(const RunSummary& run);
 
-/// Alike: the noise of the two does not let tell which takes longer.
+/// The order of two times. Alike means that the difference is within the noise.
 enum class TimeOrder : std::uint8_t { Less, Alike, More };
 
-/// How the time of `a` compares with that of `b`: Less and More only where their ranges do not meet.
+/// Compares the times of `a` and `b`. The result is Less or More only if their ranges are disjoint.
 TimeOrder compareTimes(const RunSummary& a, const RunSummary& b);
 
-/// The indices of some runs that know the error, fastest first: the most accurate one, and always the next most
-/// accurate that is faster by more than noise. Whatever is left out is neither measurably faster than one of them nor
-/// more accurate than it.
+/// Returns the indices of the runs on the Pareto front, fastest first. It starts with the most accurate run, and
+/// repeatedly adds the next most accurate run that is faster beyond the noise. For each omitted run, the front contains
+/// a run that is at least as accurate and not measurably slower. Runs without the error are ignored.
 std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind kind);
 
-/// How many times the frame time of the fastest run on the front more accuracy may cost to be recommended.
+/// Max ratio of the recommended run's frame time to that of the fastest run on the front.
 inline constexpr double kWorthwhileTimes = 2;
 
-/// The most accurate run of the front that takes at most kWorthwhileTimes the time of its fastest.
+/// Returns the most accurate run of the front whose time is at most kWorthwhileTimes that of the fastest.
 std::optional<std::size_t> recommendedRun(std::span<const RunSummary> runs, ErrorKind kind);
 
-/// The median time that a run may be expected to keep when it is run again: its own, and the noise of it.
+/// Returns the expected upper limit of a run's median time when it is measured again: its median plus its noise.
 double timeToExpectMs(const RunSummary& run);
 
-/// The run of least error whose time to expect is at most `budgetMs`; of equals the fastest; nothing if none is that
-/// fast.
+/// Returns the run with the smallest error whose `timeToExpectMs` is at most `budgetMs`. Among equal errors it is the
+/// fastest. Returns nullopt if no run is that fast.
 std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs);
 
-/// A run that kept a budget when it was walked again, and its median then.
+/// A run that was within the budget when it was measured again, with its second median time.
 struct ConfirmedRun {
     std::size_t run = 0;
     double p50MsAgain = 0;
 };
 
-/// What `bestUnderBudget` names, if it keeps the budget once more in the summary that `walkAgain(run)` gives, else the
-/// next best that does: of many runs the one that looks best owes some of that to luck.
+/// Returns the result of `bestUnderBudget` if a second measurement `walkAgain(run)` is also within the budget.
+/// Otherwise tries the next best run. This is necessary because the apparent best of many runs is partly luck.
 std::optional<ConfirmedRun> confirmedUnderBudget(
     std::span<const RunSummary> runs,
     ErrorKind kind,
     double budgetMs,
     const std::function<RunSummary(std::size_t run)>& walkAgain);
 
-/// The fastest run whose error is at most `bound`; nothing if none is that good.
+/// Returns the fastest run whose error is at most `bound`, or nullopt.
 std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound);
 
-/// Spearman's rank correlation of two errors over the runs that know both, ties at their mean rank, and the runs that
-/// disobey it most.
+/// Spearman's rank correlation of two errors over the runs that have both, with ties at their mean rank. Also lists the
+/// runs that deviate most.
 struct Correlation {
-    double rank = 0; // in [-1, 1]; 0 if fewer than three runs know both
+    double rank = 0; // in [-1, 1]; 0 for fewer than three runs
     std::size_t runs = 0;
-    std::vector<std::size_t> disobedient; // rank in one differs from the other's by more than a third of the runs
+    std::vector<std::size_t> disobedient; // runs whose two ranks differ by more than a third of the number of runs
 };
 
 Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind b);

@@ -43,7 +43,7 @@ nlohmann::json runData(const RunSummary& run) {
         {"frames", run.frameMs}};
 }
 
-/// `word` as a shell reads it as one.
+/// Quotes `word` for a shell if necessary.
 std::string shellWord(const std::string& word) {
     const auto isPlain = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
@@ -55,7 +55,7 @@ std::string shellWord(const std::string& word) {
     return quoted + "'";
 }
 
-/// What to type for the run that is recommended; null if there is none.
+/// Returns the command line of the recommended run, or null if there is none.
 nlohmann::json recommendation(const Report& report) {
     const ErrorKind kind = comparedError(report.runs);
     const auto run = recommendedRun(report.runs, kind);
@@ -110,7 +110,7 @@ std::string page(const Report& report) {
     substitute(text, "/*CHART*/", kChartJs);
     substitute(text, "/*PICTURES*/", kPicturesJs);
     substitute(text, "/*JS*/", kPageJs);
-    substitute(text, "/*DATA*/", scriptSafe(pageData(report))); // last: its names may hold any of the marks
+    substitute(text, "/*DATA*/", scriptSafe(pageData(report))); // last, because its strings can contain the other marks
     return text;
 }
 

@@ -1,4 +1,4 @@
-// The report: one self-contained HTML file that opens from disk and asks nothing of any network.
+// The report of a bench: one self-contained HTML file that opens from disk and needs no network.
 #pragma once
 
 #include "report/run_summary.h"
@@ -10,35 +10,37 @@
 
 namespace gnomon::report {
 
-/// A picture of one run: `kind` is one of picture, reference, difference, texels, aliasing, partitions.
+/// A picture of one run. `kind` is picture, reference, difference, texels, aliasing or partitions.
 struct Picture {
-    std::string run; // RunSummary::name
+    std::string run; // equals RunSummary::name
     std::string kind;
     std::vector<std::uint8_t> png;
 };
 
-/// One point of the storage factor against the number of maps (figure 12's shape), from the theory.
+/// One point of the curve of storage factor over number of maps, from the theory (as in figure 12 of Lloyd et al.
+/// 2006).
 struct StoragePoint {
     std::string scheme;
     int maps = 0;
     double storageFactor = 0;
 };
 
-/// All that the page shows.
+/// The content of the page.
 struct Report {
     std::string model;
-    std::map<std::string, std::string> context; // machine, build, image size, light: shown under every figure
+    std::map<std::string, std::string> context; // machine, build, image size and light, shown below each figure
     std::vector<RunSummary> runs;
     std::vector<Picture> pictures;
     std::vector<StoragePoint> storage;
-    std::string csvFile; // links, relative to the page; empty: none
+    std::string csvFile; // links relative to the page; empty: no link
     std::string jsonFile;
 };
 
-/// The page's data: runs, the Pareto front of every error, the sentences, the correlation of promise and truth.
+/// Returns the data of the page: runs, the Pareto front of each error, the sentences, and the correlation of aliasing
+/// bound and measured error.
 nlohmann::json pageData(const Report& report);
 
-/// The page itself.
+/// Returns the HTML text of the page.
 std::string page(const Report& report);
 
 } // namespace gnomon::report

@@ -1,4 +1,5 @@
-// The parts of the report's page, embedded at build time: ours from src/report/page, Chart.js from its Debian package.
+// The parts of the report's page, embedded at build time. Chart.js comes from its Debian package, all other parts from
+// src/report/page.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// One run of a benchmark as the report sees it: its settings, what it cost and how wrong it was.
+// The summary of one run of a bench: settings, cost and errors.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace gnomon::report {
 
-/// The ways in which a run can be wrong; each run knows some of them.
+/// The kinds of errors of a run. Each run has some of them.
 enum class ErrorKind {
-    WrongPixels,      // the fraction of all pixels that are lit where integers have them dark, or the other way round
-    PromisedAliasing, // the larger of the promised perspective aliasing in x and z over [near, far]
-    MeasuredAliasing, // the perspective aliasing found at the pixels
-    WrongShadow,      // the fraction of lit-side pixels whose shadow differs from rays', missed thin casters too
-    ShadowEdge,       // 99th percentile of the distance of shadow edges from ray-traced ones, pixels
-    ImageDifference,  // mean absolute difference from full detail in ray-traced shadows, fraction of full scale
+    WrongPixels,      // share of all pixels whose lit or dark result differs from integer arithmetic
+    PromisedAliasing, // larger bound of perspective aliasing of x and z over [near, far]
+    MeasuredAliasing, // perspective aliasing measured at the pixels
+    WrongShadow,      // share of lit-side pixels whose shadow differs from ray tracing, including missed thin casters
+    ShadowEdge,       // 99th percentile of the distance of shadow edges from ray-traced edges, in pixels
+    ImageDifference,  // mean absolute difference from full detail in ray-traced shadows, as a fraction of full scale
 };
 
 inline constexpr std::array kErrorKinds{
@@ -29,13 +29,13 @@ inline constexpr std::array kErrorKinds{
     ErrorKind::ShadowEdge,
     ErrorKind::ImageDifference};
 
-/// The column of the bench log that holds `kind`, or a short name of the two that do.
+/// Returns the column of the bench log with `kind`, or a short name if two columns form it.
 std::string_view key(ErrorKind kind);
 
-/// What a person calls `kind`, with its unit.
+/// Returns a readable name of `kind`, with its unit.
 std::string_view label(ErrorKind kind);
 
-/// The median times of a frame's stages, milliseconds.
+/// The median times of a frame's stages, in milliseconds.
 struct StageTimes {
     double plan = 0;
     double select = 0;
@@ -48,24 +48,27 @@ struct StageTimes {
 /// The frames of one run, over all repetitions.
 struct RunSummary {
     std::string name;                            // unique in a report
-    std::string options;                         // to paste behind `gnomon render MODEL`
+    std::string options;                         // options for `gnomon render MODEL`
     std::map<std::string, std::string> settings; // the swept columns and their values
-    std::string scheme; // "map+w", "zp4": how maps are laid out, or the cells of exact shadows; empty without either
+    // "map+w", "zp4": the scheme of the maps, or of the sample grid of exact shadows; empty without either
+    std::string scheme;
     int shadowMaps = 0;
     double p50Ms = 0; // of the whole frame
     double p95Ms = 0;
     double p99Ms = 0;
-    std::optional<double> noise; // half the range of the repetitions' medians over their middle; needs two of them
+    // half the range of the repetitions' medians, relative to the middle; requires two repetitions
+    std::optional<double> noise;
     StageTimes stages;
     double imageTriangles = 0;
     double shadowTriangles = 0;
-    std::map<ErrorKind, double> errors; // over the frames the largest aliasing, the median edge distance, else the mean
-    double crawl = -1;                  // share of fixed points whose shadow test changed; below 0: not measured
+    // over all frames: max of the aliasing, median of the edge distance, mean of all others
+    std::map<ErrorKind, double> errors;
+    double crawl = -1; // share of fixed points whose shadow changed; negative: not measured
     double storageFactor = 0;
     bool promiseKept = true;
-    std::uint64_t pagesDamaged = 0; // by the last frame
-    std::uint64_t pagesMissing = 0; // in the frame that lacked most
-    std::vector<double> frameMs;    // along the path, the median over repetitions
+    std::uint64_t pagesDamaged = 0; // total up to the last frame
+    std::uint64_t pagesMissing = 0; // max over all frames
+    std::vector<double> frameMs;    // along the path, median over repetitions
 };
 
 } // namespace gnomon::report

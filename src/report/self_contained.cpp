@@ -24,7 +24,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 
 namespace {
 
-/// Makes every line of every string in `data` printable.
+/// Makes each line of each string in `data` printable.
 void makePrintable(nlohmann::json& data) {
     if (data.is_structured())
         for (nlohmann::json& value : data)

@@ -1,4 +1,4 @@
-// What makes a page one file: its parts put into its text.
+// Helpers that combine the parts of a page into one file.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace gnomon::report {
 
-/// `bytes` in base 64 (RFC 4648), padded.
+/// Encodes `bytes` in base64 (RFC 4648) with padding.
 std::string base64(std::span<const std::uint8_t> bytes);
 
-/// Returns `data` as text that a script of a page can contain, whatever its strings contain. Their lines are printable.
+/// Returns `data` as text that is safe inside a script element, for all possible strings. Control characters in strings
+/// are made printable.
 std::string scriptSafe(nlohmann::json data);
 
-/// Puts `value` in the place of the first `mark` in `text`, which has one.
+/// Replaces the first `mark` in `text` by `value`. The mark must exist.
 void substitute(std::string& text, std::string_view mark, std::string_view value);
 
 } // namespace gnomon::report

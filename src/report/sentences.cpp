@@ -12,7 +12,7 @@ namespace gnomon::report {
 
 namespace {
 
-/// Errors that differ by less are called alike.
+/// Relative difference below which two errors count as equal.
 constexpr double kTelling = 0.1;
 
 std::string text(const char* format, double value) {
@@ -21,10 +21,10 @@ std::string text(const char* format, double value) {
     return buffer.data();
 }
 
-/// A setting as it is spoken of.
+/// A setting with its name in a sentence.
 struct Named {
     const RunSummary* run = nullptr;
-    std::string name; // "four maps"
+    std::string name; // for example "four maps"
     bool isOne = false;
 };
 
@@ -45,7 +45,7 @@ std::string atStart(const std::string& words) {
     return result;
 }
 
-/// "0.3% wrong pixels instead of 1.2%".
+/// Returns for example "0.3% wrong pixels instead of 1.2%".
 std::string errorsInWords(ErrorKind kind, double a, const std::string& joint, double b) {
     const auto share = [&](const char* what) {
         return (a > 0 ? text("%.2g%% ", 100 * a) : "no ") + what + joint + (b > 0 ? text("%.2g%%", 100 * b) : "none");
@@ -66,7 +66,7 @@ std::string errorsInWords(ErrorKind kind, double a, const std::string& joint, do
     return {};
 }
 
-/// What the errors are called.
+/// Returns the name of an error in a sentence.
 std::string errorName(ErrorKind kind) {
     switch (kind) {
     case ErrorKind::WrongPixels:
@@ -88,7 +88,7 @@ int sign(TimeOrder order) {
     return order == TimeOrder::Less ? -1 : order == TimeOrder::More ? 1 : 0;
 }
 
-/// -1 where `a` is less than `b` by more than a tenth of the larger, 1 where it is more, else 0.
+/// Compares two errors: -1 if `a` is less than `b` by more than a tenth of the larger, 1 for the opposite, otherwise 0.
 int compareErrors(double a, double b) {
     if (a < (1 - kTelling) * b) return -1;
     return b < (1 - kTelling) * a ? 1 : 0;
@@ -98,7 +98,7 @@ std::string percentOfNoise(const RunSummary& a, const RunSummary& b) {
     return text("%.2g%%", 100 * std::max(a.noise.value_or(kUnknownNoise), b.noise.value_or(kUnknownNoise)));
 }
 
-/// "1.21 to 1.48 times the frame time": all ratios that the noise leaves, rounded outwards.
+/// Returns for example "1.21 to 1.48 times the frame time": the range of ratios within the noise, rounded outwards.
 std::string timeInWords(const RunSummary& a, const RunSummary& b) {
     if (compareTimes(a, b) == TimeOrder::Alike)
         return "a frame time that noise (" + percentOfNoise(a, b) + ") does not tell apart";
@@ -107,14 +107,15 @@ std::string timeInWords(const RunSummary& a, const RunSummary& b) {
         return text("%.3g", round(ratio / step) * step);
     };
     const auto [leastA, mostA] = timeRange(a);
-    const auto [leastB, mostB] = timeRange(b); // their ranges do not meet: neither upper end is 0
+    const auto [leastB, mostB] = timeRange(b); // the ranges are disjoint, so neither upper end is 0
     const std::string least = rounded(leastA / mostB, [](double x) { return std::floor(x); });
     if (!(leastB > 0)) return "at least " + least + " times the frame time";
     const std::string most = rounded(mostA / leastB, [](double x) { return std::ceil(x); });
     return (least == most ? least : least + " to " + most) + " times the frame time";
 }
 
-/// What `a` is beside `b`, which it costs more than (`costs` 1), less (-1) or as much as (0), and errs likewise.
+/// Returns the verdict of `a` against `b`. `costs` is 1 if `a` takes more time than `b`, -1 for less and 0 for equal.
+/// `errs` says the same about errors.
 std::string verdictInWords(const Named& a, const Named& b, int costs, int errs) {
     if (costs == 0 && errs == 0)
         return (a.isOne ? " does" : " do") + std::string(" here what ") + b.name + (b.isOne ? " does" : " do");
@@ -124,7 +125,8 @@ std::string verdictInWords(const Named& a, const Named& b, int costs, int errs) 
     return (a.isOne ? " is " : " are ") + std::string(costs + errs < 0 ? "better" : "worse") + " here than " + b.name;
 }
 
-/// Which of the two is better where: "Four maps are better here than one map: 0.3% wrong pixels instead of 1.2%...".
+/// Returns a sentence that compares two settings: "Four maps are better here than one map: 0.3% wrong pixels instead of
+/// 1.2%...".
 std::string comparison(const Named& a, const Named& b, ErrorKind kind) {
     const auto errorA = knownError(*a.run, kind);
     const auto errorB = knownError(*b.run, kind);
@@ -140,8 +142,7 @@ std::string comparison(const Named& a, const Named& b, ErrorKind kind) {
            ", and " + time + ".";
 }
 
-/// The fastest run of each number of maps, fewest maps first, among those that differ from the first run in nothing
-/// else.
+/// Returns the fastest run per number of maps, fewest maps first. All other settings must equal those of the first run.
 std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
     const auto others = [](const RunSummary& run) {
         auto settings = run.settings;
@@ -162,7 +163,7 @@ std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
     return result;
 }
 
-/// The first number of maps after which no further map lowers the error by at least a tenth.
+/// Returns the first run of `sweep` after which no larger number of maps lowers the error by a tenth.
 const RunSummary* enoughMaps(const std::vector<const RunSummary*>& sweep, ErrorKind kind) {
     for (std::size_t i = 0; i + 1 < sweep.size(); ++i) {
         const double here = knownError(*sweep[i], kind).value_or(0);
@@ -175,7 +176,7 @@ const RunSummary* enoughMaps(const std::vector<const RunSummary*>& sweep, ErrorK
     return nullptr;
 }
 
-/// The run of exact shadows over the usual cells, if there is one.
+/// Returns the run of exact shadows with the default sample grid, or null.
 const RunSummary* exactRun(std::span<const RunSummary> runs) {
     const auto exact = std::find_if(runs.begin(), runs.end(), [](const RunSummary& run) {
         const auto cells = run.settings.find("cells");

@@ -1,4 +1,4 @@
-// What a person would say of a set of runs, in words that its table cannot refute.
+// A summary of a set of runs in sentences that agree with its table.
 #pragma once
 
 #include "report/run_summary.h"
@@ -9,9 +9,9 @@
 
 namespace gnomon::report {
 
-/// Up to three sentences, computed from the runs: exact shadows beside maps, if there are such runs; many maps beside
-/// few; how many are enough. Each calls one side better or worse only where the noise of the times lets tell, and gives
-/// a ratio of times as the range that the noise leaves.
+/// Returns up to three sentences about the runs: exact shadows compared with maps, if there are such runs; many maps
+/// compared with few; and the sufficient number of maps. One side is called better or worse only if the difference in
+/// time exceeds the noise. A ratio of times is given as a range.
 std::vector<std::string> sentences(std::span<const RunSummary> runs);
 
 } // namespace gnomon::report

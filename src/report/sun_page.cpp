@@ -38,7 +38,7 @@ std::string sunPage(const SunPage& page) {
         data["steps"].push_back({{"time", step.time}, {"lit", base64(step.lit)}});
     std::string text(kSunPageHtml);
     substitute(text, "/*CSS*/", kPageCss);
-    substitute(text, "/*DATA*/", scriptSafe(data)); // last: its names may hold any of the marks
+    substitute(text, "/*DATA*/", scriptSafe(data)); // last, because its strings can contain the other marks
     return text;
 }
 

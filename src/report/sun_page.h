@@ -7,36 +7,36 @@
 
 namespace gnomon::report {
 
-/// What the page shows.
+/// The content of the page.
 struct SunPage {
-    /// A time at which the Sun is up, and the pixels that it reaches then or where nothing is, as `litRuns` writes
-    /// them.
+    /// A time with the Sun above the horizon. `lit` are the sunlit pixels and the background pixels, encoded by
+    /// `litRuns`.
     struct Step {
         std::string time;
         std::vector<std::uint8_t> lit;
     };
 
-    /// A figure below the scale; places go from 0 to 1.
+    /// A number below the colour scale, at a place from 0 to 1.
     struct Figure {
         double place = 0;
         std::string text;
     };
 
-    std::string about;               // which model, where, when
-    std::vector<std::string> errors; // what it is off by, a sentence each
+    std::string about;               // model, place and date
+    std::vector<std::string> errors; // one sentence per source of error
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> picture; // PNG of hours as colours
-    std::vector<std::string> colors;   // of the scale, "#rrggbb", even steps apart
+    std::vector<std::uint8_t> picture; // PNG with hours as colours
+    std::vector<std::string> colors;   // colours of the scale, "#rrggbb", evenly spaced
     std::vector<Figure> figures;
     std::vector<Step> steps; // at least one
 };
 
-/// Lengths of runs of pixels, unlit and lit in turn, the first unlit, each in bytes of 7 bits, the lowest first, whose
-/// high bit says that more follow. `isLit` is 0 or not.
+/// Encodes `isLit` (0 or not 0) as run lengths, alternating between unlit and lit, starting with unlit. A length has 7
+/// bits per byte, the lowest first. The high bit is set if more bytes follow.
 std::vector<std::uint8_t> litRuns(const std::vector<std::uint8_t>& isLit);
 
-/// The page's text.
+/// Returns the HTML text of the page.
 std::string sunPage(const SunPage& page);
 
 } // namespace gnomon::report

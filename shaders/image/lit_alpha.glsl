@@ -1,2 +1,2 @@
-// The alpha of a pixel that the light reaches. A window sees no difference, and who counts such pixels does.
+// The alpha of a lit pixel. It is invisible in a window, and lit_count.frag counts such pixels.
 const float kLitAlpha = 254.0 / 255.0;

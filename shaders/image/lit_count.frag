@@ -1,4 +1,4 @@
-// Passes where the image's alpha says that the light reaches the pixel.
+// Passes the fragment if the image's alpha marks the pixel as lit.
 #include "image/lit_alpha.glsl"
 
 layout(binding = 0) uniform sampler2D image;

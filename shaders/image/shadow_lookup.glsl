@@ -1,30 +1,30 @@
-// Which partition a point belongs to, and whether its map shows it in shadow.
+// The partition of a point and the shadow lookup in its map.
 
 layout(binding = 0) uniform sampler2D shadowDepth;
 
-// The slice with near <= z < far; what lies before the first or behind the last belongs to it.
+// Returns the slice with near <= z < far. Points before the first slice or after the last belong to that slice.
 int sliceOf(float z) {
     int slice = 0;
     while (slice + 1 < sliceCount && z >= slices[slice].far) ++slice;
     return slice;
 }
 
-// The face that owns `p` (relative to the eye): the first whose two tests hold, the last needing none, then the near
-// face's test. Word for word shadow::ownerOf.
+// Returns the face partition of `p` (relative to the eye): the first face whose two tests succeed, or the last. Then it
+// tests the near face. Identical to shadow::ownerOf.
 int faceOf(vec3 p, int slice) {
     int face = 0;
     float inside = dot(faceFirst[0].xyz, p);
     while (face + 1 < sideFaceCount) {
         float beyond = dot(faceSecond[face].xyz, p);
         if (inside >= 0.0 && beyond >= 0.0) break;
-        inside = -beyond; // the same number for both neighbours, so no rounding makes both deny the point
+        inside = -beyond; // both neighbours use the same number, so rounding cannot exclude a point from both
         ++face;
     }
     bool inNear = hasOwnNear == 1 && dot(faceEdge[face].xyz, p) < faceEdge[face].w * slices[slice].near;
     return inNear ? sideFaceCount : face;
 }
 
-// The face of the cube about a point light that is seen through along `offset` from it. Word for word
+// Returns the face of the cube around a point light that contains the direction `offset`. Identical to
 // shadow::cubeFaceOf.
 int cubeFaceOf(vec3 offset) {
     vec3 size = abs(offset);
@@ -52,26 +52,28 @@ vec2 texelOf(Partition part, vec4 clip) {
     return clip.xy / clip.w * part.texelScale + part.texelOffset;
 }
 
-// How far the receiver's plane, and a neighbour somewhat steeper, may change in depth over half a texel and the kernel,
-// in both directions (shadow::receiverBias). `plane` holds the offsets x with dot(plane, (x, 1)) = 0; `w` is the point's.
+// Returns the bias of a receiver (shadow::receiverBias). It covers the depth change of the receiver's plane, and of a
+// somewhat steeper neighbour, over half a texel and the kernel in both directions. `plane` contains the offsets x with
+// dot(plane, (x, 1)) = 0. `w` is the w of the point.
 float receiverBias(Partition part, vec4 plane, float cosine, float w) {
     float across = max(abs(dot(plane, part.byDepth)), 1e-30);
     float slope = (abs(dot(plane, part.byColumn)) + abs(dot(plane, part.byRow))) / across;
-    slope *= min(1.0, cosine / 0.1); // grazing receivers would ask for any bias
-    // Of a point light both go with the inverse of w.
+    slope *= min(1.0, cosine / 0.1); // without this, grazing receivers would have an unlimited bias
+    // For a point light, both terms are proportional to 1/w.
     float uneven = pointReach > 0.0 ? length(vec2(part.unevenX, part.unevenZ)) / w
                                     : length(vec2(part.unevenX, part.unevenZ * w));
     return (slope + uneven) * part.reach + 6e-7;
 }
 
-// The lit fraction of `p` (draw space) on a receiver with flat normal `normal` and cosine `cosine` to the light.
+// Returns the lit fraction of `p` (draw space) on a receiver with flat normal `normal` and cosine `cosine` to the
+// light.
 float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     if (index < 0) return 1.0;
     Partition part = partitionAt(index);
     vec4 clip = clipOf(part, p);
     vec2 texel = texelOf(part, clip);
     vec4 plane = vec4(normal, -dot(normal, p - part.origin));
-    // Clamped as casters are: behind the map's far end nothing is in the way but what it shows.
+    // Clamped like the depths of casters: beyond the map's far end the map shows the only casters.
     float depth = min(clip.z / clip.w - receiverBias(part, plane, cosine, clip.w), 1.0);
     int width = max(filterTexels, 1);
     ivec2 lowest = ivec2(part.firstTexel);
@@ -79,10 +81,10 @@ float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     vec2 start = clamp(texel - 0.5 * float(width - 1), -1e6, 1e6);
     ivec2 first = ivec2(floor(start));
     vec2 fraction = start - floor(start);
-    // Between the two squares, a texel narrower than the kernel, whose corners lie around the point's: so the kernel's
-    // ends weigh by the fraction of the texel.
+    // Interpolates between two squares that are one texel narrower than the kernel. Therefore the outer texels have the
+    // fraction of a texel as weight.
     int box = max(width - 1, 1);
-    vec2 lit = vec2(0.0); // of the rows of the square above, and of that below
+    vec2 lit = vec2(0.0); // x: sum over the first `box` rows, y: over the last `box` rows
     for (int y = 0; y < width; ++y) {
         vec2 sides = vec2(0.0);
         for (int x = 0; x < width; ++x) {

@@ -1,7 +1,9 @@
-// The sky behind the model: executor/light/background.h says what it depends on, background.cpp has the same colours.
+// The sky behind the model. executor/light/background.h defines its parameters, and background.cpp has the same
+// colours.
 #include "image/transfer.glsl"
 
-layout(location = 0) uniform vec4 rows; // rise of the view, rise of the picture's up, tan of half the angle, height
+// sine of the view's elevation, sine of the image up direction's elevation, tangent of half the vertical angle, height
+layout(location = 0) uniform vec4 rows;
 
 layout(location = 0) out vec4 pixel;
 

@@ -1,7 +1,7 @@
-// The lit image. A surface turned from the light is dark without asking a map; lighting is two-sided.
-// SHADOWS: 0 none, 1 maps, 2 a mask that was computed elsewhere.
-// AUXILIARY: 1 if surfaces are wanted, LIGHT: 1 if what they reflect is.
-// MANY_PARTITIONS: 1 if there are more than the first block holds. OVERLAY: 0 none, see overlay.glsl.
+// The lit image. A surface that faces away from the light is dark without a lookup. Lighting is two-sided.
+// SHADOWS: 0 none, 1 maps, 2 an input mask.
+// AUXILIARY: 1 if surfaces are requested. LIGHT: 1 if reflected light is requested.
+// MANY_PARTITIONS: 1 if the partitions exceed the first block. OVERLAY: 0 none, see overlay.glsl.
 #include "shared/frame_block.h"
 #include "image/light.glsl"
 #include "image/lit_alpha.glsl"
@@ -20,12 +20,12 @@ layout(binding = 1) uniform sampler2D litMask;
 
 layout(location = 0) out vec4 pixel;
 #if AUXILIARY
-layout(location = 1) out vec4 auxiliary; // flat normal towards the viewer; w: partition + lit fraction / 2, or -1
+layout(location = 1) out vec4 auxiliary; // flat normal towards the viewer; w: partition + 1 + lit fraction / 2, or -1
 layout(location = 2) out vec4 auxiliaryPosition; // w: 1
 #endif
 
 #if LIGHT
-layout(location = 1) out vec4 reflected; // linear, before the shoulder; a: 1
+layout(location = 1) out vec4 reflected; // linear, before tone mapping; a: 1
 #endif
 
 void main() {

@@ -3,15 +3,15 @@
 
 out Surface {
     vec3 position;
-    vec3 normal; // zero where the face's own is to be taken
+    vec3 normal; // zero: use the normal of the triangle
     vec3 color;
-    flat float error;   // the cluster's stored error, world units
-    flat uint cluster;  // three bits that tell neighbouring clusters apart
+    flat float error;   // the cluster's stored error, in world units
+    flat uint cluster;  // colour index of the cluster, three bits
 };
 
 invariant gl_Position;
 
-// Two snorm16 on the octahedron (Meyer et al. 2010).
+// Decodes two octahedral snorm16 to a unit normal (Meyer et al. 2010).
 vec3 octahedral(uint bits) {
     vec2 e = unpackSnorm2x16(bits);
     vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));

@@ -1,2 +1,2 @@
-// Only depth is kept.
+// Writes only depth.
 void main() {}

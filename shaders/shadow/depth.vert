@@ -1,4 +1,4 @@
-// One shadow map: position alone.
+// The vertex shader of a shadow map, which needs only positions.
 #include "shared/geometry.glsl"
 
 invariant gl_Position;

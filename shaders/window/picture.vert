@@ -1,4 +1,4 @@
-// Two triangles that cover the viewport, from the upper left corner of a picture whose first row is the upper one.
+// Two triangles that cover the viewport. The first row of the picture is at the top.
 layout(location = 0) out vec2 place;
 
 void main() {

@@ -1,12 +1,13 @@
-// Rounding by chance: in a program that is compiled with calls where functions begin and end (-finstrument-functions),
-// each such place sets a mode that is drawn from a seeded sequence. An addition of vectors is a function.
+// Random rounding modes. The program under test is compiled with calls at the start and end of each function
+// (-finstrument-functions). Each call sets a rounding mode from a seeded sequence. Even the addition of two vectors is
+// a function.
 #pragma once
 
 #include <cstdint>
 
 namespace gnomon::tests {
 
-/// As long as it lives; one at a time.
+/// Activates random rounding during its lifetime. Only one object can exist at a time.
 class ChanceRounding {
 public:
     explicit ChanceRounding(std::uint64_t seed);
@@ -17,7 +18,7 @@ public:
     ChanceRounding(ChanceRounding&&) = delete;
     ChanceRounding& operator=(ChanceRounding&&) = delete;
 
-    /// How often a mode was set, by all of them.
+    /// Returns how many times a mode was set by all objects.
     static std::uint64_t count();
 };
 

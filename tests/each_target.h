@@ -1,11 +1,11 @@
-// The same code on every set of vector instructions that this machine has.
+// Execution of a test with each vector instruction set of this machine.
 #pragma once
 
 #include <hwy/targets.h>
 
 namespace gnomon::tests {
 
-/// Calls `run(name)` with each of the instruction sets that were compiled and are supported, the one of scalars too.
+/// Calls `run(name)` with each compiled and supported instruction set, including the scalar one.
 template <class Run>
 void onEachTarget(const Run& run) {
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

@@ -1,6 +1,6 @@
-// The hard cases of a layer as a table: each a name, what breaks there if it is done naively, and a check that it
-// holds. docs/hard_cases.md shows the same tables; a test fails where the two differ, and rewrites the page's section
-// when GNOMON_WRITE_DOCS is set in its environment.
+// The hard cases of a layer as a table: a name, the failure of a naive implementation, and a check. docs/hard_cases.md
+// shows the same tables. A test fails if the two differ, and rewrites the section of the page if GNOMON_WRITE_DOCS is
+// set.
 #pragma once
 
 #include "core/file.h"
@@ -20,7 +20,7 @@ struct HardCase {
     void (*check)();
 };
 
-/// The Markdown section `title` of docs/hard_cases.md for `cases`, without what follows it.
+/// Returns the Markdown section `title` of docs/hard_cases.md for `cases`.
 inline std::string hardCaseSection(const std::string& title, std::span<const HardCase> cases) {
     std::string text = "## " + title + "\n\n| case | what breaks there if done naively |\n|---|---|\n";
     for (const HardCase& row : cases)
@@ -28,7 +28,7 @@ inline std::string hardCaseSection(const std::string& title, std::span<const Har
     return text;
 }
 
-/// Runs every case, and holds the page under `sourceDir` to the table.
+/// Runs all cases, and checks that the page below `sourceDir` contains the table.
 inline void runHardCases(const std::string& sourceDir, const std::string& title, std::span<const HardCase> cases) {
     for (const HardCase& row : cases) {
         SCOPED_TRACE(row.name);

@@ -1,12 +1,12 @@
-// The rounding of floating point as an input of a test: all of it upwards, downwards or to zero.
+// The rounding mode of floating point as an input of a test: upwards, downwards or towards zero.
 #pragma once
 
 #include <cfenv>
 
 namespace gnomon::tests {
 
-/// This thread rounds by `mode` as long as it lives. What it calls must lie in another file, which is compiled for any
-/// mode as nothing there reads or writes it.
+/// Sets the rounding mode of this thread during its lifetime. The tested code must be in another file, because the
+/// compiler then cannot assume a mode.
 class RoundingMode {
 public:
     explicit RoundingMode(int mode) { std::fesetround(mode); }

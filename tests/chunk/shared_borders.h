@@ -1,4 +1,4 @@
-// The exchange of borders as a test does it: one chunk after the other, in one process.
+// The exchange of borders for tests: one chunk after the other in one process.
 #pragma once
 
 #include "preprocess/chunk/borders.h"

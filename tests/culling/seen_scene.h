@@ -1,4 +1,4 @@
-// A random view of the shared model, its cut, and a walk over everything that it draws.
+// A random view of the shared model, its cut, and iteration over all drawn clusters and triangles.
 #pragma once
 
 #include "model_views.h"
@@ -28,7 +28,7 @@ struct Seen {
     selection::Cut cut;
 };
 
-/// Calls `visit(page, cluster)` for every cluster of `list`.
+/// Calls `visit(page, cluster)` for each cluster of `list`.
 template <class Visit>
 void forEveryCluster(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
     for (const selection::ClusterRange& range : list.ranges) {
@@ -38,7 +38,7 @@ void forEveryCluster(const selection::CutQuery& query, const selection::DrawList
     }
 }
 
-/// Calls `visit(corners, page, cluster)` for every triangle of `list`; corners in local space.
+/// Calls `visit(corners, page, cluster)` for each triangle of `list`. Corners are in local space.
 template <class Visit>
 void forEveryTriangle(const selection::CutQuery& query, const selection::DrawList& list, const Visit& visit) {
     const hierarchy::Grid& grid = query.trees->grid();

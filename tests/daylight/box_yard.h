@@ -1,4 +1,4 @@
-// A yard that suns are counted in.
+// A test scene for the daylight computation.
 #pragma once
 
 #include "core/random.h"
@@ -11,7 +11,7 @@
 
 namespace gnomon::daylight {
 
-/// Boxes over a plain, and lights from all sides of the sky.
+/// Boxes on a plain, with lights from all directions of the sky.
 struct BoxYard {
     explicit BoxYard(std::uint64_t seed) : random(seed) {
         tests::SceneMesh scene;

@@ -1,4 +1,4 @@
-// Whole numbers by chance, the same on every machine.
+// Random integers with the same sequence on each machine.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,7 +12,7 @@ class RandomWholes {
 public:
     explicit RandomWholes(std::uint64_t seed) : engine_(seed) {}
 
-    /// From least to most, both included.
+    /// Returns an integer from `least` to `most`, both included.
     std::int64_t whole(std::int64_t least, std::int64_t most) {
         const auto count = static_cast<std::uint64_t>(most - least) + 1;
         return least + static_cast<std::int64_t>(engine_() % count);

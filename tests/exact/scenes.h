@@ -1,4 +1,4 @@
-// Small scenes for exact shadows, and the plain loop over all samples and triangles that says what is true of them.
+// Small scenes for exact shadows, and a simple loop over all samples and triangles as ground truth.
 #pragma once
 
 #include "exact/exact_shadows.h"
@@ -8,34 +8,35 @@
 
 namespace gnomon::exact {
 
-/// Triangles of all shapes on whole cells from 0 to `most`: copies in one place, slivers, ones that share edges.
+/// Returns triangles of many shapes on integer cells from 0 to `most`, including duplicates, slivers and triangles with
+/// shared edges.
 std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t most);
 
-/// A visible point: a place on a triangle.
+/// A visible point on a triangle.
 struct ScenePoint {
-    std::uint32_t triangle = 0; // as samples name it
+    std::uint32_t triangle = 0; // id of the triangle, as in samples
     float second = 0.25F;
     float third = 0.25F;
     std::int32_t map = 0;
     std::uint32_t tolerance = 0;
 };
 
-/// Clusters of triangles, and points on them.
+/// Clusters of triangles, with points on them.
 class Scene {
 public:
-    /// Adds one cluster of at most 85 triangles; their corners count from the frame's origin. Answers the name of its
-    /// first.
+    /// Adds a cluster of at most 85 triangles. Corners are relative to the frame's origin. Returns the id of its first
+    /// triangle.
     std::uint32_t add(const std::vector<Corners>& triangles);
 
-    /// Adds one cluster of vertices that triangles share.
+    /// Adds a cluster with shared vertices.
     std::uint32_t add(const std::vector<glm::i64vec3>& vertices, const std::vector<raster::Triangle>& triangles);
 
     Corners corners(std::uint32_t triangle) const;
 
-    /// Of all triangles, in their order.
+    /// Returns the ids of all triangles, in order.
     const std::vector<std::uint32_t>& names() const { return names_; }
 
-    /// They borrow the scene's arrays.
+    /// Returns casters that refer to the scene's arrays.
     std::vector<Caster> casters() const;
 
     std::vector<ScenePoint> points;
@@ -52,10 +53,10 @@ private:
     std::vector<std::uint32_t> names_;
 };
 
-/// Gives `samples` the points, some batches of them.
+/// Adds the points of `scene` to `samples` in several batches.
 void fill(SampleList& samples, const Scene& scene, const SampleSpace& space);
 
-/// The points, several at a time, as an image pass gives them.
+/// A batch of points in the format of an image pass.
 class SceneBatch {
 public:
     SceneBatch(const Scene& scene, std::size_t begin, std::size_t end);
@@ -70,14 +71,14 @@ private:
     PointBatch batch_;
 };
 
-/// A space with its shear; the eye in cells from the origin.
+/// Returns a sample space with its shear. `eye` is in cells from the origin.
 SampleSpace spaceOf(const IntegerLight& light, const glm::dvec3& eye, int maps = 1);
 
-/// The status of each sample, by `meet` with every triangle of the scene.
+/// Returns the status of each sample, by `meet` with each triangle of the scene.
 std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& scene);
 
-/// Holds what `decide` finds against the plain loop, on every instruction set, with one thread and with two. Answers
-/// the last statistics.
+/// Compares `decide` with the simple loop, on all instruction sets, with one thread and with two. Returns the last
+/// statistics.
 ExactStatistics expectSameAsPlain(
     const Scene& scene, const SampleSpace& space, const std::vector<glm::dmat3>& planes, int side);
 

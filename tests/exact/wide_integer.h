@@ -1,4 +1,4 @@
-// Integers of 256 bits, written plainly: more than any product of the predicate needs.
+// Simple 256-bit integers, wide enough for all products of the predicate.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ public:
         return product;
     }
 
-    /// 1, 0 or -1.
+    /// Returns 1, 0 or -1.
     int sign() const {
         if ((limbs_.back() >> 31U) != 0) return -1;
         for (const std::uint32_t limb : limbs_)
@@ -59,7 +59,7 @@ public:
 
 private:
     static constexpr std::size_t kLimbs = 8;
-    std::array<std::uint32_t, kLimbs> limbs_{}; // two's complement, the least first
+    std::array<std::uint32_t, kLimbs> limbs_{}; // two's complement, least significant first
 };
 
 } // namespace gnomon::exact

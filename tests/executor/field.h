@@ -1,4 +1,4 @@
-// A hilly field, and views and qualities by seed: what the executors are compared on.
+// A hilly field with seeded views and qualities, for the comparison of backends.
 #pragma once
 
 #include "executor/executor.h"
@@ -6,22 +6,22 @@
 
 namespace gnomon::executor {
 
-constexpr int kFieldSide = 256; // pixels of its pictures
+constexpr int kFieldSide = 256; // width and height of its pictures, in pixels
 
-/// The finest clusters of a hilly field, drawn whole into the image and into every map.
+/// The finest clusters of a hilly field. The image and each map draw all of them.
 class Field {
 public:
     Field();
 
-    /// A view from over or amid the hills; every sixth is orthographic.
+    /// Returns a view from above or among the hills. Every sixth view is orthographic.
     plan::View view(std::uint64_t seed) const;
 
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality) const;
 
-    /// The drawing of a plan that must outlive it.
+    /// Returns the drawing of a plan, which must outlive it.
     FrameDrawing drawing(const plan::FramePlan& plan) const;
 
-    /// Every third cluster, awaited and damaged in turn.
+    /// Returns every third cluster, alternately pending and damaged.
     std::vector<LodSubstitute> someSubstitutes() const;
 
     const tests::TinyModel& model() const { return model_; }
@@ -31,10 +31,11 @@ private:
     selection::DrawList all_;
 };
 
-/// Warps, slices, faces, stabilised slices, filters, shadings and backgrounds in turn; every eleventh without shadows.
+/// Returns a quality with varying warps, slices, faces, stabilised slices, filters, shadings and backgrounds. Every
+/// eleventh has no shadows.
 plan::Quality fieldQuality(std::uint64_t seed);
 
-/// The same, with logarithmic rows where `seed` is one of every three that are not stabilised.
+/// Returns the same quality as fieldQuality. A third of the seeds without stabilised slices use logarithmic rows.
 plan::Quality softwareQuality(std::uint64_t seed);
 
 } // namespace gnomon::executor

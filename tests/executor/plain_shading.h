@@ -1,18 +1,19 @@
-// The image's shading one pixel at a time, without vectors: what the kernel must give to the bit.
+// Shading of the image pixel by pixel without vector instructions. The kernel must give bit-identical results.
 #pragma once
 
 #include "executor/shading_kernel.h"
 
 namespace gnomon::executor {
 
-/// Does what shadePixels does.
+/// Computes the same results as shadePixels.
 void plainShade(const ShadingFrame& frame, PixelBatch& batch);
 
-/// The map that the lookup of a point asks, by its position `p` from the eye (world axes) and its view depth `z`; -1
-/// for none.
+/// Returns the map for the lookup of a point, or -1. `p` is its position relative to the eye in world axes, and `z` its
+/// view depth.
 int plainPassOf(const ShadingFrame& f, const glm::vec3& p, float z);
 
-/// What the maps answer at `position` (draw space) of a surface with `normal`, at `cosine` to the light: from 0 to 1.
+/// Returns the lit fraction, from 0 to 1, at `position` (draw space) of a surface with `normal`. `cosine` is the cosine
+/// to the light.
 float plainLitFraction(
     const ShadingFrame& frame, int pass, const glm::vec3& position, const glm::vec3& normal, float cosine);
 

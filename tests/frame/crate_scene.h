@@ -1,4 +1,4 @@
-// A crate on a plain, a view of it, and the maps that it is tried with.
+// A crate on a plain, with a view and settings for its maps.
 #pragma once
 
 #include "hierarchy/scene_mesh.h"
@@ -22,7 +22,7 @@ inline plan::View overGround(const glm::dvec3& origin = glm::dvec3(0)) {
     return view;
 }
 
-/// `slices` warped maps of 512 x 512 texels together.
+/// Returns a quality with `slices` warped maps that share 512 x 512 texels.
 inline plan::Quality inSlices(int slices) {
     plan::Quality quality;
     quality.zPartitions = slices;

@@ -13,7 +13,7 @@
 
 namespace gnomon::frame {
 
-/// A model that was made in code, and its renderer. Every frame is planned afresh.
+/// A model made in code, and its renderer. Each frame is planned without history.
 class DrawnModel {
 public:
     explicit DrawnModel(const tests::TinyModel& model) {

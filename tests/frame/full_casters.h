@@ -1,4 +1,4 @@
-// Pictures with the casters of the plan beside pictures with every caster off screen at full detail.
+// Comparison of pictures with planned casters against pictures with off-screen casters at full detail.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -6,11 +6,11 @@
 
 namespace gnomon::tests {
 
-/// What coarser casters off screen change in a picture.
+/// The effect of coarser off-screen casters on a picture.
 struct CasterDifference {
-    double wrongFraction = 0;                 // of the pixels: those any channel of which differs by more than 2 levels
-    std::uint64_t offScreenTriangles = 0;     // in the maps, of clusters wholly out of view, as the plan has them
-    std::uint64_t fullOffScreenTriangles = 0; // and at full detail
+    double wrongFraction = 0;                 // share of the pixels with a channel that differs by more than 2 levels
+    std::uint64_t offScreenTriangles = 0;     // triangles in the maps of clusters completely out of view, as planned
+    std::uint64_t fullOffScreenTriangles = 0; // the same at full detail
 };
 
 /// Draws `view` twice with the software backend. What is in view casts with the clusters that are drawn in both.

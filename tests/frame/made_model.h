@@ -1,4 +1,4 @@
-// Models made and built on the spot, for tests that want a real hierarchy of something that looks like the world.
+// Generated models, built during the test, for tests that need a real hierarchy of a realistic scene.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -8,13 +8,13 @@
 
 namespace gnomon::tests {
 
-/// A built model in a folder of its own, which goes with it.
+/// A built model in a folder of its own. The destructor removes the folder.
 class BuiltFile {
 public:
-    /// What `gnomon make KIND --triangles N --seed 1` and `gnomon build` give.
+    /// Makes the model of `gnomon make KIND --triangles N --seed 1`, followed by `gnomon build`.
     BuiltFile(const std::string& kind, std::uint64_t triangles);
 
-    /// What `gnomon build` gives of a file.
+    /// Builds the model of a mesh file.
     explicit BuiltFile(const std::string& source);
 
     ~BuiltFile();

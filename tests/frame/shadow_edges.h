@@ -1,4 +1,4 @@
-// How far edges of shadows lie from those of another picture of the same view, of another level of detail, say.
+// The distance between shadow edges in two pictures of the same view, for example with different levels of detail.
 #pragma once
 
 #include "frame/renderer.h"
@@ -7,52 +7,53 @@
 
 namespace gnomon::tests {
 
-/// Which part of the light a sample gets.
+/// The state of a sample's light.
 enum class Reach : std::uint8_t {
-    Nothing, // no surface is seen
-    Turned,  // the surface is turned from the light
-    Dark,    // something else is in the way
+    Nothing, // no surface
+    Turned,  // the surface faces away from the light
+    Dark,    // the light is occluded
     Lit
 };
 
-/// What an edge is told by, a sample of a picture each; several make a pixel.
+/// A sample of a picture for the detection of edges. A pixel has several samples.
 struct ReachSample {
     Reach reach = Reach::Nothing;
-    float sine = 0;  // of the angle at which the light meets the drawn triangle; 0 where it is turned
+    float sine = 0;  // sine of the angle between light and triangle; 0 if it faces away
     float depth = 0; // along the view axis
 };
 
-/// Samples `width` a row.
+/// Samples in rows of `width` samples.
 struct ReachPicture {
     std::size_t width = 0;
     std::vector<ReachSample> samples;
 };
 
-/// Below ten degrees the least bump of a surface moves an edge by six times its height: no edge is asked for there.
+/// Min sine (ten degrees). At a smaller angle, a bump of the surface moves an edge by more than six times its height,
+/// so edges there are not compared.
 inline constexpr float kLeastSine = 0.1736F;
 
-/// Where a picture has an edge of a shadow that is asked for: a dark sample beside a lit one of the same surface, both
-/// of which the light meets at ten degrees or more. 1, else 0.
+/// Returns 1 for each sample on a compared shadow edge, otherwise 0. Such an edge has a dark sample next to a lit one
+/// of the same surface, and the light meets both at ten degrees or more.
 std::vector<std::uint8_t> shadowEdges(const ReachPicture& picture);
 
-/// Where light ends on a surface, for whatever reason and at whatever angle: samples that are not lit beside lit ones
-/// of the same surface. All of `shadowEdges` are there. 1, else 0.
+/// Returns 1 for each sample at which light ends on a surface, otherwise 0: unlit samples next to lit ones of the same
+/// surface, for any reason and at any angle. The result includes all `shadowEdges`.
 std::vector<std::uint8_t> lightEnds(const ReachPicture& picture);
 
-/// From each of `shadowEdges` of `picture` to the nearest of `lightEnds` of `other`, by sample, in samples; the
-/// diagonal where `other` has none, below 0 where there is no edge. What is an edge at eleven degrees here may lie at
-/// nine in `other`, or where its surface turns from the light: it has not gone, so these count there.
+/// Returns the distance from each of `shadowEdges` of `picture` to the nearest of `lightEnds` of `other`, in samples.
+/// The distance is the diagonal if `other` has none, and negative without an edge. `lightEnds` is used because an edge
+/// at eleven degrees in `picture` can be at nine degrees in `other`, or where its surface faces away from the light.
 std::vector<float> edgeDistances(const ReachPicture& picture, const ReachPicture& other);
 
-/// A view drawn with exact shadows, and what its frame was.
+/// A view drawn with exact shadows, and its frame.
 struct DrawnReach {
     frame::PreparedFrame frame;
     executor::Raster<executor::SurfaceSample> surfaces;
     ReachPicture picture;
 };
 
-/// Draws `view`, with `samples` along each side of a pixel, at `errorPixels`. `aside` is how far from their places all
-/// samples are, in samples, at most half.
+/// Draws `view` at `errorPixels`, with `samples` x `samples` samples per pixel. `aside` shifts all samples, by at most
+/// half a sample.
 DrawnReach drawReach(
     frame::Renderer& renderer, plan::View view, double errorPixels, int samples, const glm::dvec2& aside = {});
 

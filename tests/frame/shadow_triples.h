@@ -1,4 +1,4 @@
-// Seeded triples of pose, light and scheme for any model: what every proof about shadows runs over.
+// Seeded triples of camera, light and scheme for any model. All validations of shadows use them.
 #pragma once
 
 #include "core/box.h"
@@ -9,25 +9,26 @@
 
 namespace gnomon::tests {
 
-/// One picture to prove something about.
+/// A view and a quality for one validation.
 struct ShadowTriple {
     plan::View view;
     plan::Quality quality;
 };
 
-/// Triple `index`: eyes far out, at eye height among the model's parts and close above it; lights from straight down to
-/// the horizon and along the view; every warp, with slices, faces, filters and stabilised slices. `side` pixels, and
-/// `texels` on each side of the budget. The same bounds give the same triples on any machine.
+/// Returns triple `index`. Eyes are far away, at eye height among the parts of the model, or close above it. Lights
+/// range from vertical to the horizon, and include the view direction. All warps occur, with slices, faces, filters and
+/// stabilised slices. The image has `side` x `side` pixels, and the maps `texels` x `texels` texels. Equal bounds give
+/// equal triples on each machine.
 ShadowTriple shadowTriple(const Box& bounds, std::uint64_t index, int side, int texels);
 
-/// A lamp for the view of triple `index`: within the model, at a corner of its box, on the box's floor, at the eye, or
-/// outside, up to 10^6 sizes away.
+/// Returns a point light for the view of triple `index`: within the model, at a corner of its box, on the floor of the
+/// box, at the eye, or outside, up to 10^6 model sizes away.
 plan::PointLight lampFor(const Box& bounds, const plan::View& view, std::uint64_t index);
 
-/// The pose and the light of triple `index`, drawn with the default settings.
+/// Returns the camera and the light of `triple` with the default quality.
 ShadowTriple withDefaults(const ShadowTriple& triple);
 
-/// The triple's scheme in short, for messages.
+/// Returns a short description of the triple's scheme for messages.
 std::string describe(const ShadowTriple& triple);
 
 } // namespace gnomon::tests

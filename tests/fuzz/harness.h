@@ -1,4 +1,4 @@
-// What a fuzzer hands over, as a file: the readers open paths.
+// Conversion of a fuzzer's input to a file, because readers open paths.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gnomon::fuzz {
 
-/// One file in the folder of temporary files, written anew for each input, and gone at the end of the process.
+/// A file in the temporary folder that each input overwrites. It is removed at the end of the process.
 class InputFile {
 public:
     explicit InputFile(const std::string& suffix);
@@ -19,15 +19,15 @@ public:
     InputFile(InputFile&&) = delete;
     InputFile& operator=(InputFile&&) = delete;
 
-    /// Its path, once `bytes` are all that is in it.
+    /// Writes `bytes` to the file and returns its path.
     const std::string& with(std::span<const std::uint8_t> bytes);
 
 private:
     std::string path_;
 };
 
-/// Reads a mesh as a build does, polygons included, as far as a small `memory` lets it: what is refused is refused by
-/// gnomon::Error, and everything else is a finding.
+/// Reads a mesh as a build does, including polygons, with a small `memory`. Invalid input must throw gnomon::Error. Any
+/// other failure is a finding.
 void readMesh(const std::string& path);
 
 } // namespace gnomon::fuzz

@@ -1,4 +1,4 @@
-// Mends the checksums of a .gnm, so that what lies behind them is read: a checksum is no signature.
+// Repair of the checksums of a .gnm, so that the fuzzer reaches the code behind them. A checksum is not a signature.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace gnomon::fuzz {
 
-/// `bytes` with every checksum as their content has it, and places and sizes of the tables made to tile the file where
-/// they do not; as they are where there is no room for header and footer.
+/// Returns `bytes` with correct checksums, and with places and sizes of the tables that tile the file. Returns them
+/// unchanged if they are too short for header and footer.
 std::vector<std::byte> resealed(std::span<const std::byte> bytes);
 
 } // namespace gnomon::fuzz

@@ -1,4 +1,4 @@
-// A context that counts the calls of every function of OpenGL.
+// A context that counts the calls of each OpenGL function.
 #pragma once
 
 #include "gl/native_context.h"
@@ -24,12 +24,12 @@ enum class Name : std::size_t {
         Count
 };
 
-// OpenGL's functions have no argument for a state of ours.
+// Globals, because OpenGL functions have no argument for user data.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 inline std::array<std::uint64_t, static_cast<std::size_t>(Name::Count)> calls{};
 inline FunctionSource source = nullptr;
 
-/// Counts under `kName`, then calls what `source` gave.
+/// A wrapper that counts a call under `kName` and then calls the real function.
 template <Name kName, class Function>
 struct Layer;
 
@@ -72,7 +72,7 @@ private:
     std::unique_ptr<NativeContext> real_;
 };
 
-/// Starts the counts anew.
+/// Resets all counts.
 inline void forgetCalls() {
     counted::calls = {};
 }

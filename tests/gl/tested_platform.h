@@ -1,4 +1,4 @@
-// Where the tests of OpenGL draw: in memory, or on a GPU if whoever runs them says so.
+// The platform for OpenGL tests: OSMesa, or a GPU on request.
 #pragma once
 
 #include "gl/context.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::gl {
 
-/// OSMesa; EGL, and so a GPU where there is one, with GNOMON_TEST_GL=egl.
+/// Returns OSMesa, or EGL (a GPU if there is one) if GNOMON_TEST_GL=egl.
 inline Platform testedPlatform() {
     const char* const wanted = std::getenv("GNOMON_TEST_GL");
     return wanted != nullptr && std::string_view(wanted) == "egl" ? Platform::Egl : Platform::Osmesa;

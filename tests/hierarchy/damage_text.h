@@ -1,4 +1,4 @@
-// What a piece of damage is said to be.
+// The message of a Damage exception.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::hierarchy {
 
-/// The damage that `act` finds, in its own words; empty if it finds none.
+/// Returns the message of the Damage that `act` throws, or an empty text if it throws none.
 inline std::string damageOf(const std::function<void()>& act) {
     try {
         act();

@@ -1,18 +1,18 @@
-// Calls of the system and of zstd that fail on demand: these stand before the real ones in a test program.
+// System and zstd functions that fail on demand. They replace the real ones in a test program.
 #pragma once
 
 #include <atomic>
 
 namespace gnomon::tests {
 
-/// How many of the next calls fail: reads of files (EIO), contexts of zstd (none), compressions (no memory).
+/// The number of next calls that fail: file reads (EIO), creations of zstd contexts, and compressions (out of memory).
 struct FailingCalls {
     std::atomic<int> reads{0};
     std::atomic<int> contexts{0};
     std::atomic<int> compressions{0};
 };
 
-/// Those of this program.
+/// Returns the counters of this program.
 FailingCalls& failingCalls();
 
 } // namespace gnomon::tests

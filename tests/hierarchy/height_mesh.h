@@ -1,4 +1,4 @@
-// A height field of triangles that loses vertices inside a locked border: the simplifier of the tiny model.
+// A simplifier for height fields with locked borders, used for the tiny model.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,18 +11,18 @@
 
 namespace gnomon::tests {
 
-using HeightTriangle = std::array<std::uint32_t, 3>; // indices of positions, counter-clockwise from above (+y)
+using HeightTriangle = std::array<std::uint32_t, 3>; // vertex indices, counter-clockwise seen from above (+y)
 
-/// Removes unlocked vertices, each by moving it onto a neighbour, the least change of height first, until at most
-/// `target` triangles are left or none can go. Vertices never move; triangles never flip.
+/// Collapses unlocked vertices onto neighbours, smallest change of height first, until at most `target` triangles
+/// remain or no collapse is possible. Vertices never move, and triangles never flip.
 std::vector<HeightTriangle> decimated(
     std::span<const HeightTriangle> triangles,
     std::span<const glm::dvec3> positions,
     const std::function<bool(std::uint32_t)>& isLocked,
     std::size_t target);
 
-/// The largest vertical distance between two height fields over the same ground, the vertices of `coarse` being some
-/// of those of `fine`: taken at the vertices and at all crossings of edges, so it is exact.
+/// Returns the max vertical distance between two height fields over the same area, where the vertices of `coarse` are a
+/// subset of those of `fine`. It is exact, because it evaluates all vertices and all crossings of edges.
 double verticalDeviation(
     std::span<const HeightTriangle> fine,
     std::span<const HeightTriangle> coarse,

@@ -1,4 +1,4 @@
-// Whether two pages are the same to the bit.
+// Bitwise comparison of two pages.
 #pragma once
 
 #include "hierarchy/page.h"

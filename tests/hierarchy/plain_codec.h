@@ -1,4 +1,4 @@
-// Clusters from bytes by the words of the format, number by number: slow, and obviously right.
+// A simple decoder of clusters that follows the format description number by number, as reference for the fast one.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -6,7 +6,7 @@
 
 namespace gnomon::hierarchy {
 
-/// As decodeClusters.
+/// Decodes the same data as decodeClusters.
 void plainlyDecodeClusters(ByteReader& in, Page& page);
 
 } // namespace gnomon::hierarchy

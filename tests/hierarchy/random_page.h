@@ -1,4 +1,4 @@
-// Pages at random that keep all rules and have everything at once.
+// Random valid pages that contain all features at once.
 #pragma once
 
 #include "core/random.h"
@@ -8,7 +8,7 @@ namespace gnomon::hierarchy {
 
 Sphere randomSphere(Random& random);
 
-/// Any page that keeps the rules: triangles at random, doubled ones and ones of equal corners among them.
+/// Returns a random valid page, including duplicate triangles and triangles with equal corners.
 Page randomPage(std::uint64_t seed);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// A tiny model in a file of its own, as the subcommands open it.
+// A tiny model in its own file, for tests of subcommands.
 #pragma once
 
 #include "hierarchy/tiny_model.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::tests {
 
-/// A model file that lives as long as this.
+/// A model file that the destructor removes.
 class TemporaryModel {
 public:
     explicit TemporaryModel(const TinyModelOptions& options, const std::string& name = "model")

@@ -1,4 +1,4 @@
-// Welded meshes to build levels of, and what can be told of a level at a glance.
+// Welded meshes for building levels, and simple properties of a level.
 #pragma once
 
 #include "preprocess/levels/level.h"
@@ -8,18 +8,19 @@
 
 namespace gnomon::levels {
 
-/// `source` in steps of 2^-10 from (-1, -1, -1), one vertex at each position; no triangle outside shares anything.
+/// Returns `source` with positions in steps of 2^-10 from (-1, -1, -1), and one vertex per position. No triangle
+/// outside the mesh shares its vertices.
 simplify::Mesh meshOf(const read::CodeMesh& source);
 
-/// The triangles [first, first + count) of `level` as sorted triples of grid points, in order: what they are whatever
-/// their vertices are called.
+/// Returns the triangles [first, first + count) of `level` as sorted triples of grid points, in order. The result does
+/// not depend on the numbering of vertices.
 using Corners = std::array<hierarchy::GridPoint, 3>;
 std::vector<Corners> cornersOf(const simplify::Mesh& mesh, const Level& level, std::size_t first, std::size_t count);
 
-/// All of a level's.
+/// Returns all triangles of a level.
 std::vector<Corners> cornersOf(const simplify::Mesh& mesh, const Level& level);
 
-/// The group that each triangle of `level` is in.
+/// Returns the group of each triangle of `level`.
 std::vector<std::uint32_t> groupOfTriangles(const Level& level);
 
 } // namespace gnomon::levels

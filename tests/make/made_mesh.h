@@ -1,4 +1,4 @@
-// Made models in memory, and slow, plain answers about their topology.
+// Generated models in memory, and simple topology checks.
 #pragma once
 
 #include "preprocess/make/made_model.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::make {
 
-/// A whole model at once.
+/// A complete model.
 struct MadeMesh {
     std::vector<glm::vec3> vertices;
     std::vector<MadeTriangle> triangles;
@@ -17,10 +17,10 @@ struct MadeMesh {
 
 MadeMesh collect(const MadeModel& model);
 
-/// `mesh` with vertices of the same position made one.
+/// Returns `mesh` with vertices at equal positions merged.
 MadeMesh welded(const MadeMesh& mesh);
 
-/// For each edge (smaller index first) how many triangles run along it upwards and downwards.
+/// The use of an edge, from smaller to larger index: number of triangles along it in both directions.
 struct EdgeUse {
     int upwards = 0;
     int downwards = 0;
@@ -28,10 +28,10 @@ struct EdgeUse {
 
 std::map<std::pair<std::uint64_t, std::uint64_t>, EdgeUse> edgeUses(const MadeMesh& mesh);
 
-/// Sets of triangles that hang together by vertices.
+/// Returns the number of connected components of triangles, connected by vertices.
 std::uint64_t componentCount(const MadeMesh& mesh);
 
-/// Triangles that have the same corners as an earlier one, in any order.
+/// Returns the number of triangles with the same corners as an earlier one, in any order.
 std::uint64_t doubledCount(const MadeMesh& mesh);
 
 double area(const MadeMesh& mesh, const MadeTriangle& triangle);

@@ -1,4 +1,4 @@
-// A small model and walks over it, for the tests of benches.
+// A small model and camera paths over it, for tests of benches.
 #pragma once
 
 #include "core/units.h"
@@ -38,7 +38,7 @@ inline settings::Settings smallSettings() {
     return settings;
 }
 
-/// `--memory` that leaves room for `fraction` of the model's pages.
+/// Returns a value of `--memory` that has room for `fraction` of the model's pages.
 inline Bytes memoryFor(double fraction, plan::ShadowMode shadows = plan::ShadowMode::Maps, int samples = 1) {
     const hierarchy::ModelFile file(model());
     double bytes = 0;
@@ -50,12 +50,12 @@ inline Bytes memoryFor(double fraction, plan::ShadowMode shadows = plan::ShadowM
     frame::FrameOptions options;
     options.isAccumulated = samples > 1;
     const Bytes picture = frame::pictureBytes(view, settings::qualityOf(settings), options);
-    // Pages have two thirds of what the program, the tables and the picture leave.
+    // Pages get two thirds of the memory that remains after program, tables and picture.
     return {
         mebibytes(64).count + frame::tableBytes(file).count + picture.count + static_cast<std::uint64_t>(1.5 * bytes)};
 }
 
-/// Low over the hills from one side to the other, in half a second.
+/// Returns a low flight across the hills that takes half a second.
 inline path::CameraPath flight() {
     const auto key = [](double time, const glm::dvec3& eye, const glm::dvec3& target) {
         return path::Keyframe{time, {eye, target, {0, 1, 0}, 1}};
@@ -74,7 +74,7 @@ inline WalkOptions frames(int count, bool isRealTime = false) {
     return options;
 }
 
-/// Walks all runs.
+/// Returns the results of all runs.
 inline std::vector<RunResult> walkAlone(
     Session& session,
     const path::CameraPath& path,
@@ -90,7 +90,7 @@ inline RunResult walked(
     return walkAlone(session, path, runsOf({view}), options, progress).front();
 }
 
-/// The cells that must repeat.
+/// Returns the cells of each row that must be reproducible, without times.
 inline std::vector<std::string> timeless(const RunResult& result) {
     std::vector<std::string> cells;
     for (telemetry::FrameRow row : result.rows) {
@@ -101,7 +101,7 @@ inline std::vector<std::string> timeless(const RunResult& result) {
     return cells;
 }
 
-/// For models without damage.
+/// Fails the test; used for models without damage.
 inline void failOnWarning(const std::string& warning) {
     ADD_FAILURE() << warning;
 }

@@ -1,4 +1,4 @@
-// Buildings of boxes for walks: rooms in rows, joined by doors so that all can be reached, turned by any angle.
+// Buildings of boxes for walks: rows of rooms that are connected by doors, rotated by any angle.
 #pragma once
 
 #include "core/random.h"
@@ -11,10 +11,11 @@
 
 namespace gnomon::path {
 
-/// One storey of rooms between slabs, seeded: where doors are and how wide, what stands in the rooms, and the angle.
+/// A seeded storey of rooms between two slabs. The seed determines positions and widths of doors, obstacles and the
+/// angle.
 class Building {
 public:
-    static constexpr double kRoom = 5; // metres
+    static constexpr double kRoom = 5; // in metres
     static constexpr double kCeiling = 2.7;
 
     Building(std::uint64_t seed, int roomsX, int roomsZ) : roomsX_(roomsX), roomsZ_(roomsZ), random_(seed) {
@@ -36,7 +37,7 @@ public:
 
     void operator()(const std::string& path) const { boxes_.write(path); }
 
-    /// Which room a point of the world is in.
+    /// Returns the room that contains a world point.
     int roomAt(const glm::dvec3& point) const {
         const glm::dvec3 at = turned(point, -angle_) / kRoom;
         return static_cast<int>(std::floor(at.z)) * roomsX_ + static_cast<int>(std::floor(at.x));
@@ -44,7 +45,7 @@ public:
 
     bool areJoined(int a, int b) const { return doors_.count(std::minmax(a, b)) > 0; }
 
-    /// The most rooms that a shortest way leads through.
+    /// Returns the number of rooms on the longest of all shortest paths.
     int longestWay() const {
         int longest = 0;
         for (int start = 0; start < roomsX_ * roomsZ_; ++start) {
@@ -70,10 +71,10 @@ private:
         return {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
     }
 
-    /// The walls of a room towards -x and -z, each with a door or not, and perhaps a table.
+    /// Adds the walls of a room towards -x and -z, with or without a door, and sometimes a table.
     void addRoom(int i, int j) {
         const int room = j * roomsX_ + i;
-        const bool isJoinedAlongX = i > 0 && (j == 0 || random_.below(2) == 0); // one door each joins all rooms
+        const bool isJoinedAlongX = i > 0 && (j == 0 || random_.below(2) == 0); // one door per room connects all rooms
         if (i > 0) addWall(i, j, true, isJoinedAlongX || random_.below(5) == 0 ? room - 1 : -1);
         if (j > 0) addWall(i, j, false, !isJoinedAlongX || random_.below(5) == 0 ? room - roomsX_ : -1);
         if (random_.below(2) == 0) return;

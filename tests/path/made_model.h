@@ -1,4 +1,4 @@
-// Models made for a test of paths: written, built, and their finest triangles at hand.
+// Models for tests of paths: written, built, and with their finest triangles in memory.
 #pragma once
 
 #include "core/progress.h"
@@ -18,7 +18,7 @@
 
 namespace gnomon::path {
 
-/// Writes what `gnomon make` does.
+/// Returns a function that writes the model of `gnomon make`.
 inline auto made(const std::string& kind, std::uint64_t triangles) {
     return [=](const std::string& path) {
         NoProgress progress;
@@ -26,7 +26,7 @@ inline auto made(const std::string& kind, std::uint64_t triangles) {
     };
 }
 
-/// The distance from `point` to the nearest of `triangles`, up to `most`.
+/// Returns the distance from `point` to the nearest of `triangles`, at most `most`.
 inline double clearanceOf(
     const std::vector<std::array<glm::dvec3, 3>>& triangles, const glm::dvec3& point, double most) {
     double square = most * most;
@@ -39,7 +39,7 @@ inline double clearanceOf(
     return std::sqrt(square);
 }
 
-/// A model written by `write(path)`, built; and its finest triangles, in world space.
+/// A built model from the mesh that `write(path)` writes, with its finest triangles in world space.
 class MadeModel {
 public:
     template <class Write>
@@ -49,7 +49,7 @@ public:
         write(stem + ".ply");
         NoProgress progress;
         options.output = stem + ".gnm";
-        if (!options.up) options.up = hierarchy::UpAxis(); // not what a guess makes of boxes
+        if (!options.up) options.up = hierarchy::UpAxis(); // a guess can be wrong for boxes
         const auto source = read::openMeshSources({stem + ".ply"}, gibibytes(1));
         pipeline::buildModel(*source, options, progress);
         file_ = std::make_unique<hierarchy::ModelFile>(stem + ".gnm");
@@ -60,10 +60,11 @@ public:
 
     const hierarchy::ModelFile& file() const { return *file_; }
 
-    /// The distance from `point` to the nearest triangle, up to `most`.
+    /// Returns the distance from `point` to the nearest triangle, at most `most`.
     double clearance(const glm::dvec3& point, double most) const { return clearanceOf(triangles_, point, most); }
 
-    /// The distances from `origin` along `direction` (unit length) to all that is there, nearest first.
+    /// Returns the distances of all intersections of the ray from `origin` along the unit vector `direction`, nearest
+    /// first.
     std::vector<double> met(const glm::dvec3& origin, const glm::dvec3& direction) const {
         std::vector<double> distances;
         for (const std::array<glm::dvec3, 3>& t : triangles_) {

@@ -1,4 +1,4 @@
-// A turbine hall of a plant alone, on a level ground.
+// The turbine hall of a generated plant, alone on a level ground.
 #pragma once
 
 #include "core/progress.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::path {
 
-/// The hall that `gnomon make plant` builds, turned by quarter turns; `level` is how finely.
+/// The hall of `gnomon make plant`, rotated by quarter turns. `level` is its level of detail.
 class TurbineHall final : public make::MadeModel {
 public:
     TurbineHall(double level, int quarterTurns) : detail_(level), quarterTurns_(quarterTurns) {

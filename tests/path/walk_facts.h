@@ -1,4 +1,4 @@
-// What is true of a walk through a model, by brute force over all its finest triangles.
+// Properties of a walk through a model, computed by brute force over all finest triangles.
 #pragma once
 
 #include "path/camera_path.h"
@@ -11,14 +11,15 @@ namespace gnomon::path {
 
 struct WalkFacts {
     double length = 0;
-    double clearance = 0; // the least distance of an eye from anything; half an eye's height where it is more
-    int strayed = 0;      // samples with no floor below them
+    double clearance = 0; // min distance of the eye from the model, at most half the eye height
+    int strayed = 0;      // number of samples without a floor below
     double lowest = std::numeric_limits<double>::infinity(); // of the eye
     double highest = -std::numeric_limits<double>::infinity();
 };
 
-/// Whether the ray down from `eye` first meets something at eye height, give or take a step; or, where `reach` is above
-/// 0, whether anything is so near to where the foot stands: on a grating the ray falls between two bars.
+/// Returns true if the ray down from `eye` first hits a surface at eye height, with a tolerance of one step. If `reach`
+/// is greater than 0, returns true if a surface is within `reach` of the foot, because on a grating the ray can pass
+/// between two bars.
 inline bool isOnFloor(
     const std::vector<std::array<glm::dvec3, 3>>& triangles,
     const glm::dvec3& eye,
@@ -44,7 +45,7 @@ inline bool isOnFloor(
     return std::abs(first - body.eyeHeight) <= body.step;
 }
 
-/// The triangles whose boxes come within `away` of `bounds`.
+/// Returns the triangles whose boxes are within `away` of `bounds`.
 inline std::vector<std::array<glm::dvec3, 3>> trianglesNear(
     const std::vector<std::array<glm::dvec3, 3>>& triangles, const Box& bounds, double away) {
     const Box box{bounds.min - away, bounds.max + away};
@@ -58,7 +59,8 @@ inline std::vector<std::array<glm::dvec3, 3>> trianglesNear(
     return near;
 }
 
-/// Looks every 5 cm (of a body of 1.7): what is clear by more than that at each sample was not passed through between.
+/// Computes the properties from samples every 5 cm, for a body of 1.7 m. If the clearance at each sample exceeds this
+/// distance, the walk passes through no surface between samples.
 inline WalkFacts factsOf(const MadeModel& model, const CameraPath& path, const WalkBody& body, double reach = 0) {
     WalkFacts facts;
     facts.clearance = 0.5 * body.eyeHeight;

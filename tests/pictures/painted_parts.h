@@ -1,4 +1,4 @@
-// Generated models of many thin parts of different colours, in contact and in layers: a bridge and a city.
+// Generated models of many thin parts with different colours, in contact and in layers: a bridge and a city.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ struct PaintedMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// A bridge of `bays` bays of 8 m: yellow girders with bolts, a blue deck in layers, stripes, and railings. Faces have
-/// cells of some 20 cm times `cellScale`.
+/// Returns a bridge of `bays` bays of 8 m: yellow girders with bolts, a blue deck in layers, stripes and railings.
+/// Faces are divided into cells of about 20 cm times `cellScale`.
 PaintedMesh paintedBridge(std::uint32_t bays, double cellScale);
 
-/// A city of `side` x `side` houses: adjoining walls, windows, and roofs of layers that are 1 to 20 cm apart.
-/// Faces have cells of some 50 cm times `cellScale`.
+/// Returns a city of `side` x `side` houses with adjoining walls, windows, and roofs in layers that are 1 to 20 cm
+/// apart. Faces are divided into cells of about 50 cm times `cellScale`.
 PaintedMesh paintedCity(std::uint32_t side, double cellScale);
 
 /// Merges vertices at equal positions. The first vertex of a position gives its colour, so colours mix at contacts.

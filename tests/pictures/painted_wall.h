@@ -1,4 +1,4 @@
-// A flat wall whose only detail is its paint: gradients, checkers of three sizes, and letters of five.
+// A flat wall with painted details only: gradients, checkerboards of three sizes, and letters of five sizes.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace gnomon::tests {
 
-/// Writes a wall of `side` x `side` squares with a colour a vertex to `path`, a PLY.
+/// Writes a wall of `side` x `side` squares with one colour per vertex as a PLY to `path`.
 void writePaintedWall(std::uint32_t side, const std::string& path);
 
 } // namespace gnomon::tests

@@ -1,4 +1,4 @@
-// A model built from a mesh file, and pictures of it by an executor of one's choice: for tests that compare pictures.
+// A model built from a mesh file, and pictures of it by a chosen backend, for tests that compare pictures.
 #pragma once
 
 #include "frame/renderer.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::tests {
 
-/// A file in the folder of tests, named after the running test; gone with the object.
+/// A file in the folder of tests, named after the running test. The destructor removes it.
 class ScratchFile {
 public:
     explicit ScratchFile(const std::string& name);
@@ -26,28 +26,28 @@ private:
     std::string path_;
 };
 
-/// What `gnomon make KIND --triangles N --seed 1` writes.
+/// Writes the mesh of `gnomon make KIND --triangles N --seed 1`.
 void writeMade(const std::string& kind, std::uint64_t triangles, const std::string& path);
 
-/// What `gnomon build` makes of `mesh` with its defaults.
+/// Builds `mesh` to `model` with the defaults of `gnomon build`.
 void build(const std::string& mesh, const std::string& model);
 
 enum class Backend { Software, Osmesa };
 
-/// A picture, and how deep each pixel is; infinity where nothing is.
+/// A picture and the depth of each pixel, which is infinite without a surface.
 struct Drawn {
     executor::Picture picture;
     executor::FloatPicture depth;
 };
 
-/// An open model and who draws it.
+/// An open model with a backend.
 class PicturedModel {
 public:
     PicturedModel(const std::string& path, Backend backend);
 
     const hierarchy::ModelFile& file() const { return file_; }
 
-    /// A frame that knows of none before it, with the default quality but for the geometric error.
+    /// Draws a frame without history, with the default quality except for the geometric error.
     Drawn draw(const plan::View& view, double errorPixels);
 
 private:
@@ -56,7 +56,7 @@ private:
     frame::Renderer renderer_;
 };
 
-/// Three views of a model: the whole of it, on the way past it, and close to it.
+/// Returns three views of a model: the whole model, a view past it, and a close view.
 std::vector<plan::View> threeViews(const hierarchy::ModelFile& model, int side);
 
 } // namespace gnomon::tests

@@ -1,4 +1,4 @@
-// A model built for a test from a mesh made in code, read back whole.
+// A model that a test builds from a mesh made in code and reads back completely.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -11,7 +11,7 @@
 
 namespace gnomon::pipeline {
 
-/// A model built from `mesh`, and its file, gone with the object.
+/// A model built from `mesh`. The destructor removes its file.
 class BuiltModel {
 public:
     explicit BuiltModel(read::CodeMesh mesh, BuildOptions options = {});

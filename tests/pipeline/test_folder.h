@@ -10,7 +10,7 @@
 
 namespace gnomon::pipeline {
 
-/// A folder of its own, gone with the object.
+/// A new folder, which the destructor removes.
 class TestFolder {
 public:
     TestFolder() {

@@ -1,4 +1,4 @@
-// A yard of boxes as a plan is told of it, without geometry: for tests of the plan alone.
+// A scene of boxes in the form that a plan receives, without geometry, for tests of the plan alone.
 #pragma once
 
 #include "core/depth_span.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::plan {
 
-/// Boxes strewn over a square, with the triangles in each.
+/// Boxes at random places in a square, with the number of triangles of each.
 struct MadeScene {
     explicit MadeScene(std::uint64_t seed) {
         Random random(seed);
@@ -26,7 +26,7 @@ struct MadeScene {
         }
     }
 
-    /// What a survey of `view` would answer, box by box.
+    /// Returns the result of a survey of `view`, with one entry per box.
     SceneFacts facts(const View& view) const {
         SceneFacts facts;
         facts.bounds = bounds;
@@ -50,11 +50,11 @@ struct MadeScene {
         return facts;
     }
 
-    std::vector<SceneFacts::CasterBlock> blocks; // world space
+    std::vector<SceneFacts::CasterBlock> blocks; // in world space
     Box bounds;
 };
 
-/// A view at eye height or from a crane, and a light from anywhere, the awkward directions included.
+/// Returns a view at eye height or from a crane, with any light, including difficult directions.
 template <class Source>
 View madeViewFrom(Source& random) {
     View view;

@@ -12,16 +12,16 @@
 
 namespace gnomon::proof {
 
-/// What a frame came to.
+/// The results of a frame.
 struct Shot {
     std::optional<exact::ExactStatistics> exact;
     executor::Picture picture;
     executor::Raster<executor::SurfaceSample> surfaces;
     std::size_t samples = 0;
-    std::size_t wrong = 0; // pixels lit or dark against the integers
+    std::size_t wrong = 0; // pixels whose lit or dark result differs from the integers
 };
 
-/// All that its statistics count; nothing of a frame without.
+/// Returns all counts of its statistics, or an empty list without statistics.
 inline std::vector<std::uint64_t> countsOf(const Shot& shot) {
     if (!shot.exact) return {};
     const exact::ExactStatistics& s = *shot.exact;
@@ -39,7 +39,7 @@ inline std::vector<std::uint64_t> countsOf(const Shot& shot) {
         s.cast.exactDecisions};
 }
 
-/// As a picture shows it: half lit is lit.
+/// Returns true if the surface is lit. A surface that is half lit counts as lit.
 inline bool isLit(const executor::SurfaceSample& surface) {
     return surface.isLitSide() && surface.litFraction() >= 0.5F;
 }
@@ -63,7 +63,7 @@ public:
         return shot;
     }
 
-    /// Draws with surfaces, and counts what the plain loops over all casters of the frame say otherwise.
+    /// Draws with surfaces, and counts the pixels that differ from the simple loops over all casters of the frame.
     Shot judged(const frame::PreparedFrame& frame, frame::FrameOptions options = {}) {
         options.wantsSurfaces = true;
         Shot shot = draw(frame, options);

@@ -1,4 +1,4 @@
-// A test on every kind of processor that this one can stand for.
+// Execution of a test with each vector instruction set of this machine.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 namespace gnomon::proximity {
 
-/// Calls `check()` once for each instruction set that vector lanes were compiled for and that this machine has.
+/// Calls `check()` once per compiled and supported instruction set.
 template <class Check>
 void onEachProcessor(Check check) {
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

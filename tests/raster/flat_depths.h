@@ -1,4 +1,4 @@
-// Small scenes before a flat view of 64x64 pixels, and the depths that the rasteriser draws of them.
+// Small scenes in an orthographic view of 64x64 pixels, and the depths that the rasteriser draws.
 #pragma once
 
 #include "tests/raster/scenes.h"
@@ -15,7 +15,7 @@ constexpr int kFlatSide = 64;
 constexpr PixelBox kFlatViewport = {0, 0, kFlatSide, kFlatSide};
 using Position = std::array<std::uint32_t, 3>;
 
-/// A point in pixels of the flat view, and depth.
+/// Returns a position from pixels of the flat view and a depth.
 inline Position at(double x, double y, double depth) {
     const auto cells = [](double units) {
         return static_cast<std::uint32_t>(static_cast<std::int64_t>(kSceneCenter) + std::llround(units));
@@ -39,7 +39,7 @@ inline std::vector<float> flatDepths(const Position& a, const Position& b, const
     return flatDepths(scene);
 }
 
-/// How many pixels something covers.
+/// Returns the number of covered pixels.
 inline std::size_t covered(const std::vector<float>& depths) {
     return static_cast<std::size_t>(std::count_if(depths.begin(), depths.end(), [](float d) { return d < 1; }));
 }

@@ -1,4 +1,4 @@
-// The same clusters drawn by OpenGL into a depth texture: what the rasteriser is compared with.
+// The same clusters drawn by OpenGL into a depth texture, as reference for the rasteriser.
 #pragma once
 
 #include "gl/context.h"
@@ -10,12 +10,13 @@
 
 namespace gnomon::raster {
 
-/// Clusters in GL buffers and a square depth texture to draw them into.
+/// Clusters in GL buffers and a square depth texture.
 class GlDepth {
 public:
     GlDepth(const gl::Context& context, std::span<const Cluster> clusters, int side);
 
-    /// Draws everything into the whole texture; `reversed` is depth from 1 at near to 0, else clamped. Waits for it.
+    /// Draws all clusters into the whole texture and waits for the GPU. If `reversed`, depth goes from 1 at near to 0;
+    /// otherwise depth is clamped.
     void draw(const View& view, bool reversed) const;
 
     std::vector<float> depths() const;

@@ -1,5 +1,5 @@
-// Coverage without clipping or dividing, in doubles (Olano, Greer, "Triangle Scan Conversion using 2D Homogeneous
-// Coordinates", 1997): slow, and obviously right for triangles behind the eye.
+// Coverage of a triangle without clipping and division, in doubles (Olano, Greer, "Triangle Scan Conversion using 2D
+// Homogeneous Coordinates", 1997). It is slow, and simple for triangles that are partly behind the eye.
 #pragma once
 
 #include "raster/raster.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::raster {
 
-/// One triangle: the plane of each barycentric weight over (x, y, w).
+/// A triangle, stored as the plane of each barycentric weight over (x, y, w).
 class HomogeneousTriangle {
 public:
     HomogeneousTriangle(const Cluster& cluster, std::uint32_t i, const View& view) {
@@ -28,9 +28,10 @@ public:
         inverse_ = glm::inverse(m);
     }
 
-    /// Depth at a point in normalised device coordinates if the triangle, in front of the eye, is there.
+    /// Returns the depth at a point in normalised device coordinates, or nullopt if the triangle is not there in front
+    /// of the eye.
     std::optional<double> depth(double x, double y) const {
-        const glm::dvec3 weights = inverse_ * glm::dvec3(x, y, 1); // each over the point's own w
+        const glm::dvec3 weights = inverse_ * glm::dvec3(x, y, 1); // each divided by the point's w
         if (!(weights.x >= 0 && weights.y >= 0 && weights.z >= 0)) return std::nullopt;
         return weights.x * clip_[0].z + weights.y * clip_[1].z + weights.z * clip_[2].z;
     }

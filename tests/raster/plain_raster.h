@@ -1,4 +1,4 @@
-// The rasteriser once more, without tiles, lanes or threads: one pixel after another, edges in 64 bits.
+// A simple rasteriser without tiles, vector lanes or threads: pixel by pixel, with edges in 64 bits.
 #pragma once
 
 #include "raster/raster.h"
@@ -7,17 +7,18 @@
 
 namespace gnomon::raster {
 
-/// Calls `visit(x, y, depth, triangle id)` for every pixel of the viewport that a triangle covers, hidden or not.
+/// Calls `visit(x, y, depth, triangle id)` for each pixel of the viewport that a triangle covers, including hidden
+/// ones.
 void visitPixels(
     std::span<const Cluster> clusters,
     const View& view,
     bool cutsDepth,
     const std::function<void(int, int, float, std::uint32_t)>& visit);
 
-/// What Rasterizer::drawDepth leaves and answers, in plain code.
+/// Computes the same depths and count as Rasterizer::drawDepth.
 std::uint64_t plainDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
-/// What Rasterizer::drawVisibility leaves, in plain code.
+/// Computes the same words as Rasterizer::drawVisibility.
 void plainVisibility(std::span<const Cluster> clusters, const View& view, const VisibilityTarget& target);
 
 } // namespace gnomon::raster

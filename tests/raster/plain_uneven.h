@@ -1,4 +1,4 @@
-// Coverage on rows that lie unevenly, the obvious way: every sample of the viewport against every edge.
+// Coverage with unevenly spaced rows, computed simply: each sample of the viewport against each edge.
 #pragma once
 
 #include "raster/raster.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::raster {
 
-/// Calls `visit` with each sample (x, y) that a triangle covers, the depth of the plane through its corners there, and
-/// the triangle's name.
+/// Calls `visit` for each sample (x, y) that a triangle covers, with the depth of the triangle's plane and the
+/// triangle's id.
 void visitUnevenSamples(
     std::span<const Cluster> clusters,
     const View& view,

@@ -1,4 +1,4 @@
-// Rows that lie unevenly, and depths drawn on them beside plain ones.
+// Unevenly spaced rows, and depths drawn on them, compared with simple code.
 #pragma once
 
 #include "raster/raster.h"
@@ -9,15 +9,15 @@
 
 namespace gnomon::raster {
 
-/// Rows evenly in the logarithm of -y / w, from -1 to -1 / ratio.
+/// Returns rows evenly spaced in the logarithm of -y / w, from -1 to -1 / ratio.
 std::vector<float> logarithmicRows(int count, double ratio);
 
 std::vector<float> evenRows(int count);
 
-/// Gaps at random, up to 5.7 times as wide as a neighbour, whose density grows by about `ratio`.
+/// Returns rows with random gaps, up to 5.7 times as wide as their neighbours. Their density grows by about `ratio`.
 std::vector<float> randomRows(int count, double ratio, std::uint64_t seed);
 
-/// Names the kinds of rows that every scene is drawn on.
+/// Returns the kinds of rows that each scene is drawn on, with names.
 std::vector<std::pair<const char*, std::vector<float>>> kindsOfRows(int count);
 
 struct DrawnDepths {
@@ -27,7 +27,7 @@ struct DrawnDepths {
 
 DrawnDepths drawn(std::span<const Cluster> clusters, const View& view, int width, int height);
 
-/// The plain answer: least depths, and how often each sample is covered.
+/// The simple result: nearest depths, and the number of covers per sample.
 struct PlainDepths {
     std::vector<double> depths;
     std::vector<int> covers;
@@ -36,7 +36,8 @@ struct PlainDepths {
 
 PlainDepths plainly(std::span<const Cluster> clusters, const View& view, int width, int height);
 
-/// Expects the same samples as plain code, and depths within `slack`, on every instruction set and one or two threads.
+/// Expects the same samples as simple code, with depths within `slack`, on all instruction sets and with one and two
+/// threads.
 void expectAsPlain(std::span<const Cluster> clusters, const View& view, int width, int height, double slack);
 
 } // namespace gnomon::raster

@@ -1,4 +1,4 @@
-// Meshes made in code as sources: for the tests of what a build does with one.
+// Mesh sources made in code, for tests of a build's later stages.
 #pragma once
 
 #include "preprocess/read/mesh_source.h"
@@ -30,7 +30,7 @@ public:
     void readVertexRange(std::uint64_t begin, std::uint64_t end, const VertexSink& sink) override;
     bool readFaceRange(std::uint64_t begin, std::uint64_t end, const TriangleSink& sink) override;
 
-    /// From now on it can be read by ranges of its rows; irregular rows are some that only a whole pass can tell.
+    /// Makes the mesh readable by ranges of rows. Irregular rows are ranges that only a complete pass can find.
     CodeMesh& withRanges(bool areRegular = true) {
         summary_.hasRanges = true;
         areRegular_ = areRegular;
@@ -45,10 +45,10 @@ private:
     bool areRegular_ = true;
 };
 
-/// A bumpy height field of `n` x `n` squares over the unit square times `scale`, at `origin`.
+/// Returns a bumpy height field of `n` x `n` squares over the unit square times `scale`, at `origin`.
 CodeMesh bumpySheet(std::uint32_t n, double scale = 1, const glm::dvec3& origin = glm::dvec3(0));
 
-/// `count` small boxes of 12 triangles strewn in the unit cube, none touching another by an edge.
+/// Returns `count` small boxes of 12 triangles in the unit cube. No two of them share an edge.
 CodeMesh strewnBoxes(std::uint32_t count);
 
 } // namespace gnomon::read

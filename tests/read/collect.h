@@ -1,4 +1,4 @@
-// Reads a MeshSource whole, for tests, and checks on the way what every source promises of its blocks.
+// Reading of a whole MeshSource for tests, with checks of the guarantees of its blocks.
 #pragma once
 
 #include "core/error.h"
@@ -13,14 +13,15 @@
 
 namespace gnomon::read {
 
-/// Writes a file that lives briefly. Neither an AtomicFile nor an overwritten file, since both wait for the disk, and
-/// there are thousands of these.
+/// Writes a temporary file. It avoids AtomicFile and overwriting, because both wait for the disk and there are
+/// thousands of such files.
 inline void writeScratch(const std::string& path, const std::string& text) {
     std::filesystem::remove(path);
     std::ofstream(path, std::ios::binary) << text;
 }
 
-/// What an Error out of `read` says of the file `path`, in one line that begins with it; "no error" without one.
+/// Returns the message of the Error that `read` throws about the file `path`, without the path. The message must be one
+/// line that begins with the path. Returns "no error" without an exception.
 template <class Read>
 std::string errorAbout(const std::string& path, const Read& read) {
     try {
@@ -39,7 +40,7 @@ struct CollectedMesh {
     std::vector<glm::vec3> normals;
     std::vector<std::uint32_t> colors;
     std::vector<TriangleCorners> triangles;
-    std::vector<PolygonRun> polygons; ///< relative to the whole, modulo 2^32
+    std::vector<PolygonRun> polygons; // relative to the whole mesh, modulo 2^32
     std::uint64_t notAPolygon = 0;
 
     bool operator==(const CollectedMesh& other) const {

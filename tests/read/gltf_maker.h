@@ -1,4 +1,4 @@
-// Makes a .glb in code.
+// Construction of .glb files in code.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace gnomon::read {
 
-/// A file that is put together accessor by accessor.
+/// A file that is built accessor by accessor.
 class GltfMaker {
 public:
     using json = nlohmann::json;
@@ -47,10 +47,10 @@ public:
 
     json& primitive() { return document["meshes"][0]["primitives"][0]; }
 
-    /// As a .glb.
+    /// Returns the file as a .glb.
     std::string container() { return containerWith({{{"byteLength", bytes_.size()}}}); }
 
-    /// As a .glb whose document lists these buffers.
+    /// Returns the file as a .glb whose document lists these buffers.
     std::string containerWith(const json& buffers) {
         document["buffers"] = buffers;
         std::string text = document.dump();

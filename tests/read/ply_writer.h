@@ -1,4 +1,4 @@
-// Writes a known mesh as PLY in any layout, value by value: the slow side of the reader's tests.
+// Writing of a known mesh as PLY in any layout, value by value, as reference for the reader.
 #pragma once
 
 #include "core/error.h"
@@ -14,7 +14,7 @@
 
 namespace gnomon::read {
 
-/// A mesh as a writer has it; faces of any number of corners.
+/// A mesh for the writer. Faces have any number of corners.
 struct KnownMesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;
@@ -22,7 +22,7 @@ struct KnownMesh {
     std::vector<std::vector<std::uint64_t>> faces;
 };
 
-/// What a reader must find in it.
+/// Returns the mesh that a reader must find.
 inline CollectedMesh expected(const KnownMesh& mesh) {
     CollectedMesh result;
     result.positions = mesh.positions;
@@ -39,20 +39,20 @@ inline CollectedMesh expected(const KnownMesh& mesh) {
     return result;
 }
 
-/// How a mesh is written.
+/// The layout of a PLY file.
 struct PlyLayout {
-    std::string format = "binary_little_endian"; ///< or binary_big_endian or ascii
+    std::string format = "binary_little_endian"; // or binary_big_endian or ascii
     std::string lineEnd = "\n";
     std::string position = "float";
-    std::string normal; ///< a type, or empty for none
-    std::string color;  ///< a type, or empty for none
+    std::string normal; // a type, or empty for no normals
+    std::string color;  // a type, or empty for no colours
     std::string count = "uchar";
     std::string index = "int";
-    bool hasExtras = false; ///< values and lists that no reader knows, and elements before, between and after
+    bool hasExtras = false; // adds unknown values and lists, and unknown elements before, between and after
     bool facesFirst = false;
 };
 
-/// Collects the values of a PLY file.
+/// A writer of the values of a PLY file.
 class PlyText {
 public:
     explicit PlyText(PlyLayout layout) : layout_(std::move(layout)) {}
@@ -191,7 +191,7 @@ inline std::string plyText(const KnownMesh& mesh, const PlyLayout& layout) {
     return out.bytes();
 }
 
-/// A seeded mesh whose coordinates, normals and colours every type of the layout can hold exactly.
+/// Returns a seeded mesh whose coordinates, normals and colours are exact in each type of the layout.
 inline KnownMesh randomMesh(std::uint64_t seed, std::size_t vertices, std::size_t faces, const PlyLayout& layout) {
     Random random(seed);
     KnownMesh mesh;

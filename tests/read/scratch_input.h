@@ -1,4 +1,4 @@
-// A test that reads one small file after another, each gone at its end.
+// A test fixture that reads small files, one after the other, and removes them at its end.
 #pragma once
 
 #include "preprocess/read/input_file.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::read {
 
-/// All types of the values of a PLY.
+/// All types of PLY values.
 inline constexpr std::array kTypes = {
     PlyType::Int8,
     PlyType::Uint8,
@@ -27,7 +27,7 @@ class ScratchInput : public testing::Test {
 protected:
     void TearDown() override { std::filesystem::remove(path); }
 
-    /// A file of `text`, open until the next call.
+    /// Returns a file with the content `text`, open until the next call.
     const InputFile& fileOf(const std::string& text) {
         writeScratch(path, text);
         opened_.emplace(path);

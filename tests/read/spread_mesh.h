@@ -1,4 +1,4 @@
-// A mesh whose vertices have numbers far apart, as those of a source too large for a test have.
+// A mesh with a large gap in its vertex numbers, as a replacement for a source that is too large for a test.
 #pragma once
 
 #include "tests/read/code_mesh.h"
@@ -8,15 +8,15 @@
 
 namespace gnomon::read {
 
-/// Of the vertices of a mesh in code the first `before` keep their numbers, `gap` that nobody uses and that are never
-/// delivered follow, then the others.
+/// A mesh from code with a gap in its vertex numbers. The first `before` vertices keep their numbers. Then follow `gap`
+/// unused numbers that are never delivered, then the remaining vertices.
 class SpreadMesh final : public MeshSource {
 public:
     struct Shape {
         std::uint64_t before = 0;
         std::uint64_t gap = 0;
-        bool isQuads = false; // two triangles after each other, of which the second begins as the first ends, are one
-        bool hasNormals = false; // (0, 1, 0) everywhere
+        bool isQuads = false;    // two successive triangles, where the second begins as the first ends, form one quad
+        bool hasNormals = false; // (0, 1, 0) for all vertices
     };
 
     SpreadMesh(const CodeMesh& mesh, const Shape& shape) : mesh_(mesh), shape_(shape), summary_(mesh.summary()) {

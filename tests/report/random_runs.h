@@ -1,4 +1,4 @@
-// Random runs, for whatever is said of them.
+// Random runs for tests of the report.
 #pragma once
 
 #include "core/random.h"
@@ -12,7 +12,8 @@
 
 namespace gnomon::report {
 
-/// Runs of few and often equal values: several of one number of maps, some of other settings, some that know little.
+/// Returns runs with few, often equal values. Several have the same number of maps, some have other settings, and some
+/// lack errors.
 inline std::vector<RunSummary> anyRuns(Random& random) {
     std::vector<RunSummary> runs(random.below(9));
     const bool knowsAll = random.below(2) == 0;

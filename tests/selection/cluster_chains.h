@@ -1,4 +1,5 @@
-// Clusters by their address, and the chains from a finest cluster to a root that every cut must cut exactly once.
+// Clusters by address, and chains from a finest cluster to a root. Each cut must contain exactly one cluster of each
+// chain.
 #pragma once
 
 #include "model_views.h"
@@ -12,14 +13,14 @@
 
 namespace gnomon::tests {
 
-/// A cluster's address.
+/// The address of a cluster.
 struct ClusterId {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     auto operator<=>(const ClusterId&) const = default;
 };
 
-/// The clusters of a draw list, which may name each only once.
+/// Returns the clusters of a draw list, and checks that the list contains no duplicates.
 inline std::set<ClusterId> clustersOf(const selection::DrawList& list) {
     std::set<ClusterId> result;
     for (const selection::ClusterRange& range : list.ranges)
@@ -28,7 +29,8 @@ inline std::set<ClusterId> clustersOf(const selection::DrawList& list) {
     return result;
 }
 
-/// Walks from a finest cluster to a root, by a random one of the clusters that replace each group.
+/// Random chains from a finest cluster to a root. At each group, a chain continues with a random cluster of those that
+/// replace the group.
 class Chains {
 public:
     explicit Chains(const ModelInMemory& model) : model_(&model) {

@@ -1,4 +1,4 @@
-// The error rule once more, at 200 bits, of a view and casters that are taken as exact.
+// The error rule with 200 bits, for a view and casters that are taken as exact.
 #pragma once
 
 #include "selection/error_rule.h"
@@ -6,7 +6,7 @@
 
 namespace gnomon::tests {
 
-/// As ErrorRule::pixels.
+/// Returns the same value as ErrorRule::pixels.
 theory::Real exactPixels(const selection::ErrorRule& rule, const Sphere& bounds, double error);
 
 } // namespace gnomon::tests

@@ -1,4 +1,4 @@
-// A tiny model in memory with its page table, random views of it and random residencies that are closed upwards.
+// A tiny model in memory with its page table, random views of it, and random ancestor-complete residencies.
 #pragma once
 
 #include "core/random.h"
@@ -9,35 +9,35 @@
 
 namespace gnomon::tests {
 
-/// A model whose pages can be looked up as a cut looks them up.
+/// A model in memory with the lookups that a cut needs.
 struct ModelInMemory {
     explicit ModelInMemory(const TinyModelOptions& options);
 
     TinyModel model;
     std::vector<hierarchy::PageInfo> table;
-    std::vector<const hierarchy::Page*> all; // every page resident
+    std::vector<const hierarchy::Page*> all; // all pages, as if resident
     selection::PageTrees trees;
-    Box bounds; // local space
+    Box bounds; // in local space
 
     std::size_t rootCount() const;
 };
 
-/// A rolling height field of about a thousand small pages, made once.
+/// Returns a rolling height field of about a thousand small pages, made once.
 const ModelInMemory& sharedModel();
 
-/// The error that a cut must obey, of a group or a refinement: the larger of both.
+/// Returns the error that a cut uses for a group or a refinement: the larger of both errors.
 template <class Of>
 double largerError(const Of& of) {
     return of.attributeError > of.error ? of.attributeError : of.error;
 }
 
-/// A view from somewhere in, above or beside the model.
+/// Returns a view from inside, above or next to the model.
 selection::DetailView randomView(Random& random, const Box& bounds);
 
-/// One to four partitions with random slices, texels and lights.
+/// Returns one to four partitions with random slices, texels and lights.
 std::vector<selection::CasterDetail> randomCasters(Random& random, const selection::DetailView& view);
 
-/// Some of the pages, the roots always, closed upwards.
+/// Returns a random set of pages that contains all roots and is ancestor-complete.
 std::vector<const hierarchy::Page*> randomResidency(Random& random, const ModelInMemory& model);
 
 } // namespace gnomon::tests

@@ -1,4 +1,4 @@
-// How far positions in single precision move what a shadow map is asked.
+// The error of shadow lookups due to positions in single precision.
 #pragma once
 
 #include "random_views.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::shadow {
 
-/// By how many texels of 4096 `p` lands elsewhere in the image that executors get than its (s, t) in double say, where
-/// positions are floats relative to `origin`.
+/// Returns the distance, in texels of a map with 4096 texels, between the position of `p` in the uploaded image and its
+/// (s, t) in double precision. Positions are floats relative to `origin`.
 inline double texelsOff(const ShadowMap& map, const glm::dvec3& origin, const glm::dvec3& p) {
     const FloatMapImage image = rounded(mapImage(map, relativeTo(map.lightClipFromCamera(), origin), glm::dvec3(0)));
     const MapTexel<float> found = texelAt(image, glm::vec3(p - origin));
@@ -17,11 +17,11 @@ inline double texelsOff(const ShadowMap& map, const glm::dvec3& origin, const gl
 }
 
 struct FloatError {
-    double fromTheOrigin = 0; // texels of 4096, positions relative to the maps' origins
-    double fromTheEye = 0;    // and relative to the eye
+    double fromTheOrigin = 0; // positions relative to the maps' origins, in texels of 4096
+    double fromTheEye = 0;    // positions relative to the eye
 };
 
-/// The worst of points in `frustum` under random lights.
+/// Returns the max error over random points in `frustum` and random lights.
 inline FloatError floatError(const ViewFrustum& frustum) {
     Random random(1);
     FloatError worst;

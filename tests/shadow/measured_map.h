@@ -1,5 +1,5 @@
-// What a shadow map does at a point, measured beside what it promises: its aliasing by finite differences, the rise of
-// the receiver's own plane over what a kernel reads, and whether a lookup stays in the map.
+// Measurements of a shadow map at a point, for comparison with its bounds: aliasing by finite differences, depth change
+// of the receiver's plane over the filter kernel, and the position of a lookup.
 #pragma once
 
 #include "shadow/depth_bias.h"
@@ -12,15 +12,15 @@
 
 namespace gnomon::shadow {
 
-/// What is measured, by a wider number than what it is measured of: next to a warp's centre of projection numbers
-/// cancel, and in doubles the differences below would tell the measure's own rounding.
+/// A wider number type for measurements. Near a warp's centre of projection, differences cancel, and doubles would
+/// measure their own rounding.
 using Wide = long double;
 using WideVec2 = glm::vec<2, Wide, glm::defaultp>;
 using WideVec3 = glm::vec<3, Wide, glm::defaultp>;
 using WideVec4 = glm::vec<4, Wide, glm::defaultp>;
 using WideMat4 = glm::mat<4, 4, Wide, glm::defaultp>;
 
-/// The image of a map, as far as a place in it is told.
+/// Returns the image of a map in wide numbers, as far as positions need it.
 inline MapImage<Wide> wideImage(const ShadowMap& map) {
     const DoubleMapImage image = cameraImage(map);
     MapImage<Wide> wide;
@@ -33,19 +33,19 @@ inline MapImage<Wide> wideImage(const ShadowMap& map) {
     return wide;
 }
 
-/// The aliasing that a map has at a point.
+/// The aliasing of a map at a point.
 struct Measured {
     double x = 0;
     double z = 0;
     double sheared = 0;
 };
 
-/// The aliasing at `p` by finite differences of the matrix that textures are looked up with, in real texels and pixels.
+/// Measures the aliasing at `p` by finite differences of the lookup matrix, in texels and pixels.
 inline Measured measuredAt(const ShadowMap& map, const ShadowView& view, const glm::dvec3& p) {
     const MapPoint at = mapPoint(map.warped, p);
     const double h = 1e-4 * at.w / std::max(map.warped.kappa, 1 / map.warped.length);
     const double across =
-        1e-4 * at.w * map.warped.width; // s goes evenly with x: any step will do, and a large one best
+        1e-4 * at.w * map.warped.width; // s is linear in x, so any step is correct and a large one is the most precise
     const MapImage<Wide> image = wideImage(map);
     const auto texel = [&](const WideVec3& q) {
         const MapTexel<Wide> read = texelAt(image, q);
@@ -58,7 +58,7 @@ inline Measured measuredAt(const ShadowMap& map, const ShadowView& view, const g
     const WideVec2 perX = perUnit(alongX(map.warped.frame), across);
     const WideVec2 perZ = perUnit(map.warped.frame.z, h);
     const Wide pixel = imageBeamWidth(view.frustum, p.z, view.imageHeight);
-    // The world step that keeps s and moves t by a texel: z with as much x as undoes its shear.
+    // The world step that preserves s and changes t by one texel: along z, with the x that cancels the shear.
     const Wide shear = -perZ.x / perX.x;
     return {
         static_cast<double>(1 / perX.x / pixel),
@@ -66,7 +66,7 @@ inline Measured measuredAt(const ShadowMap& map, const ShadowView& view, const g
         static_cast<double>(std::sqrt(1 + shear * shear) / perZ.y / pixel)};
 }
 
-/// A receiver in one map of a random setup.
+/// A receiver in one map of a random set-up.
 struct Receiver {
     ShadowMap map;
     double filterTexels = 0;
@@ -77,7 +77,7 @@ struct Receiver {
     double bias() const { return receiverBias(cameraImage(map), p, normal, cosine); }
 };
 
-/// The depth in the map of the receiver's plane where the light's ray through a place of the texture meets it.
+/// Returns the depth in the map at which the light ray through a texel intersects the receiver's plane.
 inline Wide planeDepth(const Receiver& receiver, const WideVec2& texel) {
     const MapImage<Wide> image = wideImage(receiver.map);
     const WideMat4 offsetFromClip = glm::inverse(image.clipFromOffset);
@@ -90,7 +90,7 @@ inline Wide planeDepth(const Receiver& receiver, const WideVec2& texel) {
     return -atZero / change;
 }
 
-/// How much nearer to the light than at `p` the plane is at the middle of the furthest texel that a kernel reads.
+/// Returns how much nearer to the light the plane is at the centre of the farthest texel of the kernel than at `p`.
 inline double largestRise(const Receiver& receiver) {
     const MapTexel<Wide> at = texelAt(wideImage(receiver.map), WideVec3(receiver.p));
     const Wide reach = std::max(1.0, receiver.filterTexels) / 2;
@@ -101,14 +101,14 @@ inline double largestRise(const Receiver& receiver) {
     return static_cast<double>(rise);
 }
 
-/// How far the lookup of `p`, kernel included, lies outside of the rectangle of `map`, in texels, or outside of its
-/// depths, in 1e-9 of those; at most 0 where it lies inside. Infinite where `p` is behind the warp's centre.
+/// Returns how far the lookup of `p`, including the kernel, is outside the rectangle of `map`, in texels, or outside
+/// its depth range, in units of 1e-9. The result is at most 0 inside, and infinite if `p` is behind the warp's centre.
 inline double lookupOutside(const ShadowMap& map, double filter, const glm::dvec3& p) {
     const MapTexel<double> at = texelAt(cameraImage(map), p);
     if (!(at.w > 0)) return std::numeric_limits<double>::infinity();
     const double x = at.column;
     const double y = at.row;
-    const double reach = filter / 2 + 0.5; // the kernel's texels and the rounding to them
+    const double reach = filter / 2 + 0.5; // texels of the kernel, and rounding to texels
     const TexelRectangle& r = map.rectangle;
     const double outX = std::max(r.x - (x - reach), x + reach - (r.x + r.width));
     const double outY = std::max(r.y - (y - reach), y + reach - (r.y + r.height));

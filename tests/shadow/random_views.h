@@ -1,5 +1,5 @@
-// Seeded random frusta, lights and schemes for the tests of the shadow theory, with the awkward ones well represented.
-// A source of numbers is Random, or what searches among them (tests/torture/genes.h).
+// Seeded random frusta, lights and schemes for tests of the shadow theory, with many difficult cases. A source of
+// random numbers is Random or a search over numbers (tests/torture/genes.h).
 #pragma once
 
 #include "core/angle.h"
@@ -19,7 +19,7 @@ glm::dvec3 randomDirection(Source& random) {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// A direction `angle` radians from `axis`, in a random direction around it.
+/// Returns a direction at `angle` radians from `axis`, with a random azimuth.
 template <class Source>
 glm::dvec3 directionNear(Source& random, const glm::dvec3& axis, double angle) {
     glm::dvec3 across = glm::cross(axis, randomDirection(random));
@@ -28,7 +28,8 @@ glm::dvec3 directionNear(Source& random, const glm::dvec3& axis, double angle) {
     return glm::normalize(axis * std::cos(angle) + across * std::sin(angle));
 }
 
-/// Uniform two times in three; else exactly along or across an axis of the camera, or very near to one.
+/// Returns a uniform direction in two of three cases. Otherwise returns a direction exactly or almost along an axis of
+/// the camera.
 template <class Source>
 glm::dvec3 randomLight(Source& random) {
     if (random.below(3) != 0) return randomDirection(random);
@@ -39,7 +40,8 @@ glm::dvec3 randomLight(Source& random) {
     return angle == 0 ? axis : directionNear(random, axis, angle);
 }
 
-/// Depth ratios from 1.2 to 1e6, half angles from 5 to 70 degrees, images from portrait to panorama.
+/// Returns a frustum with a depth ratio from 1.2 to 1e6, a half angle from 5 to 70 degrees, and an image from portrait
+/// to panorama.
 template <class Source>
 ViewFrustum randomFrustum(Source& random) {
     ViewFrustum frustum;
@@ -50,7 +52,8 @@ ViewFrustum randomFrustum(Source& random) {
     return frustum;
 }
 
-/// A point of the frustum: uniform in depth or in its logarithm, now and then exactly on a side or in a corner.
+/// Returns a point of the frustum, uniform in depth or in its logarithm, and sometimes exactly on a side or in a
+/// corner.
 template <class Source>
 glm::dvec3 randomPointIn(Source& random, const ViewFrustum& frustum) {
     const double part = random.unit();
@@ -65,7 +68,7 @@ glm::dvec3 randomPointIn(Source& random, const ViewFrustum& frustum) {
     return {x * depth, y * depth, depth};
 }
 
-/// Where `p` lies in the depth texture by (s, t) alone: (column, row).
+/// Returns the position (column, row) of `p` in the depth texture, computed from (s, t) alone.
 inline glm::dvec2 exactTexel(const ShadowMap& map, const glm::dvec3& p) {
     const MapPoint at = mapPoint(map.warped, p);
     const TexelRectangle inner = map.innerRectangle();
@@ -109,7 +112,7 @@ ShadowOptions randomOptions(Source& random, const ViewFrustum& frustum) {
     return options;
 }
 
-/// Depths that go past one end of `frustum` or both, by up to ten times.
+/// Returns a depth range that exceeds one end or both ends of `frustum` by a factor of up to ten.
 template <class Source>
 DepthSpan shownBeyond(Source& random, const ViewFrustum& frustum) {
     const std::uint64_t ends = 1 + random.below(3);

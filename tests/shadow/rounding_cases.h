@@ -1,5 +1,5 @@
-// Set-ups of shadow maps under one rounding and under another: the same decisions, but for those that a bound of what
-// rounding can do calls undecided, and promises that agree in 24 bits.
+// Comparison of shadow-map set-ups under different rounding modes. Decisions must be equal unless a bound of the
+// rounding error marks them as undecided. Aliasing bounds must agree in 24 bits.
 #pragma once
 
 #include "random_views.h"
@@ -17,12 +17,13 @@ namespace gnomon::shadow {
 
 inline constexpr double kPromiseBits = 0x1p-24;
 
-/// The plain orientation jumps where the sine of light and view is 1e-12 (lightFrame).
+/// Returns true if the light is at the jump of the plain orientation, where the sine of light and view is 1e-12
+/// (lightFrame).
 inline bool isAtTheJumpOfOrientation(const glm::dvec3& towardsLight) {
     return std::abs(sinLightAngle(towardsLight) * 1e12 - 1) < 1e-3;
 }
 
-/// How far `p` is from the next plane or depth where another partition begins, over its distance from the eye.
+/// Returns the distance of `p` from the nearest border of its partition, relative to its distance from the eye.
 inline double marginOf(const PartitionSelector& selector, const glm::dvec3& p) {
     double margin = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i + 1 < selector.splits.size(); ++i)
@@ -38,27 +39,27 @@ inline double marginOf(const PartitionSelector& selector, const glm::dvec3& p) {
     return margin;
 }
 
-/// Below this a point's partition is undecided: planes and depths are off by at most some 1e-13.
+/// Margin below which the partition of a point is undecided. Planes and depths have errors of at most about 1e-13.
 inline constexpr double kUndecided = 1e-12;
 
 struct RoundingCounts {
-    bool mayChangeLayout = false; // how maps share the texture
-    std::uint64_t layouts = 0;    // set-ups where it did
-    double worstLayout = 0;       // relative difference of their promises
+    bool mayChangeLayout = false; // if true, the layout of maps in the texture may change
+    std::uint64_t layouts = 0;    // set-ups with a changed layout
+    double worstLayout = 0;       // relative difference of their bounds
     std::uint64_t views = 0;
     std::uint64_t points = 0;
-    std::uint64_t undecided = 0;   // of the points
+    std::uint64_t undecided = 0;   // undecided points
     std::uint64_t jumps = 0;       // views whose plain orientation is undecided
-    std::uint64_t moved = 0;       // points whose partition another mode changed, all undecided
-    std::uint64_t ties = 0;        // set-ups in which a search chose a warp otherwise
-    double worstTie = 0;           // relative difference of their promises
-    double worstMargin = 0;        // of those
+    std::uint64_t moved = 0;       // points whose partition changed with the rounding mode; all are undecided
+    std::uint64_t ties = 0;        // set-ups in which the search chose another warp
+    double worstTie = 0;           // relative difference of their bounds
+    double worstMargin = 0;        // largest margin of the moved points
     double worstPromise = 0;       // relative difference
-    std::uint64_t conditioned = 0; // maps whose promise is off by more, as much as its condition number lets it be
-    double worstConditioned = 0;   // relative difference of their promises
+    std::uint64_t conditioned = 0; // maps whose bound differs by more, but within its condition number
+    double worstConditioned = 0;   // relative difference of their bounds
 };
 
-/// One view with points of it, and what it comes to.
+/// A view with points, and its set-up.
 struct RoundedCase {
     explicit RoundedCase(Random& random) : view(randomView(random)), options(randomOptions(random, view.frustum)) {
         for (int i = 0; i < 8; ++i)
@@ -79,7 +80,7 @@ struct RoundedCase {
     std::vector<glm::dvec3> points;
 };
 
-/// `owners`: of the points, by another rounding.
+/// Compares the partitions of the points under another rounding mode, `owners`, with the usual ones.
 inline void expectSameOwners(
     const RoundedCase& given,
     const ShadowMapSetup& usual,
@@ -93,7 +94,7 @@ inline void expectSameOwners(
         ++counts.moved;
         counts.worstMargin = std::max(counts.worstMargin, margin);
         EXPECT_LT(margin, kUndecided) << "another partition, and nothing says so";
-        // Whichever it is, its map covers the point.
+        // Both maps cover the point, so either is correct.
         const std::size_t map = usual.mapOfPartition[owner];
         const MapPoint at = mapPoint(usual.maps[map].warped, p);
         EXPECT_GT(std::min(at.s, at.t), -1e-6);
@@ -101,8 +102,8 @@ inline void expectSameOwners(
     }
 }
 
-/// Whether a search for the least S ended elsewhere in any map: two places are as good but for its tolerance, and
-/// rounding chooses between them.
+/// Returns true if the search for the min S chose another warp in any map. Two warps can be equally good within its
+/// tolerance, and rounding decides.
 inline bool isAnotherWarp(const ShadowMapSetup& a, const ShadowMapSetup& b) {
     constexpr double kRounding = 1e-10;
     for (std::size_t i = 0; i < a.maps.size(); ++i) {
@@ -114,15 +115,15 @@ inline bool isAnotherWarp(const ShadowMapSetup& a, const ShadowMapSetup& b) {
     return false;
 }
 
-/// Of maps that share the texture in another way: each asks for the same texels, and promises what the texels that it
-/// has come to. A texel more or less makes the search for a packing end at another one, as good but for some percent.
+/// Compares set-ups with different layouts. Each map must require the same texels, and its bound must match its number
+/// of texels. One texel more or less can lead the search to another packing with a similar result.
 inline void expectSameDemands(const ShadowMapSetup& usual, const ShadowMapSetup& other, RoundingCounts& counts) {
     for (std::size_t i = 0; i < usual.maps.size(); ++i) {
         const ShadowMap& a = usual.maps[i];
         const ShadowMap& b = other.maps[i];
         EXPECT_NEAR(other.demands[i].s / usual.demands[i].s, 1, kPromiseBits);
         EXPECT_NEAR(other.demands[i].t / usual.demands[i].t, 1, kPromiseBits);
-        if (a.stable) continue; // snapping takes a part of a texel
+        if (a.stable) continue; // snapping uses a part of a texel
         const double forTexelS = b.promised.x * b.texels().s / (a.promised.x * a.texels().s);
         const double forTexelT = b.promised.z * b.texels().t / (a.promised.z * a.texels().t);
         EXPECT_NEAR(forTexelS, 1, kPromiseBits) << "map " << i;
@@ -133,8 +134,9 @@ inline void expectSameDemands(const ShadowMapSetup& usual, const ShadowMapSetup&
     EXPECT_LE(promise, 0.1) << "one packing is not as good as the other";
 }
 
-/// By how much a promise may grow for a relative error of the vertices: w is 1 at the least z, next to which a vertex
-/// that is as far away as the far plane may lie, off by an error of its own size.
+/// Returns the condition number of a bound: the relative change of the bound per relative error of the vertices. w is 1
+/// at the min z. A vertex next to it can be as distant as the far plane, with an error proportional to its own
+/// distance.
 inline double conditionOfPromise(const ShadowMap& map) {
     double farthest = 0;
     for (const FitVertex& vertex : map.region.vertices)
@@ -153,7 +155,7 @@ inline void expectSameMaps(const ShadowMapSetup& usual, const ShadowMapSetup& ot
         return;
     }
     bool isSameLayout = other.textureWidth == usual.textureWidth && other.textureHeight == usual.textureHeight;
-    for (std::size_t i = 0; i < usual.maps.size(); ++i) // a texel more in one map may move another in the texture
+    for (std::size_t i = 0; i < usual.maps.size(); ++i) // one texel more in a map can move another map in the texture
         isSameLayout = isSameLayout && other.maps[i].rectangle == usual.maps[i].rectangle;
     if (!isSameLayout && counts.mayChangeLayout) {
         ++counts.layouts;
@@ -182,7 +184,7 @@ inline void expectSameMaps(const ShadowMapSetup& usual, const ShadowMapSetup& ot
     }
 }
 
-/// Draws a case, and holds what it comes to under each of `roundings` to what it comes to usually.
+/// Makes a case, and compares its result under each of `roundings` with the usual result.
 template <class Rounding, class Seed>
 inline void expectSame(Random& random, std::initializer_list<Seed> roundings, RoundingCounts& counts) {
     const RoundedCase given(random);
@@ -212,7 +214,7 @@ inline void expectSame(Random& random, std::initializer_list<Seed> roundings, Ro
     }
 }
 
-/// What the environment asks for, for runs by hand.
+/// Returns a number from the environment, for manual runs.
 inline std::uint64_t asked(const char* name, std::uint64_t usual) {
     const char* text = std::getenv(name);
     return text != nullptr ? std::strtoull(text, nullptr, 10) : usual;

@@ -1,4 +1,4 @@
-// Patches to simplify, and points on them: for the tests of simplifiers and of their errors.
+// Patches and points on them, for tests of simplifiers and their error bounds.
 #pragma once
 
 #include "core/random.h"
@@ -7,22 +7,22 @@
 
 namespace gnomon::simplify {
 
-/// The mesh as one patch in steps of a thousandth, with a fifth of it locked: what has x < 0.2.
+/// Returns the mesh as one patch in steps of a thousandth. The vertices with x < 0.2, a fifth of the mesh, are locked.
 Patch patchOf(const read::CodeMesh& mesh);
 
-/// Boxes, a sheet across them, and lone triangles.
+/// Returns a mesh of boxes, a sheet that intersects them, and isolated triangles.
 read::CodeMesh mixedMesh();
 
-/// A patch of `triangles` over `positions`, one vertex at each, none locked.
+/// Returns a patch of `triangles` over `positions`, with one unlocked vertex per position.
 Patch plainPatch(std::vector<glm::dvec3> positions, std::vector<Triangle> triangles);
 
-/// A point of `triangle` (vertices of `patch`), uniform over it.
+/// Returns a uniform random point of `triangle` (vertices of `patch`).
 glm::dvec3 randomPoint(const Patch& patch, const Triangle& triangle, Random& random);
 
-/// Whether `corner` is one of the three of `triangle`.
+/// Returns true if `corner` is one of the three corners of `triangle`.
 bool has(const Triangle& triangle, std::uint32_t corner);
 
-/// The distance of `p` from `triangle` (vertices of `patch`).
+/// Returns the distance between `p` and `triangle` (vertices of `patch`).
 double distanceTo(const Patch& patch, const glm::dvec3& p, const Triangle& triangle);
 
 } // namespace gnomon::simplify

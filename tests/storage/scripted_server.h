@@ -1,4 +1,4 @@
-// A server on this machine that answers as a test says, byte by byte.
+// A local HTTP server that sends scripted answers, byte by byte.
 #pragma once
 
 #include <atomic>
@@ -12,34 +12,34 @@
 
 namespace gnomon::tests {
 
-/// One question for the bytes `first` to `last`.
+/// A request for the bytes `first` to `last`.
 struct RangeQuestion {
-    unsigned number = 0; // of all questions so far, from 0
+    unsigned number = 0; // index among all requests so far
     std::string path;
     std::uint64_t first = 0;
     std::uint64_t last = 0;
-    bool isOfRange = false; // else both are 0
+    bool isOfRange = false; // if false, the request has no range and both are 0
 };
 
-/// What is sent, as it is.
+/// The raw bytes of an answer.
 struct RawAnswer {
     std::string bytes;
-    bool hangsUp = false; // behind it
-    bool repeats = false; // its last 4 KiB, until the other side hangs up
+    bool hangsUp = false; // closes the connection after the answer
+    bool repeats = false; // repeats the last 4 KiB until the client closes the connection
 };
 
-/// The part of `content` that is asked for, in a whole answer that is true but for `changes`, which are put in the
-/// place of header lines of the same name: "ETag: \"b\"". `body` takes the place of the part.
+/// Returns a complete and correct answer with the requested part of `content`. `changes` replace header lines of the
+/// same name, for example "ETag: \"b\"". `body` replaces the part.
 RawAnswer partOf(
     const std::string& content,
     const RangeQuestion& question,
     const std::vector<std::string>& changes = {},
     const std::string* body = nullptr);
 
-/// An answer that is a status and nothing else.
+/// Returns an answer that contains only a status.
 RawAnswer statusOnly(int status, const std::string& header = "");
 
-/// Answers on 127.0.0.1 while it lives, each connection in a thread of its own.
+/// A server on 127.0.0.1 during its lifetime, with one thread per connection.
 class ScriptedServer {
 public:
     explicit ScriptedServer(std::function<RawAnswer(const RangeQuestion&)> answer, std::uint16_t port = 0);
@@ -49,7 +49,7 @@ public:
     ScriptedServer(ScriptedServer&&) = delete;
     ScriptedServer& operator=(ScriptedServer&&) = delete;
 
-    /// Of "/model.gnm" there.
+    /// Returns the address of "/model.gnm" on this server.
     std::string address() const;
 
     std::uint16_t port() const { return port_; }
@@ -58,7 +58,7 @@ public:
 
     unsigned connections() const { return connections_; }
 
-    /// The greatest number of bytes that one connection was sent.
+    /// Returns the max number of bytes sent on one connection.
     std::uint64_t mostSent() const { return mostSent_; }
 
 private:

@@ -1,4 +1,4 @@
-// A page source in memory that can be slow and damaged.
+// A page source in memory that can be slow or damaged.
 #pragma once
 
 #include "cluster_chains.h"

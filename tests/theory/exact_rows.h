@@ -1,11 +1,11 @@
-// Golden rows answered at 200 bits and correctly rounded.
+// Golden rows computed with 200 bits and correctly rounded.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 namespace gnomon::theory {
 
-/// What `row` of the golden rows expects, each number the double nearest to it, "inf" for infinity.
+/// Returns the expected values of `row`, each as the nearest double, and "inf" for infinity.
 nlohmann::json exactRow(const nlohmann::json& row);
 
 } // namespace gnomon::theory

@@ -1,5 +1,5 @@
-// The closed forms of src/shadow once more, at 200 bits and as the theory writes them: by definition where there is one
-// (a maximum over vertices, a root of two equations), never by what the code makes of it.
+// The closed forms of src/shadow with 200 bits, written as in the theory. If there is a definition (a maximum over
+// vertices, a root of two equations), the code uses the definition and not the formula of src/shadow.
 #pragma once
 
 #include "tests/theory/real.h"
@@ -23,7 +23,7 @@ struct Pair {
     Real x, z;
 };
 
-// One map, light overhead (Lloyd et al. 2006, 4.1 to 4.3); n' may be infinite.
+// One map with the light overhead (Lloyd et al. 2006, 4.1 to 4.3). n' may be infinite.
 Real imageBeamWidth(const Frustum& v, const Real& depth, const Real& pixels);
 Real nPrimeLspsm(const Frustum& v);
 Pair aliasingOverhead(const Frustum& v, const Real& nPrime, const Real& depth);
@@ -38,10 +38,11 @@ Real sliceRatio(const Real& n, const Real& f, int count);
 Real split(const Real& n, const Real& f, int count, int index, const Real& lambda);
 std::array<Real, 7> closedForms(const Frustum& v, int count); // in the order of shadow::ClosedForms
 
-/// The longest diagonal of a slice: of its far square, or from a near corner to the far one opposite.
+/// Returns the longest diagonal of a slice: the diagonal of its far rectangle, or from a near corner to the opposite
+/// far corner.
 Real stableExtent(const Frustum& v);
 
-// Any light.
+// Any light direction.
 struct Frame {
     Vector x, y, z;
 };
@@ -61,7 +62,7 @@ struct Point {
     bool isNear;
 };
 
-/// The vertices of a slice or of one of its faces in light space.
+/// The vertices of a slice, or of one of its faces, in light space.
 struct Fit {
     Frustum slice;
     Frame frame;
@@ -73,7 +74,7 @@ struct Fit {
 Fit fitSlice(const Frustum& v, const Vector& light);
 Fit fitFace(const Frustum& v, const Vector& light, Side side, bool isNormalized);
 
-/// What a map with the warp `kappa` has over its fit.
+/// The measures of a map with the warp `kappa` over its fit.
 struct Measures {
     Real width, mx, mz, sheared;
 };
@@ -83,10 +84,10 @@ Real kappaLspsm(const Fit& fit);
 Real kappaTsm(const Fit& fit, const Real& focusZeta, const Real& fraction);
 Real kappaMinimax(const Fit& fit);
 
-/// The same where the ends of the slice reach to `near` and `far` in zeta.
+/// Returns the minimax kappa for a slice from `near` to `far` in zeta.
 Real kappaMinimax(const Real& near, const Real& far, const Real& d, const Real& depthRatio);
 
-/// The least S for kappa from 0 to `most`, where it is unimodal; for all kappa if there is none.
+/// Returns the min S for kappa from 0 to `most`, where S is unimodal. Without `most`, returns the min for all kappa.
 Real leastStorage(const Fit& fit, const std::optional<Real>& most);
 
 /// The map of a fit, with the names of shadow::WarpedMap.
@@ -98,10 +99,10 @@ struct Map {
 
 Map mapOf(const Fit& fit, const Real& kappa);
 
-/// s, t, depth and the widths of a texel's beam along x, along z and along t with its shear.
+/// Returns s, t, depth, and the widths of a texel's beam along x, along z, and along t with its shear.
 std::array<Real, 6> pointOf(const Map& map, const Vector& p);
 
-/// shadow::largestRawBias with as many texels a side.
+/// Returns the same value as shadow::largestRawBias for `texels` texels per side.
 Real largestRawBias(const Fit& fit, const Real& kappa, const Real& texels, const Real& filterTexels);
 
 } // namespace gnomon::theory::exact

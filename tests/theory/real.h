@@ -1,4 +1,4 @@
-// A number of 200 bits for the twin of the closed forms, correctly rounded by MPFR.
+// A 200-bit floating-point number for the reference versions of the closed forms, correctly rounded by MPFR.
 #pragma once
 
 #include <mpfr.h>
@@ -38,7 +38,7 @@ public:
 
     ~Real() { mpfr_clear(value_); }
 
-    /// The nearest double.
+    /// Returns the nearest double.
     double rounded() const { return mpfr_get_d(value_, MPFR_RNDN); }
 
     bool isFinite() const { return mpfr_number_p(value_) != 0; }

@@ -2,7 +2,8 @@
 // colours.
 #include "image/transfer.glsl"
 
-// sine of the view's elevation, sine of the image up direction's elevation, tangent of half the vertical angle, height
+// Sine of the view's elevation, sine of the image up direction's elevation, tangent of half the vertical angle, and
+// image height.
 layout(location = 0) uniform vec4 rows;
 
 layout(location = 0) out vec4 pixel;

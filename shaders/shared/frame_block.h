@@ -42,8 +42,8 @@ GNOMON_BLOCK(0, Frame) {
     vec3 ambientMean;
     float headlight;
     vec3 ambientTilt;
-    // 0 for a distant light; otherwise the light is a point at towardsLight that is as bright as the sun at the
-    // distance pointReach
+    // 0 for a distant light. Otherwise the light is a point at towardsLight that is as bright as the sun at the
+    // distance pointReach.
     float pointReach;
     vec3 sun;
     float unusedY;
@@ -83,7 +83,8 @@ GNOMON_BLOCK(1, Shadows) {
     vec4 faceSecond[4];
     vec4 faceEdge[4]; // xyz, w: p belongs to the near face if dot(xyz, p) < w * near of its slice
     Slice slices[GNOMON_MAX_SLICES];
-    // partition = slice * faces per slice + face, with near as last face; -1: no map
+    // Pass per partition, or -1 without a map. The partition is slice * faces per slice + face, with near as the last
+    // face.
     ivec4 passOfPartition[GNOMON_MAX_PARTITIONS / 4];
 #ifdef __cplusplus
     vec4 unused[12]; // padding to a multiple of 256 bytes, the alignment of a separate block in OpenGL

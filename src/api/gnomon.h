@@ -37,7 +37,7 @@ struct BuildOptions {
     std::vector<std::string> fields{};              // scalar vertex properties of a PLY file that the model stores
     std::string up = "auto";                        // x, y, z, -x, -y, -z, a direction "x,y,z", or "auto" for a guess
     std::string unit = "m";                         // unit of the coordinates: m, cm, mm, ft or in
-    // folder of textures, buffers and libraries; empty: the folder of the input
+    // Folder of textures, buffers and libraries. Empty means the folder of the input.
     std::string sourceRoot{};
 };
 

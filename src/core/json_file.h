@@ -7,9 +7,9 @@
 
 namespace gnomon {
 
-// max nesting; a deeper document could overflow the stack
+// The max nesting. A deeper document could overflow the stack.
 constexpr std::size_t kJsonDepth = 64;
-// max entries of one object, because the parser searches them linearly
+// The max number of entries of one object, because the parser searches them linearly.
 constexpr std::size_t kJsonEntries = 4096;
 constexpr std::uint64_t kJsonBytes = std::uint64_t{64} << 20U; // max size; memory use is up to about 20 times as much
 

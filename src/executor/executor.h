@@ -133,14 +133,14 @@ struct FrameDrawing {
     std::vector<const selection::DrawList*> casters; // one list per pass
     PageLookup pages;
     double clipNear = 1e-3; // view depth of the near clip plane; nothing drawn is nearer
-    // view depth of the far clip plane of an orthographic image; unused in perspective
+    // View depth of the far clip plane of an orthographic image. Perspective images do not use it.
     double clipFar = 0;
     std::optional<Camera> observerCamera; // draws the image from outside instead of the plan's camera
-    // sample position relative to the centre of each pixel, in pixels, right and up
+    // Sample position relative to the centre of each pixel, in pixels to the right and up.
     glm::dvec2 subpixel{0};
     Overlay overlay = Overlay::None;
     plan::Shading shading = plan::Shading::Lit; // never Auto
-    // substitutes in the image, sorted by page and cluster; only for Overlay::Residency
+    // The substitutes in the image, sorted by page and cluster. Only Overlay::Residency needs them.
     std::vector<LodSubstitute> substitutes;
     bool wantsSurfaces = false; // stores the result of `surfaces`
     bool wantsLight = false;    // stores the result of `light`; excludes wantsSurfaces
@@ -149,14 +149,14 @@ struct FrameDrawing {
     std::vector<const selection::DrawList*> sections; // per section plane of the view: all clusters near the plane
     SectionMemory* sectionMemory = nullptr;           // cached sections of the model
     const hierarchy::Page* ground = nullptr;          // a page with one cluster, which shows only shadows
-    // share of the background's light that a ground shadow removes; default: the share of the sun
+    // Share of the background's light that a ground shadow removes. The default is the share of the sun.
     std::optional<glm::vec3> groundShade;
     const Raster<std::uint8_t>* litMask = nullptr;     // 255 where a pixel is lit; used instead of maps
     const selection::DrawList* exactCasters = nullptr; // casters of drawExactly besides the image's own clusters
-    // scene of both lists; drawExactly then traces rays instead of rasterising casters
+    // A scene of the image and exactCasters. If it is given, drawExactly traces rays instead of rasterising casters.
     const raycast::CutScene* rays = nullptr;
     std::optional<ImageRows> rows; // the only rows to draw, if the backend has the capability `bands`; default: all
-    // the only tiles of the image to draw, if the backend supports this; null: all
+    // The only tiles of the image to draw, if the backend supports this. Null means all tiles.
     const shadow::TileMask* tiles = nullptr;
     bool cullsByReceivers = false; // skips parts of maps that no pixel looks up; needs the capability `imageFirst`
 };

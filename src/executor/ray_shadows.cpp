@@ -10,7 +10,7 @@
 namespace gnomon::executor {
 
 std::vector<selection::ClusterRange> distinctClusters(std::span<const selection::DrawList* const> lists) {
-    // one cluster per range, so that duplicates in overlapping lists can be removed
+    // Each range is one cluster, so that duplicates in overlapping lists can be removed.
     std::vector<selection::ClusterRange> clusters;
     for (const selection::DrawList* list : lists)
         for (const selection::ClusterRange& range : list->ranges)

@@ -49,8 +49,8 @@ struct Weights {
 /// The point of an edge with the smallest distance to a ray.
 struct NearestOnEdge {
     Floats along; // position on the edge, from 0 to 1
-    // distance measure: the squared sine of the angle to the ray, or the squared distance for parallel rays, times the
-    // squared length of the ray's direction
+    // Distance measure, multiplied by the squared length of the ray's direction. It is the squared sine of the angle to
+    // the ray, or the squared distance for parallel rays.
     Floats beside;
 };
 

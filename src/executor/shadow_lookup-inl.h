@@ -173,7 +173,7 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
         if (row == 1) clip = alongRows(part, clip, w);
         return hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
     };
-    // Clamped like the depths of casters: beyond the map's far end the map shows the only casters.
+    // The depth is clamped to 1. For a receiver beyond the far end of the map, the map already contains all casters.
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),

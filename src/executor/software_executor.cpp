@@ -361,7 +361,7 @@ FloatPicture SoftwareExecutor::viewDepth() {
     for (int row = 0; row < result.height; ++row)
         for (int column = 0; column < result.width; ++column) {
             const std::size_t at = result.index(column, result.height - 1 - row);
-            // infinite if no surface of the model is visible
+            // The depth is infinite if no surface of the model is visible.
             const bool isShown = !pass_.hasGround() || !isOnGround(at);
             result.at(column, row) =
                 static_cast<float>(depth_.asked(isShown ? raster::visibleDepth(words_[at]) : 0.0F));

@@ -29,7 +29,8 @@ struct PaintedPixel {
 /// A painter for the overlay of one frame. All threads can use it.
 class SoftwareOverlay {
 public:
-    /// Makes a painter. The blocks and `frame` must outlive it; `clusters` are the clusters of the image.
+    /// Prepares the painting. The blocks and `frame` must outlive this object. `clusters` are the clusters of the
+    /// image.
     SoftwareOverlay(
         const FrameDrawing& frame,
         const block::Frame& block,
@@ -56,7 +57,7 @@ private:
     const FrameDrawing* frame_;
     const block::Frame* block_;
     const block::Shadows* shadows_;
-    // per page; filled only for overlays of clusters
+    // The marks of all clusters, per page. Only overlays of clusters fill them.
     std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_;
 };
 

@@ -59,7 +59,7 @@ Shading::Shading(
       overlay_(frame, block_, shadows_, clusters),
       background_(backgroundRows(frame)) {
     if (frame.ground != nullptr) {
-        // see SoftwareExecutor::picture
+        // SoftwareExecutor::picture explains the white background.
         if (isTransparent(frame)) background_.assign(background_.size(), {255, 255, 255});
         leftInShadow_ = leftInShadow(frame);
         shadowed_ = shadowedRows(background_, leftInShadow_);
@@ -306,7 +306,7 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
         if (undecided.sliceEnds.size() < 2) continue;
         const auto end = std::lower_bound(undecided.sliceEnds.begin(), undecided.sliceEnds.end(), batch.depth[i]);
         work.maps[i] =
-            // after the last slice: the sample list handles this
+            // The index can be one past the last slice, which the sample list handles.
             static_cast<std::int32_t>(end - undecided.sliceEnds.begin());
     }
     exact::PointBatch points;

@@ -35,7 +35,7 @@ struct UndecidedPixels {
 struct AwaitedPixels {
     exact::LookupMask* mask = nullptr;
     bool isLitLater = false;
-    // with room for all pixels; the first `size` entries are valid
+    // The arrays have room for all pixels. Only the first `size` entries are valid.
     std::vector<std::uint32_t> pixels, texels, litColors;
     std::vector<float> depths;
     std::vector<std::uint8_t> counts;
@@ -46,9 +46,9 @@ struct AwaitedPixels {
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
-    // if not null, shades each pixel in shadow and collects the candidates for light here
+    // If not null, pixels are shaded in shadow and the candidates for light are collected here.
     UndecidedPixels* undecided = nullptr;
-    // likewise; a pixel that needs no map gets its final colour immediately
+    // The same for pixels whose maps are drawn later. A pixel that needs no map gets its final colour immediately.
     AwaitedPixels* awaited = nullptr;
     std::atomic<std::uint64_t>* litPixels = nullptr; // counts the pixels that are known to be at least partly lit
     LightPicture* light = nullptr;                   // with `wantsLight`: the light of `picture`

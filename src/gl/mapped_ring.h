@@ -54,7 +54,7 @@ private:
     std::byte* memory_ = nullptr;
     std::size_t segment_ = 0;
     std::size_t used_ = 0; // bytes used in the current segment
-    // signalled when all commands issued before the end of the segment are finished
+    // Fences that are signalled when all commands issued before the end of the segment are finished.
     std::array<GLsync, kSegments> left_ = {};
 };
 

@@ -279,7 +279,7 @@ void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.unit = static_cast<Unit>(unit);
     const std::uint64_t fieldCount = in.takeVarint();
     for (std::uint64_t i = 0; i < fieldCount; ++i)
-        // each field needs bytes, so a damaged count cannot allocate without limit
+        // Each field needs bytes, so a damaged count cannot allocate memory without limit.
         summary.fields.push_back(takeField(in));
     for (LevelInfo& level : summary.levels) {
         level.maxAttributeError = in.take<double>();

@@ -63,7 +63,7 @@ struct Group {
     std::uint32_t clusterCount = 0;
     GridBox box;   // box of the vertices, for culling
     Sphere bounds; // for the error rule: encloses `box` and the bounds of all refinements of the group; local space
-    // error of drawing the coarser clusters instead, in world units
+    // Error, in world units, of drawing the coarser clusters instead of this group.
     double error = std::numeric_limits<double>::infinity();
     double attributeError = 0; // size of wrongly coloured or shaded surface, in world units
 

@@ -32,8 +32,8 @@ constexpr std::uint64_t kMaxExpansion = 256;
 /// saves.
 constexpr std::size_t kLeastBlockBytes = 5000;
 
-/// Compression ratio below which a page is repetitive, for example a plant. One block for the whole page then
-/// decompresses a seventh faster, and its size is almost the same.
+/// A page that compresses to less than this share of its size is repetitive, for example a plant. One block for the
+/// whole page then decompresses a seventh faster, and its size is almost the same.
 constexpr double kRepetitiveShare = 0.4;
 
 void putSphere(ByteWriter& out, const Sphere& sphere) {

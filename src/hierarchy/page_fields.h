@@ -7,7 +7,7 @@
 
 namespace gnomon::hierarchy {
 
-/// The max number of fields of a model, because they share a word of 32 bits.
+/// The max number of fields of a model. All fields of a vertex share a word of 32 bits.
 constexpr std::size_t kMostFields = 4;
 
 /// The bit layout of the fields in the word of a vertex. The first field has the lowest bits.

@@ -100,7 +100,7 @@ std::uint64_t mostPlainBytes(const PageInfo& info) {
     constexpr std::uint64_t kIndex = 5; // a varint of 32 bits, with seven bits per byte
     constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     constexpr std::uint64_t kVertex =
-        // words of a reference, a position, a normal, a colour and the fields
+        // The words of a reference, a position, a normal, a colour and the fields.
         (1 + 3 + 2 + 4 + 4) * sizeof(std::uint32_t);
     constexpr std::uint64_t kTriangle = 1 + 3;                  // a code byte and three indices
     constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex; // its counts, its refinement, and the anchor
@@ -204,7 +204,7 @@ std::optional<std::string> modelFault(std::span<const PageInfo> pages, const Mod
 }
 
 std::optional<std::string> drawingFault(std::span<const PageInfo> pages, const Grid& grid) {
-    // exponent of the smallest normal float
+    // Exponent of the smallest normal float.
     constexpr int kLeastExponent = std::numeric_limits<float>::min_exponent - 1;
     constexpr double kMostExtent = 0x1p62;
     if (grid.stepExponent < kLeastExponent)

@@ -174,7 +174,7 @@ private:
         for (double i = 0; i < splits; ++i)
             for (double j = 0; i + j < splits; ++j)
                 for (const double third : {1.0 / 3, 2.0 / 3}) {
-                    // the last cell of a row contains no inverted triangle
+                    // The last cell of a row contains no inverted triangle.
                     if (third > 0.5 && i + j + 2 > splits) continue;
                     samples_.push_back(
                         {vertices_[first] + (i + third) * u + (j + third) * v, share * facing, share * area});

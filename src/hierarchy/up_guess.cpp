@@ -56,7 +56,7 @@ std::optional<UpAxis> upOfGlobe(const glm::dvec3& at) {
     constexpr double kEquator = 6378137.0;
     constexpr double kFlattening = 1 / 298.257223563;
     constexpr double kNear = 1e4;
-    // squared ratio of the polar to the equatorial radius
+    // Squared ratio of the polar to the equatorial radius.
     constexpr double kPoleRatio = (1 - kFlattening) * (1 - kFlattening);
     const double radius = glm::length(at);
     if (!(radius > 0)) return {};

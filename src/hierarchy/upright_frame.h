@@ -27,7 +27,7 @@ struct UprightFrame {
 /// y is up, and -y if z is up.
 UprightFrame uprightFrame(const glm::dvec3& up);
 
-/// Return the smallest axis-aligned box around a box of the other space. An empty box stays empty.
+/// Return the smallest axis-aligned box around `box` in upright space, or in world space. An empty box stays empty.
 Box uprightBox(const UprightFrame& frame, const Box& box);
 Box worldBox(const UprightFrame& frame, const Box& box);
 

@@ -10,7 +10,7 @@ namespace gnomon::proof {
 struct MeasuredAliasing {
     double x = 0;
     double z = 0;
-    // max ratio of measured aliasing to the bound of its map, over both axes; at most 1 if the bound is valid
+    // Max ratio of measured aliasing to the bound of its map, over both axes. It is at most 1 if the bound is valid.
     double overPromise = 0;
     std::uint64_t pixelsMeasured = 0;   // pixels with a lookup, within [near, far]
     std::uint64_t pixelsUnpromised = 0; // pixels with a lookup outside [near, far], where no bound applies

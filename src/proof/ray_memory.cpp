@@ -71,7 +71,7 @@ RayMemory::RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine
             "the finest level of this view and rays against it take more than the page memory",
             "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
             readableBytes(residency_->memory()));
-    // otherwise the trees have reserved memory next to their pages
+    // The trees of a ray-traced frame have already reserved memory next to their pages.
     if (!fine.isRayTraced()) residency_->reserve(needed.rays);
 }
 

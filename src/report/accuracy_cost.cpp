@@ -147,7 +147,7 @@ std::optional<std::size_t> recommendedRun(std::span<const RunSummary> runs, Erro
     const std::vector<std::size_t> front = paretoFront(runs, kind);
     std::optional<std::size_t> best;
     for (const std::size_t i : front)
-        // the accuracy grows along the front
+        // The accuracy grows along the front.
         if (runs[i].p50Ms <= kWorthwhileTimes * runs[front.front()].p50Ms) best = i;
     return best;
 }

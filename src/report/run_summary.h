@@ -56,12 +56,12 @@ struct RunSummary {
     double p50Ms = 0; // of the whole frame
     double p95Ms = 0;
     double p99Ms = 0;
-    // half the range of the repetitions' medians, relative to the middle; requires two repetitions
+    // Half the range of the repetitions' medians, relative to the middle. It requires two repetitions.
     std::optional<double> noise;
     StageTimes stages;
     double imageTriangles = 0;
     double shadowTriangles = 0;
-    // over all frames: max of the aliasing, median of the edge distance, mean of all others
+    // Over all frames: max of the aliasing, median of the edge distance, mean of all other errors.
     std::map<ErrorKind, double> errors;
     double crawl = -1; // share of fixed points whose shadow changed; negative: not measured
     double storageFactor = 0;

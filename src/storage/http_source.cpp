@@ -40,7 +40,7 @@ std::string toldAddress(const std::string& address) {
 HttpSource::HttpSource(const std::string& address, const Access& access)
     : name_(toldAddress(address)), access_(access), connections_(address, access) {
     open(std::min(access.patience, kMostToOpen));
-    // without tag and date, old ranges in the cache cannot be recognised
+    // Without tag and date, outdated ranges in the cache cannot be recognised.
     if (identity_.tag.empty() && identity_.modified.empty()) return;
     const std::string folder = access.cacheFolder.empty() ? defaultCacheFolder() : access.cacheFolder;
     if (access.cache.count > 0 && !folder.empty()) cache_.emplace(folder, access.cache, address + "\n" + stamp());

@@ -170,7 +170,7 @@ void RangeCache::makeRoom(std::uint64_t bytes) const {
         total_ += file.bytes;
     if (total_ <= cap_.count) return;
     std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
-    // frees an eighth at once, so that not each call evicts files
+    // Frees an eighth of the cache at once, so that not each call evicts files.
     const std::uint64_t least = cap_.count - cap_.count / 8;
     std::error_code error;
     for (const Kept& file : kept) {

@@ -35,7 +35,7 @@ private:
     std::string place_; // the folder of this content
     Bytes cap_;
     mutable std::mutex mutex_;
-    // size of the folder, without files that other processes wrote since the last count
+    // Size of the folder in bytes, without files that other processes wrote since the last count.
     mutable std::uint64_t total_ = 0;
     mutable std::uint64_t uncounted_ = ~std::uint64_t{0}; // bytes written since the last count
 };

@@ -11,7 +11,7 @@ namespace gnomon::storage {
 /// The state of a source's content compared with its state at opening.
 enum class Fate : std::uint8_t { Same, Changed, Gone };
 
-/// A sequence of bytes with the size that it had at opening. Many threads can read at the same time.
+/// The bytes of a model. Their number is fixed when the source is opened. Many threads can read at the same time.
 class Source {
 public:
     Source() = default;

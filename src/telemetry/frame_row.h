@@ -45,7 +45,7 @@ struct FrameRow {
 
     std::optional<std::int64_t> imageTriangles;
     std::optional<std::int64_t> shadowTriangles;
-    // pixels covered by triangles of casters, with overdraw; empty with OpenGL
+    // Pixels covered by triangles of casters, with overdraw. OpenGL does not count them.
     std::optional<std::int64_t> shadowFragments;
     std::optional<std::int64_t> castersTested;
     std::optional<std::int64_t> castersKept;
@@ -72,9 +72,10 @@ struct FrameRow {
     std::optional<double> crawl;
 
     std::optional<double> sinceStartMs; // from the start of the process to the end of the frame
-    // share of pixels with a caster smaller than a texel; counted separately from wrong pixels
+    // Share of lit-side pixels that miss their shadow because the caster is thinner than a texel. They are not counted
+    // as wrong.
     std::optional<double> missedShadowFraction;
-    // share of wrong pixels that are farther from a true edge than a texel's footprint
+    // Share of lit-side pixels with N.L above 0.1 that are wrong and farther from a true edge than a texel's footprint.
     std::optional<double> unexplainedShadowFraction;
 
     // The following columns about shadows and light were appended later. They are empty if they do not apply.
@@ -86,7 +87,7 @@ struct FrameRow {
     std::optional<std::int64_t> touchingPixels; // whose verdict hangs on the tolerance, or on the rule for ties
     std::optional<std::string> occlusion;
     std::optional<std::int64_t> clustersHidden;
-    // share of all pixels whose lit or dark result differs from the ground truth
+    // Share of all pixels whose lit or dark result differs from the ground truth.
     std::optional<double> wrongPixelsAll;
     std::optional<std::int64_t> imageWidthDrawn;
     std::optional<std::int64_t> samplesPerPixel;

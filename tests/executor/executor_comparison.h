@@ -16,7 +16,7 @@ struct ExecutorDifference {
     std::size_t texels = 0;     // texels of shadow maps, covered by both backends
     std::size_t texelCover = 0; // texels covered by only one backend
     std::size_t texelWrong = 0; // texels covered by both, with depths that differ by more than 1e-5
-    // texels whose difference also exceeds the depth steps to their neighbours (see below)
+    // Texels whose difference also exceeds the depth steps to their neighbours (see below).
     std::size_t texelMoved = 0;
     double largestTexelDepth = 0; // largest of these differences
 

@@ -19,7 +19,7 @@ struct TinyModelOptions {
     std::uint32_t pageGroups = 2;
     bool normals = false;
     bool colors = false;
-    // if not negative: groups with an error e above this have an attribute error above e, all others below e
+    // If not negative, groups with an error e above this value have an attribute error above e, and all others below e.
     double attributeErrorFrom = -1;
     glm::dvec3 origin{0};
 };

@@ -16,7 +16,7 @@ namespace {
 /// Returns true if half of the smallest normal number is not 0, and twice this half is the number again.
 template <class Number>
 bool keepsSubnormals() {
-    // volatile, so that the processor computes the result and not the compiler
+    // The variables are volatile, so that the processor computes the result and not the compiler.
     volatile Number value = std::numeric_limits<Number>::min();
     volatile Number half = value / 2;
     volatile Number whole = half * 2;

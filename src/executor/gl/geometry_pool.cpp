@@ -223,7 +223,8 @@ std::optional<PagePlace> GeometryPool::insert(
 
 void GeometryPool::insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid) {
     std::vector<Staged> staged;
-    // used staging memory; at most one segment, so that the copy commands can be issued after it is full
+    // Used staging memory in bytes. It is at most one segment, so that the copy commands can be issued after it is
+    // full.
     std::size_t bytes = 0;
     const auto flush = [&] {
         upload(staged, grid);

@@ -9,7 +9,7 @@ namespace gnomon::executor {
 
 namespace {
 
-// linear RGB
+// Colours in linear RGB.
 constexpr glm::vec3 kZenith{0.26F, 0.42F, 0.66F};
 constexpr glm::vec3 kHorizon{0.76F, 0.82F, 0.88F};
 constexpr glm::vec3 kBelow{0.36F, 0.38F, 0.41F};

@@ -13,7 +13,7 @@ namespace gnomon::executor {
 /// Parameters for the conversion of mean light to a picture.
 struct Shown {
     bool isShouldered = true; // applies tone mapping, as in block::Frame
-    // transparent background: a partly covered pixel has the colour of its surface only
+    // The background is transparent, so a partly covered pixel has the colour of its surface only.
     bool isTransparent = false;
     std::vector<Rgb> backgroundRows; // from top to bottom
     bool hasGround = false;          // the background can show shadows

@@ -142,7 +142,7 @@ private:
         constexpr double kLeastW = 1e-9;
         const double nearest = kLeastW * std::max(std::abs(a.clip.w), std::abs(b.clip.w));
         if (a.clip.w <= nearest && b.clip.w <= nearest) return;
-        // clips the line to the half-space in front of the eye
+        // Clips an end of the line to the half-space in front of the eye.
         const auto before = [&](const End& end, const End& other) {
             if (end.clip.w > nearest) return end.pixel;
             const double way = (nearest - end.clip.w) / (other.clip.w - end.clip.w);

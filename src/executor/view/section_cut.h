@@ -34,7 +34,7 @@ private:
     struct CutCluster {
         std::vector<raster::Triangle> untouched;             // refer to the cluster's vertices
         std::vector<std::array<std::uint32_t, 3>> positions; // corners of the pieces
-        // refer to these corners, relative to the first of their part
+        // Triangles of the pieces. Their indices are relative to the first corner of their part.
         std::vector<raster::Triangle> triangles;
         std::vector<hierarchy::Triangle> wholes; // original triangle per piece
 
@@ -53,7 +53,7 @@ private:
     void cutTriangle(
         const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned beyond, CutCluster& cut) const;
 
-    // the kept side has a distance of at least 0; in cells of the grid
+    // Planes in cells of the grid. The remaining side has a distance of at least 0.
     std::vector<Plane> planes_;
     std::size_t bytes_ = 0;                              // size of the cache
     std::unordered_map<std::uint64_t, CutCluster> cuts_; // per page and cluster

@@ -70,10 +70,10 @@ std::uint64_t hashOf(const Vertex& vertex, std::uint32_t fields) {
 
 /// All channels of the vertices of a page.
 struct VertexChannels {
-    // per vertex: 0 for a new vertex; for a reference 1 + zigzag(distance from the successor of the last referenced
-    // vertex)
+    // Per vertex: 0 for a new vertex. For a reference it is 1 + zigzag(distance from the successor of the last
+    // referenced vertex).
     Channel references;
-    // this and the following channels have one entry per vertex that is not a reference
+    // This and the following channels have one entry per vertex that is not a reference.
     std::array<Channel, 3> positions;
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;

@@ -64,8 +64,8 @@ std::vector<Triangle> walk(std::span<const Triangle> triangles) {
     std::vector<Triangle> order;
     order.reserve(triangles.size());
     EdgeWindow window;
-    // bit k: the open edge of age k may lead to a triangle; a cleared bit stays cleared, because triangles only
-    // disappear
+    // Bit k is set if the open edge of age k may lead to a triangle. A cleared bit stays cleared, because triangles
+    // only disappear.
     std::uint32_t hopeful = 0;
     std::uint32_t firstLeft = 0;
     const auto take = [&](std::uint32_t index, const Triangle& triangle, bool entered) {

@@ -50,7 +50,7 @@ struct ClusterRun {
     std::size_t openCount = kNotEntered;
     std::uint32_t bad = 0; // kBad if an edge or a vertex was invalid
     std::array<Triangle, kMaxClusterTriangles> triangles;
-    // per vertex; the additional entry absorbs writes for corners that are not new
+    // One edge per vertex. The additional entry absorbs writes for corners that are not new.
     std::array<std::uint32_t, kMaxClusterVertices + 1> edges;
     // All edges that the triangles left open, oldest first. A word contains from, to and the opposite corner, one byte
     // each.
@@ -77,7 +77,7 @@ inline void takeUnentered(ClusterRun& run, std::size_t t, std::uint32_t code) {
 /// Decodes a triangle across an open edge. The code has no branches, because new vertices are unpredictable.
 inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code) {
     const std::uint32_t edge = run.open[run.openCount - code.age];
-    // has kBad set if there is no such vertex
+    // The flag kBad is set if there is no such vertex.
     const std::uint32_t near = static_cast<std::uint32_t>(run.next) - code.distance;
     const std::uint32_t third = near ^ ((near ^ *run.indices) & code.explicitMask);
     run.bad |= edge | third;

@@ -31,7 +31,7 @@ struct Parents {
               static_cast<unsigned>(edge.opposite < v))) {}
 };
 
-// per vertex; the additional entry absorbs writes before a vertex is known to be new
+// Parents per vertex. The additional entry absorbs writes before a vertex is known to be new.
 using ParentTable = std::array<Parents, 257>;
 
 /// An encoder that writes the codes of one cluster's triangles.

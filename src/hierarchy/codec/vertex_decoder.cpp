@@ -121,7 +121,7 @@ public:
             for (std::uint32_t v = 0; v < cluster.vertexCount; ++v) {
                 const std::uint32_t at = cluster.firstVertex + v;
                 if (const std::uint32_t reference = numbers_.references[at]; reference != 0) {
-                    // range already checked by the vertex decoder
+                    // The vertex decoder has already checked the range.
                     const std::uint32_t earlier = expected + unzigzag(reference - 1);
                     expected = earlier + 1;
                     fields_.words[at] = fields_.words[earlier];

@@ -112,7 +112,7 @@ HWY_INLINE std::uint32_t byteSums(std::uint32_t a, std::uint32_t b) {
 }
 
 template <bool kNormals, bool kColors>
-// by value, so that no store can alias it
+// `fresh` is passed by value, so that no store can alias it.
 HWY_INLINE void predict(const FreshVertices fresh, ClusterVertices& cluster) {
     ParentPlaces parents;
     placeParents(fresh.edges, parents);

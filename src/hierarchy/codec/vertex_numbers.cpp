@@ -10,7 +10,7 @@ void splitVertices(std::size_t vertices, VertexNumbers& numbers) {
     numbers.fresh.resize(vertices);
     std::size_t referring = 0;
     std::size_t fresh = 0;
-    // writes to both lists and advances one of them, because a branch would be unpredictable
+    // Writes to both lists and advances one of them, because a branch would be unpredictable.
     for (std::size_t v = 0; v < vertices; ++v) {
         numbers.referring[referring] = static_cast<std::uint32_t>(v);
         numbers.fresh[fresh] = static_cast<std::uint32_t>(v);

@@ -13,8 +13,8 @@ namespace gnomon::hierarchy {
 /// page, because newly allocated memory costs a page fault per 4 KiB. All arrays except `referring` and `fresh` have
 /// kMostLanes additional elements.
 struct VertexNumbers {
-    // per vertex: 0 for a new vertex; for a reference 1 + zigzag(distance from the successor of the last referenced
-    // vertex)
+    // Per vertex: 0 for a new vertex. For a reference it is 1 + zigzag(distance from the successor of the last
+    // referenced vertex).
     std::vector<std::uint32_t> references;
     std::vector<std::uint32_t> referring; // the vertices that are references, ascending
     std::vector<std::uint32_t> fresh;     // all other vertices, ascending; the following arrays refer to these

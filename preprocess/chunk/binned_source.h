@@ -1,11 +1,11 @@
-// A source in chunks, as the binning leaves it.
+// A source mesh whose vertices and triangles are sorted into chunks.
 #pragma once
 
 #include "preprocess/chunk/chunk_streams.h"
 
 namespace gnomon::chunk {
 
-/// Where a source's chunks are.
+/// A binned source: the streams of its chunks, the grid and the record format.
 struct BinnedSource {
     const scratch::StreamStore& bins;
     const hierarchy::Grid& grid;

@@ -16,13 +16,13 @@ namespace {
 
 using Corners = read::TriangleCorners;
 
-/// How many of the heavy points are told from others: so few that numbers of chunks and of these have 16 bits where
-/// those of chunks have.
+/// Returns the max number of heavy points that a table of vertex numbers distinguishes. The limit preserves 16-bit
+/// numbers if the chunk numbers alone need only 16 bits.
 std::size_t mostHeavyPoints(std::uint32_t chunks) {
     return chunks <= kNarrowChunks ? (kNarrowChunks - chunks) / 2 : kNarrowChunks / 2;
 }
 
-/// Without a store it counts what it would write.
+/// Writes the records of a source into the streams of its chunks. Without a store it only counts them.
 class Binner {
 public:
     Binner(
@@ -51,7 +51,7 @@ public:
         if (heavy_.size() > 0) isNeeded_.resize(source.summary().vertexCount);
     }
 
-    /// All that triangles use but those in chunks with heavy points.
+    /// Writes the used vertices, except the vertices at heavy points.
     void binVertices(const SourceSurvey& survey) {
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
         const GridSnap snap(survey.grid);
@@ -80,7 +80,7 @@ public:
         flush();
     }
 
-    /// Those in chunks with heavy points, once all triangles are in chunks.
+    /// Writes the vertices at heavy points that triangles need. All triangles must already be in chunks.
     void binHeavyVertices() {
         if (heavy_.size() == 0) return;
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
@@ -92,7 +92,7 @@ public:
         flush();
     }
 
-    /// Triangulates the polygons that lie in several chunks, so that `binTriangles` finds them ready.
+    /// Triangulates the polygons whose corners lie in several chunks. `binTriangles` then reads the results.
     void refinePolygons() {
         progress_.stage("polygons", "faces", source_.summary().faceCount);
         source_.readTriangles([&](const read::TriangleBlock& block) {
@@ -153,7 +153,7 @@ private:
         return place < tree_.chunkCount() ? place : heavyChunks_[(place - tree_.chunkCount()) / 2];
     }
 
-    /// Returns the place of vertices that are beyond the grid's range.
+    /// Returns the place of vertices that are outside the range of the grid.
     std::uint32_t beyondGrid() const { return tree_.chunkCount() + static_cast<std::uint32_t>(2 * heavy_.size()); }
 
     template <class T>
@@ -165,7 +165,8 @@ private:
         if (bins_ != nullptr) bins_->flush();
     }
 
-    /// Whether the triangle lies between heavy points and repeats another there, for which it is dropped.
+    /// Returns true if all corners lie at heavy points and the triangle repeats an earlier one there. Such a triangle
+    /// is dropped.
     bool isDropped(const Corners& corners) {
         std::array<std::uint32_t, 3> found{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -183,7 +184,7 @@ private:
                 isNeeded_[corner] = true;
     }
 
-    /// As many polygons as fit at once: one pass over the vertices.
+    /// Triangulates as many polygons as fit in memory, with one pass over the vertices.
     void refineSome(scratch::StreamStore::Reader& reader) {
         std::vector<read::TriangleCorners> fans;
         std::vector<std::uint32_t> sizes;
@@ -212,7 +213,7 @@ private:
         return refined.take<Corners>();
     }
 
-    /// Of two passes that found different ones.
+    /// Throws Error because two passes over the source found different polygons.
     [[noreturn]] void throwOtherPolygons() const {
         source_.requireUnchanged();
         throw Error(source_.summary().path, "the input changed while it was read");
@@ -228,7 +229,8 @@ private:
             markNeeded(t);
     }
 
-    /// Of a polygon that is not triangulated rightly yet: whichever triangles each of its chunks gets, it is no more.
+    /// Counts a polygon that is not triangulated correctly yet in each of its chunks. The size is an upper bound,
+    /// because a chunk receives at most all triangles of the polygon.
     void countInAllItsChunks(std::span<const read::TriangleCorners> fan) {
         std::vector<std::uint32_t> chunks;
         for (const read::TriangleCorners& t : fan) {
@@ -249,20 +251,21 @@ private:
     }
 
     read::MeshSource& source_;
-    scratch::StreamStore* bins_; // none where it only counts
+    scratch::StreamStore* bins_; // null if the object only counts
     ChunkWriter writer_;
     std::size_t polygonCorners_;
     Progress& progress_;
     const ChunkTree& tree_;
     HeavyPoints heavy_;
-    std::vector<std::uint32_t> heavyChunks_; // in which the heavy points lie, and at the end kBeyondGrid
+    std::vector<std::uint32_t> heavyChunks_; // chunk of each heavy point; the last entry is kBeyondGrid
     std::vector<bool> isHeavy_;              // whether a chunk has a heavy point
-    VertexNumbers placeOf_;                  // a vertex's chunk, or behind the chunks what HeavyPoints::find tells,
-                                             // or behind these beyondGrid()
-    std::vector<bool> isNeeded_; // the vertices to write of chunks with heavy points; empty if there are none
+    // Place of each vertex. Values below chunkCount() are a chunk. Then follow the results of HeavyPoints::find, and
+    // then beyondGrid().
+    VertexNumbers placeOf_;
+    std::vector<bool> isNeeded_; // the vertices at heavy points that must be written; empty without heavy points
     DroppedTriangles dropped_;
     Box strays_;
-    std::uint32_t polygons_; // streams of the whole source
+    std::uint32_t polygons_; // stream of the whole source
     std::uint32_t triangles_;
 };
 

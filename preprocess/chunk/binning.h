@@ -1,4 +1,4 @@
-// Sorting a source into chunks without random access to it: passes over its vertices and triangles in file order.
+// Sorts a source mesh into chunks without random access, by passes over its vertices and triangles in file order.
 #pragma once
 
 #include "core/progress.h"
@@ -9,29 +9,30 @@
 
 namespace gnomon::chunk {
 
-/// Cuts the grid into chunks of about `chunkTriangles` triangles each: passes over the vertices until the cells are
-/// small enough. Throws LimitError where that would take more than kMaxChunks chunks.
+/// Divides the grid into chunks of about `chunkTriangles` triangles each. The function passes over the vertices until
+/// the octree cells are small enough. Throws LimitError if the source needs more than kMaxChunks chunks.
 ChunkTree planChunks(
     read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
 
-/// The tree of `counts` in which a chunk weighs `limit`. Throws LimitError, naming `path`, for more than kMaxChunks.
+/// Returns the chunk tree of `counts` with at most `limit` weight per chunk. Throws LimitError with `path` if the tree
+/// needs more than kMaxChunks chunks.
 ChunkTree treeOf(const CellCounts& counts, std::uint64_t limit, const std::string& path);
 
-/// What a source comes to in chunks.
+/// The sizes of a source in chunks.
 struct BinnedSize {
-    PartSize largestChunk;    // the most triangles and the most vertices that a chunk has to deal with
-    DroppedTriangles dropped; // that no chunk has, since they repeat others between heavy points of the tree
+    PartSize largestChunk;    // max triangles and max vertices of a chunk, including records of other chunks
+    DroppedTriangles dropped; // repeated triangles between heavy points; no chunk contains them
     Strayed strayed;
 };
 
-/// Writes all streams of BinStream. A vertex lies in the chunk of its snapped position; a triangle belongs to the chunk
-/// in which most of its corners lie, or to the middle one of three: so triangles of the same three positions always
-/// meet. The vertices' chunks are held in memory (two bytes a
-/// vertex, four where there are more than 65,535 chunks); nothing else grows with the source. Polygons
-/// that lie in several chunks are triangulated first, as many at a time as `polygonCorners` allows, in one pass over
-/// the vertices each. Vertices at heavy points of the tree are written in one more pass over the vertices, as far as
-/// triangles that are not dropped use them.
-/// `survey.valence` is given up.
+/// Writes all streams of BinStream. A vertex belongs to the chunk of its snapped position. A triangle belongs to the
+/// chunk with most of its corners, or to the median of three chunks. Triangles with the same three positions therefore
+/// belong to the same chunk.
+///
+/// The chunk of each vertex is in memory: two bytes per vertex, or four if there are more than 65,535 chunks. No other
+/// memory grows with the source. Polygons in several chunks are triangulated first. Each pass over the vertices
+/// triangulates polygons with about `polygonCorners` corners in total. One more pass writes the vertices at heavy
+/// points that triangles use. The function frees `survey.valence`.
 BinnedSize binSource(
     read::MeshSource& source,
     SourceSurvey& survey,
@@ -40,8 +41,9 @@ BinnedSize binSource(
     std::size_t polygonCorners,
     Progress& progress);
 
-/// What `binSource` would return, without writing anything: two passes over the vertices at most and one over the
-/// triangles. More only where polygons lie in several chunks: each of these counts all triangles of the polygon.
+/// Returns the result of `binSource` without writing. The function makes at most two passes over the vertices and one
+/// over the triangles. The sizes are larger than those of `binSource` if polygons lie in several chunks. Each of these
+/// chunks then counts all triangles of the polygon.
 BinnedSize measureBins(read::MeshSource& source, const SourceSurvey& survey, const ChunkTree& tree, Progress& progress);
 
 } // namespace gnomon::chunk

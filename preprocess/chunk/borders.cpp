@@ -12,19 +12,19 @@ namespace gnomon::chunk {
 
 namespace {
 
-/// The message to `chunk`, which is the last or a new one: messages come by ascending chunk.
+/// Returns the message to `chunk`: the last message, or a new one. The caller adds messages by ascending chunk.
 std::vector<std::byte>& messageTo(Messages& messages, std::uint32_t chunk) {
     if (messages.empty() || messages.back().chunk != chunk) messages.push_back({chunk, {}});
     return messages.back().bytes;
 }
 
-/// What the answers of a chunk depend on.
+/// The vertices and triangles that determine the answers of a chunk.
 struct Surroundings {
-    ChunkVertices vertices;   // those asked for, and the corners of the triangles
-    ChunkTriangles triangles; // at the places of those asked for
+    ChunkVertices vertices;   // requested vertices, and the corners of the triangles
+    ChunkTriangles triangles; // triangles at the positions of the requested vertices
 };
 
-/// Which of `vertices` lie where one of `asked` does.
+/// Returns for each vertex of `vertices` whether it has the same snapped position as a vertex of `asked`.
 std::vector<std::uint8_t> atPlacesOf(
     std::span<const VertexRequest> asked, const IndexedVertices& vertices, const hierarchy::Grid& grid) {
     const GridSnap snap(grid);
@@ -47,7 +47,8 @@ std::vector<std::uint8_t> atPlacesOf(
     return isThere;
 }
 
-/// The chosen ones of `vertices`; renumbers `triangles`, whose corners are among these.
+/// Returns the chosen vertices of `vertices` and renumbers the corners of `triangles`. Each corner must be a chosen
+/// vertex.
 IndexedVertices chosen(IndexedVertices vertices, const std::vector<std::uint8_t>& isChosen, ChunkTriangles& triangles) {
     std::size_t ownCount = vertices.ownCount();
     std::vector<ChunkVertex> some = std::move(vertices).take();
@@ -93,7 +94,7 @@ Surroundings surroundingsOf(
     return {ChunkVertices(std::move(needed), source.grid), std::move(triangles)};
 }
 
-/// The normals of places, right for those asked for alone.
+/// Returns the normals of all places. Only the normals at requested vertices are correct.
 std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
     DroppedTriangles ignored;
     return levels::smoothNormals(

@@ -1,4 +1,4 @@
-// What chunks tell each other about the vertices that they share, before each is built by itself.
+// Messages between chunks about shared vertices. Chunks exchange them before each chunk is built independently.
 #pragma once
 
 #include "core/progress.h"
@@ -9,21 +9,21 @@
 
 namespace gnomon::chunk {
 
-/// Records for a stream of another chunk.
+/// Records that one chunk appends to a stream of another chunk.
 struct Message {
     std::uint32_t chunk = 0;
     std::vector<std::byte> bytes;
 };
 
-/// By ascending chunk.
+/// Messages sorted by ascending chunk.
 using Messages = std::vector<Message>;
 
-/// What `chunk` appends to the streams BorderStream::Vertices of those that asked it: the vertices that they asked for.
+/// Returns the vertices of `chunk` that other chunks requested, for their streams BorderStream::Vertices.
 Messages answerVertices(const BinnedSource& source, std::uint32_t chunk);
 
-/// What `chunk`, which has its own stream BorderStream::Vertices in `borders`, appends to the streams
-/// BorderStream::Normals: for those at which another has triangles, the normal of all faces there, in whichever chunks.
-/// Only for sources without normals. Polls `progress`.
+/// Returns the normals of shared vertices of `chunk` for the streams BorderStream::Normals of other chunks. A normal
+/// includes the faces of all chunks at the vertex. `borders` must contain the stream BorderStream::Vertices of `chunk`.
+/// The function is only for sources without normals. It polls `progress`.
 Messages answerNormals(
     const BinnedSource& source, const scratch::StreamStore& borders, std::uint32_t chunk, Progress& progress);
 

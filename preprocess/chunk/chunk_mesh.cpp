@@ -11,7 +11,7 @@ namespace {
 
 using hierarchy::kNone;
 
-/// Replaces a polygon's fan by a right triangulation.
+/// Replaces the fan of a polygon by a correct triangulation.
 void refine(const IndexedVertices& vertices, read::PolygonRefiner& refiner, std::span<simplify::Triangle> fan) {
     std::vector<read::TriangleCorners> wide;
     wide.reserve(fan.size());
@@ -23,9 +23,9 @@ void refine(const IndexedVertices& vertices, read::PolygonRefiner& refiner, std:
             fan[i][k] = static_cast<std::uint32_t>(wide[i][k]);
 }
 
-/// What the mesh needs to know of each place.
+/// The data of each place that the mesh needs.
 struct Places {
-    std::vector<std::uint32_t> normals; // empty if vertices bring their own
+    std::vector<std::uint32_t> normals; // empty if the source has normals
     std::vector<std::uint8_t> isShared;
 };
 
@@ -44,10 +44,10 @@ Places placesOf(
     return places;
 }
 
-/// Unites source vertices that agree in position, normal and colour, and leaves out those that no triangle uses.
+/// Builds a mesh. It merges source vertices with equal position, normal and colour, and removes unused vertices.
 class MeshMaker {
 public:
-    /// For at most `triangleCount` triangles.
+    /// Creates a maker for at most `triangleCount` triangles.
     MeshMaker(
         const ChunkVertices& vertices,
         const Places& places,
@@ -104,8 +104,8 @@ private:
     const ChunkVertices& vertices_;
     const Places& places_;
     std::vector<std::uint32_t> vertexOf_;
-    std::vector<std::uint32_t> firstAt_; // the first vertex of the mesh at each place, nearly always the only one
-    IndexTable furtherAt_;               // the others
+    std::vector<std::uint32_t> firstAt_; // the first mesh vertex at each place, usually the only one
+    IndexTable furtherAt_;               // further mesh vertices at a place
     simplify::Mesh mesh_;
 };
 
@@ -129,8 +129,8 @@ ChunkTriangles readTriangles(
     const std::uint32_t ghosts = streamOf(BinStream::Ghosts, chunk);
     triangles.own.reserve(triangleRecords(source.bins, own, source.format));
     read::PolygonRefiner refiner(progress);
-    std::size_t fan = 0;  // triangles of the polygon in hand, and ...
-    std::size_t left = 0; // ... how many of them are to come
+    std::size_t fan = 0;  // number of triangles of the current polygon
+    std::size_t left = 0; // number of triangles of this polygon that follow
     forEachTriangle(source.bins, own, source.format, [&](const read::TriangleCorners& corners) {
         if (left == 0 && corners[0] == kPolygonMark) {
             fan = left = corners[1];

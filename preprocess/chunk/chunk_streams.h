@@ -1,4 +1,4 @@
-// What the binning writes and the chunks read: records by chunk, in streams of a store.
+// The records that the binning writes and the chunks read, one stream per chunk and kind.
 #pragma once
 
 #include "core/box.h"
@@ -13,16 +13,17 @@
 
 namespace gnomon::chunk {
 
-/// The most vertices whose numbers have 4 bytes: one that no vertex has is left to mark polygons.
+/// The max number of vertices for which 4-byte vertex numbers are sufficient. One additional number marks polygons.
 constexpr std::uint64_t kMostNarrow = 0xFFFFFFFF;
 
-/// What of each vertex travels.
+/// The format of a vertex record: the attributes that it stores.
 struct VertexFormat {
-    bool isDouble = false; // positions need more than a float
+    bool isDouble = false; // positions need more precision than a float
     bool hasNormals = false;
     bool hasColors = false;
     hierarchy::FieldLayout fields{};
-    bool isWide = false; // the source has more than kMostNarrow vertices, so their numbers have 8 bytes instead of 4
+    // Vertex numbers have 8 bytes instead of 4, because the source has more than kMostNarrow vertices.
+    bool isWide = false;
 
     bool hasFields() const { return fields.count() > 0; }
 
@@ -32,38 +33,38 @@ struct VertexFormat {
     }
 };
 
-/// A source vertex on its way to a chunk.
+/// A source vertex as a chunk reads it.
 struct ChunkVertex {
-    std::uint64_t index = 0; // in the source
+    std::uint64_t index = 0; // index in the source
     std::uint32_t fields = 0;
-    glm::dvec3 position{0}; // as in the source
+    glm::dvec3 position{0}; // position in the source
     std::uint32_t normal = hierarchy::kNoNormal;
     std::uint32_t color = 0xFFFFFFFFU;
 };
 
-/// Most bytes of a VertexFormat.
+/// A buffer for the largest vertex record.
 using VertexBytes = std::array<std::byte, 8 + 3 * sizeof(double) + 12>;
 
-/// The record of `vertex`, within `storage`.
+/// Encodes `vertex` into `storage` and returns the used bytes.
 std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage);
 
-/// Appends what encodeVertex made to `vertices`.
+/// Decodes records of encodeVertex and appends the vertices to `vertices`.
 void decodeVertices(std::span<const std::byte> records, const VertexFormat& format, std::vector<ChunkVertex>& vertices);
 
-/// Appends the records of a stream to `vertices`; memory for more than these is not asked for.
+/// Appends the vertices of a stream to `vertices`. The vector grows exactly to the size that it needs.
 void appendVertices(
     const scratch::StreamStore& store,
     std::uint32_t stream,
     const VertexFormat& format,
     std::vector<ChunkVertex>& vertices);
 
-/// In a stream of triangles: the next `count` triangles are the fan of one polygon.
+/// Marks a polygon in a stream of triangles. The next `count` triangles are the fan of one polygon.
 constexpr std::uint64_t kPolygonMark = ~std::uint64_t{0}; // then count, then 0
 
-/// That `chunk` needs the vertex `vertex`, which lies in another.
+/// A request: `chunk` needs the vertex `vertex`, which lies in another chunk.
 struct VertexRequest {
     std::uint32_t chunk = 0;
-    std::uint32_t isOwner = 0; // 1: a triangle of `chunk` has the vertex; 0: it is needed for normals only
+    std::uint32_t isOwner = 0; // 1: a triangle of `chunk` uses the vertex; 0: only normals of `chunk` need it
     std::uint64_t vertex = 0;
 
     bool operator==(const VertexRequest&) const = default;
@@ -73,13 +74,14 @@ struct VertexRequest {
     }
 };
 
-/// What the chunk in which a vertex lies tells one that uses it, where the source has no normals.
+/// The normal of a vertex that a chunk sends to another chunk which uses the vertex. Only sources without normals need
+/// it.
 struct SharedNormal {
     std::uint64_t vertex = 0;
     std::uint32_t normal = hierarchy::kNoNormal;
 };
 
-/// Appends the corners of a triangle, or a mark, to `stream`.
+/// Appends the corners of a triangle, or a polygon mark, to `stream`.
 inline void putTriangle(
     scratch::StreamStore& store,
     std::uint32_t stream,
@@ -94,10 +96,10 @@ inline void putTriangle(
             static_cast<std::uint32_t>(corners[2])});
 }
 
-/// How many triangles and marks a stream has.
+/// Returns the number of triangles and polygon marks in a stream.
 std::uint64_t triangleRecords(const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
-/// Calls `take(corners)` for one triangle or mark of a stream after the other, in the memory of a block.
+/// Calls `take(corners)` for each triangle or polygon mark of a stream, in order. One block at a time is in memory.
 template <class Take>
 void forEachTriangle(
     const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format, const Take& take) {
@@ -119,24 +121,24 @@ std::vector<VertexRequest> readRequests(
 /// Appends the record of `normal` to `bytes`.
 void appendNormal(std::vector<std::byte>& bytes, const SharedNormal& normal, const VertexFormat& format);
 
-/// What appendNormal made.
+/// Reads the records of appendNormal from a stream.
 std::vector<SharedNormal> readNormals(
     const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
-/// Why triangles are left out.
+/// The number of dropped triangles per reason.
 struct DroppedTriangles {
-    std::uint64_t degenerate = 0;      // two corners at one position of the source
-    std::uint64_t collapsedByGrid = 0; // two corners at one position of the grid only
-    std::uint64_t doubled = 0;         // the same three positions as an earlier one
+    std::uint64_t degenerate = 0;      // two corners have the same position in the source
+    std::uint64_t collapsedByGrid = 0; // two corners have the same position only after snapping to the grid
+    std::uint64_t doubled = 0;         // the same three positions as an earlier triangle
 };
 
-/// The triangles that have a corner beyond the grid's range, and the box of these corners.
+/// The triangles with a corner outside the range of the grid, and the bounds of these corners.
 struct Strayed {
     std::uint64_t triangles = 0;
     Box corners;
 };
 
-/// How large a part of the model is, with what of others it takes along.
+/// The size of a part of the model, including the triangles and vertices of other parts that it needs.
 struct PartSize {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
@@ -147,26 +149,26 @@ struct PartSize {
     }
 };
 
-/// The streams of a chunk. What a pass over the source writes:
+/// The streams of each chunk that the binning writes.
 enum class BinStream : std::uint32_t {
-    Vertices,  // that lie in the chunk and are used, by source index
-    Triangles, // most of whose corners lie in the chunk, in source order
-    Ghosts,    // triangles of other chunks with a corner in this one, in source order; only for sources without normals
-    Requests,  // for vertices of this chunk
+    Vertices,  // the used vertices in the chunk, by source index
+    Triangles, // triangles with most corners in the chunk, in source order
+    Ghosts, // triangles of other chunks with a corner in this chunk, in source order; only for sources without normals
+    Requests, // requests for vertices of this chunk
     Count
 };
 
-/// Streams of the whole source behind those of the chunks, in use only while it is binned.
+/// The streams of the whole source. They follow the streams of the chunks and exist only during the binning.
 enum class SourceStream : std::uint32_t {
-    Polygons,  // that lie in several chunks: the number of their triangles, then the triangles of the fan
-    Triangles, // what the polygons are cut into
+    Polygons,  // polygons in several chunks: the number of triangles, then the triangles of the fan
+    Triangles, // the triangulation of these polygons
     Count
 };
 
-/// And what chunks then write to each other:
+/// The streams of each chunk that other chunks write.
 enum class BorderStream : std::uint32_t {
-    Vertices, // of other chunks that this one asked for
-    Normals,  // SharedNormal of those with triangles of this chunk; only for sources without normals
+    Vertices, // vertices of other chunks that this chunk requested
+    Normals,  // SharedNormal of vertices that triangles of this chunk use; only for sources without normals
     Count
 };
 
@@ -175,6 +177,7 @@ std::uint32_t streamOf(Kind kind, std::uint32_t chunk) {
     return chunk * static_cast<std::uint32_t>(Kind::Count) + static_cast<std::uint32_t>(kind);
 }
 
+/// Returns the number of a stream of the whole source.
 inline std::uint32_t streamOf(SourceStream kind, std::uint32_t chunks) {
     return chunks * static_cast<std::uint32_t>(BinStream::Count) + static_cast<std::uint32_t>(kind);
 }

@@ -1,4 +1,4 @@
-// Which chunk each place of the grid belongs to: an adaptive octree of counts, cut along its space-filling order.
+// The assignment of grid points to chunks: an adaptive octree of weights that is cut along its Morton order.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -9,63 +9,65 @@
 
 namespace gnomon::chunk {
 
-/// The most chunks of a model: with 32 bits for the streams that each has several of.
+/// The max number of chunks of a model. Stream numbers have 32 bits, and each chunk has several streams.
 constexpr std::uint32_t kMaxChunks = (1U << 29U) - 1;
 
-/// As many chunks have numbers of 16 bits.
+/// The max number of chunks for which 16-bit chunk numbers are sufficient.
 constexpr std::uint32_t kNarrowChunks = 0xFFFF;
 
-/// The chunk of vertices beyond the grid's range, which no chunk contains. In 16 bits it is 0xFFFF.
+/// The chunk number of vertices outside the range of the grid. No chunk contains them. As a 16-bit number it is 0xFFFF.
 constexpr std::uint32_t kBeyondGrid = 0xFFFFFFFF;
 
-/// For CellCounts of the vertices of a source, of which each thread has one: the first cells of a small one are few.
+/// Returns the `rootBits` of CellCounts for a source with `vertices` vertices. A small source gets few root cells,
+/// because each thread has its own CellCounts.
 int rootBitsFor(std::uint64_t vertices);
 
-/// Weights by cell of the grid; cells that turn out too heavy are counted again in smaller ones.
+/// Weights per cell of the grid. The class divides cells that are too heavy, and the caller counts their points again.
 ///
-///     CellCounts counts(furthest);
-///     do { for each vertex: counts.add(point, weight); } while (counts.refine(limit));
+/// CellCounts counts(furthest);
+/// do { for each vertex: counts.add(point, weight); } while (counts.refine(limit));
 class CellCounts {
 public:
     static constexpr int kMostRootBits = 7;
 
-    /// For points up to `furthest` on each axis. The first cells are 2^`rootBits` to a side, at most 7; it changes how
-    /// often points are counted again, and nothing else.
+    /// Creates cells for points up to `furthest` on each axis. The root cells form a grid of 2^`rootBits` cells per
+    /// axis, `rootBits` at most 7. This number affects only the number of counting passes, not the result.
     explicit CellCounts(const hierarchy::GridPoint& furthest, int rootBits = kMostRootBits);
 
-    /// Counts `weight` where it is still unknown: in the cells made by the last `refine`.
+    /// Adds `weight` at `point` if its cell is open, which means that the last `refine` created it.
     void add(const hierarchy::GridPoint& point, std::uint32_t weight);
 
-    /// Cuts cells above `limit` that are larger than a point into smaller ones. Whether there are any: then everything
-    /// must be added again.
+    /// Divides cells heavier than `limit` that are larger than a point. Returns true if there were any. The caller must
+    /// then add all points again.
     bool refine(std::uint64_t limit);
 
-    /// How the cells are cut: what another process counts into the same cells with.
+    /// Encodes the division into cells for another process that counts into the same cells.
     std::vector<std::byte> shape() const;
 
-    /// The cells of `shape`, with `furthest` and `rootBits` as there, all without weight. Throws hierarchy::Damage.
+    /// Restores the cells of `shape` with zero weights. `furthest` and `rootBits` must be the same as in the other
+    /// process. Throws hierarchy::Damage if the bytes are malformed.
     CellCounts(const hierarchy::GridPoint& furthest, std::span<const std::byte> shape, int rootBits = kMostRootBits);
 
-    /// The weights of the cells that are still unknown, and how to add them to those here, where the cells are cut
-    /// likewise. Throws hierarchy::Damage.
+    /// Returns the weights of the open cells. `addOpenWeights` adds them to the same cells of another object and throws
+    /// hierarchy::Damage if the bytes are malformed.
     std::vector<std::byte> openWeights() const;
     void addOpenWeights(std::span<const std::byte> weights);
 
-    /// The points of more weight than `limit`, after the last `refine` of it.
+    /// Returns the points heavier than `limit`. The last `refine(limit)` must have returned false.
     std::vector<hierarchy::GridPoint> pointsAbove(std::uint64_t limit) const;
 
 private:
     friend class ChunkTree;
 
-    /// Cells of one size under one parent, in Morton order (first bit x, then y, then z).
+    /// The cells of one size inside one parent cell, in Morton order (first bit x, then y, then z).
     struct Table {
-        int bits = 0;  // of each coordinate that tell the cell
-        int shift = 0; // bits of each coordinate below them
+        int bits = 0;  // bits per coordinate that select the cell
+        int shift = 0; // bits per coordinate below these bits
         std::vector<std::uint64_t> weights;
-        std::vector<std::int32_t> finer; // table of the cell's own cells, or -1; empty until there is one
+        std::vector<std::int32_t> finer; // table of the cells inside each cell, or -1; empty if no cell is divided
     };
 
-    /// Of each table from the second on: the cell that it cuts.
+    /// The parent cell of a table. The root table has no parent.
     struct Parent {
         std::uint32_t table = 0;
         std::uint32_t cell = 0;
@@ -89,30 +91,30 @@ private:
     std::size_t firstOpen_ = 0;
 };
 
-/// The finished tree.
+/// A finished tree that maps grid points to chunks.
 class ChunkTree {
 public:
-    /// Cuts the cells, in Morton order, into chunks of at most `limit` weight each; a cell is left whole where its
-    /// weight is at most an eighth of that. Only a cell of a single point can weigh more than a chunk may.
+    /// Cuts the cells, in Morton order, into chunks of at most `limit` weight each. A cell is not divided if its weight
+    /// is at most `limit` / 8. Only a chunk of a single grid point can exceed `limit`.
     ChunkTree(const CellCounts& counts, std::uint64_t limit);
 
-    /// What `encoded` made, without its heavy points. Throws hierarchy::Damage.
+    /// Decodes a tree from `encoded`, without its heavy points. Throws hierarchy::Damage if the bytes are malformed.
     explicit ChunkTree(std::span<const std::byte> bytes);
     std::vector<std::byte> encoded() const;
 
     std::uint32_t chunkCount() const { return static_cast<std::uint32_t>(weights_.size()); }
 
-    /// The points that weigh more than an eighth of a chunk.
+    /// Returns the grid points that are heavier than an eighth of a chunk.
     const std::vector<hierarchy::GridPoint>& heavyPoints() const { return heavyPoints_; }
 
-    /// The chunk of a point that was counted.
+    /// Returns the chunk of a point that was counted.
     std::uint32_t chunkOf(const hierarchy::GridPoint& point) const;
 
 private:
     struct Table {
         int bits = 0;
         int shift = 0;
-        std::vector<std::uint32_t> chunks; // per cell; from kFiner on, a table
+        std::vector<std::uint32_t> chunks; // chunk per cell; a value from kFiner on refers to a table
     };
 
     static constexpr std::uint32_t kFiner = 0x80000000U;
@@ -121,7 +123,7 @@ private:
     void assign(std::size_t table, std::size_t begin, std::size_t end);
 
     std::vector<Table> tables_;
-    std::vector<std::uint64_t> weights_; // of each chunk
+    std::vector<std::uint64_t> weights_; // weight of each chunk
     std::vector<hierarchy::GridPoint> heavyPoints_;
 };
 

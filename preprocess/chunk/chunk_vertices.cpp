@@ -10,7 +10,8 @@ namespace gnomon::chunk {
 
 namespace {
 
-constexpr std::size_t kBatch = 16; // keys whose places in a table are fetched at once: it is larger than the caches
+// Number of keys that are prefetched at once, because the table is larger than the caches.
+constexpr std::size_t kBatch = 16;
 
 simplify::Triangle sorted(simplify::Triangle t) {
     std::sort(t.begin(), t.end());

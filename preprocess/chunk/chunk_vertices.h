@@ -1,12 +1,12 @@
-// The vertices that a chunk has and uses, joined by snapped position.
+// The vertices that a chunk contains or uses, welded by snapped position.
 #pragma once
 
 #include "preprocess/chunk/indexed_vertices.h"
 
 namespace gnomon::chunk {
 
-/// Places are welded positions, numbered from 0 in the order of the vertices, so those that lie in the chunk come
-/// first.
+/// The vertices of a chunk with their places. A place is a welded position. Places are numbered from 0 in the order of
+/// the vertices, so that places in the chunk come first.
 class ChunkVertices {
 public:
     ChunkVertices(IndexedVertices vertices, const hierarchy::Grid& grid);
@@ -17,7 +17,8 @@ public:
 
     const IndexedVertices& indexed() const { return vertices_; }
 
-    /// The place of the vertex with this index in the source; a check fails for a vertex that the chunk has not.
+    /// Returns the place of the vertex with this index in the source. A check fails if the chunk does not contain the
+    /// vertex.
     std::uint32_t placeOfSource(std::uint64_t sourceIndex) const { return placeOf_[vertices_.find(sourceIndex)]; }
 
     std::uint32_t placeOf(std::uint32_t vertex) const { return placeOf_[vertex]; }
@@ -28,7 +29,7 @@ public:
 
     const std::vector<hierarchy::GridPoint>& places() const { return places_; }
 
-    /// How many of the places lie in the chunk.
+    /// Returns the number of places that lie in the chunk.
     std::uint32_t ownPlaces() const { return ownPlaces_; }
 
 private:
@@ -38,12 +39,13 @@ private:
     std::uint32_t ownPlaces_ = 0;
 };
 
-/// The triangles of three different places, each once, in order; `dropped` counts the others. All of vertices here.
+/// Returns the distinct triangles with three different places, in order. `dropped` counts the removed triangles. The
+/// triangles are vertex indices of `vertices`.
 std::vector<simplify::Triangle> keptTriangles(
     const ChunkVertices& vertices, const std::vector<simplify::Triangle>& triangles, DroppedTriangles& dropped);
 
-/// For each place whether other chunks may have triangles there: own ones of which `requests` say so, and all that lie
-/// in other chunks.
+/// Returns for each place whether other chunks may have triangles there. All places outside the chunk are shared. A
+/// place in the chunk is shared if `requests` names it.
 std::vector<std::uint8_t> sharedPlaces(const ChunkVertices& vertices, std::span<const VertexRequest> requests);
 
 } // namespace gnomon::chunk

@@ -65,14 +65,14 @@ void ChunkWriter::putFan(std::span<const read::TriangleCorners> fan, std::uint32
         chunk::putTriangle(*bins_, stream, t, format_);
 }
 
-/// Asks for the corners that do not lie in `chunk`.
+/// Requests the corners that lie outside `chunk`.
 void ChunkWriter::request(
     const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies, std::uint32_t chunk, bool isOwner) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (lies[i] == chunk) continue;
         if (bins_ != nullptr)
             putRequest(*bins_, streamOf(BinStream::Requests, lies[i]), {chunk, isOwner ? 1U : 0U, corners[i]}, format_);
-        ++sizes_[chunk].vertices; // once for each of its triangles there: more than they are
+        ++sizes_[chunk].vertices; // an upper bound: a vertex counts once per triangle
     }
 }
 

@@ -1,4 +1,4 @@
-// Hands vertices and triangles of a source to the streams of the chunks in which they lie.
+// Writes vertices and triangles of a source to the streams of their chunks.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -12,9 +12,11 @@
 
 namespace gnomon::chunk {
 
+/// Returns the record format of a source's vertices.
 VertexFormat formatOf(const read::MeshSummary& source);
 
-/// Whether all corners of a polygon, given as its fan, lie in one chunk; `chunkOf(vertex)` is the chunk of a vertex.
+/// Returns whether all corners of a polygon, given as its fan, lie in one chunk. `chunkOf(vertex)` returns the chunk of
+/// a vertex.
 template <class ChunkOf>
 bool isInOneChunk(std::span<const read::TriangleCorners> fan, ChunkOf chunkOf) {
     const std::uint32_t chunk = chunkOf(fan.front()[0]);
@@ -23,10 +25,10 @@ bool isInOneChunk(std::span<const read::TriangleCorners> fan, ChunkOf chunkOf) {
     });
 }
 
-/// Counts what each chunk gets; without a store it does no more.
+/// Writes and counts the records of each chunk. Without a store it only counts.
 class ChunkWriter {
 public:
-    /// Both must outlive it.
+    /// Creates a writer. `fields` and `bins` must outlive it.
     ChunkWriter(
         const VertexFormat& format,
         std::span<const hierarchy::Field> fields,
@@ -34,25 +36,26 @@ public:
         std::uint32_t chunkCount)
         : format_(format), fields_(fields), bins_(bins), sizes_(chunkCount) {}
 
-    /// Vertex `i` of a block, which lies in `chunk`.
+    /// Writes vertex `i` of a block to `chunk`.
     void putVertex(const read::VertexBlock& block, std::size_t i, std::uint32_t chunk);
 
-    /// A triangle whose corners lie in the chunks `lies`. If one of these is kBeyondGrid, it only counts the triangle.
+    /// Writes a triangle whose corners lie in the chunks `lies`. If one of them is kBeyondGrid, it only counts the
+    /// triangle.
     void putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies);
 
-    /// A polygon that lies in `chunk`, as a fan. If this is kBeyondGrid, it only counts the triangles.
+    /// Writes a polygon, as a fan, to `chunk`. If `chunk` is kBeyondGrid, it only counts the triangles.
     void putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk);
 
-    /// What `chunk` gets besides.
+    /// Adds `more` to the size of `chunk`.
     void count(std::uint32_t chunk, const PartSize& more) {
         sizes_[chunk].triangles += more.triangles;
         sizes_[chunk].vertices += more.vertices;
     }
 
-    /// Of each chunk.
+    /// Returns the size of each chunk.
     const std::vector<PartSize>& sizes() const { return sizes_; }
 
-    /// Returns how many triangles have a corner beyond the grid's range. No chunk receives them.
+    /// Returns the number of triangles with a corner outside the range of the grid. No chunk receives them.
     std::uint64_t beyondGrid() const { return beyondGrid_; }
 
 private:
@@ -64,7 +67,7 @@ private:
 
     VertexFormat format_;
     std::span<const hierarchy::Field> fields_;
-    scratch::StreamStore* bins_; // none where it only counts
+    scratch::StreamStore* bins_; // null if the object only counts
     std::vector<PartSize> sizes_;
     std::uint64_t beyondGrid_ = 0;
 };

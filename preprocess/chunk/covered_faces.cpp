@@ -17,19 +17,20 @@ namespace gnomon::chunk {
 
 namespace {
 
-constexpr double kPlaneTolerance = 1.5;      // grid steps: what rounding to the grid moves two tilted planes apart
-constexpr double kLeastWidth = 0.5;          // grid steps: of a part that counts
-constexpr double kParallel = 0.99;           // the least cosine between faces of one plane
-constexpr std::size_t kMostCovering = 256;   // of a triangle
-constexpr std::uint32_t kMostTested = 16384; // boxes that meet that of a triangle
-constexpr std::size_t kMostParts = 128;      // of a triangle
+// Grid steps; max distance between coplanar tilted faces after rounding to the grid.
+constexpr double kPlaneTolerance = 1.5;
+constexpr double kLeastWidth = 0.5;          // grid steps; min width of a relevant part
+constexpr double kParallel = 0.99;           // min cosine between the normals of coplanar faces
+constexpr std::size_t kMostCovering = 256;   // max covering triangles per triangle
+constexpr std::uint32_t kMostTested = 16384; // max tested boxes per triangle
+constexpr std::size_t kMostParts = 128;      // max parts of a triangle
 
 using Polygon = std::vector<glm::dvec3>; // convex
 
 struct Face {
     std::array<glm::dvec3, 3> corners;
-    glm::dvec3 normal; // unit
-    double area = 0;   // twice
+    glm::dvec3 normal; // unit length
+    double area = 0;   // twice the area
 };
 
 glm::dvec3 vectorOf(const hierarchy::GridPoint& p) {
@@ -50,7 +51,8 @@ std::uint32_t colorOf(const simplify::Mesh& mesh, std::uint32_t triangle) {
     return mesh.vertices[mesh.triangles[triangle][0]].color;
 }
 
-/// The triangles that have one colour, in their order; empty if all have the same one.
+/// Returns the triangles whose three vertices have the same colour, in order. Returns an empty list if all of them have
+/// one colour.
 std::vector<std::uint32_t> plainTriangles(const simplify::Mesh& mesh) {
     std::vector<std::uint32_t> plain;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -63,20 +65,20 @@ std::vector<std::uint32_t> plainTriangles(const simplify::Mesh& mesh) {
     return plain;
 }
 
-/// The normal, in the plane of `face` and away from it, of its edge from corner `i`.
+/// Returns the outward normal of the edge from corner `i`, in the plane of `face`.
 glm::dvec3 outwards(const Face& face, std::size_t i) {
     return glm::normalize(glm::cross(face.corners[(i + 1) % 3] - face.corners[i], face.normal));
 }
 
 bool isInPlaneOf(const Face& small, const Face& large) {
     const glm::dvec3 sides = glm::abs(large.normal);
-    const bool isUpright = std::max({sides.x, sides.y, sides.z}) > 1 - 1e-12; // such planes lie at whole steps
+    const bool isUpright = std::max({sides.x, sides.y, sides.z}) > 1 - 1e-12; // such planes lie at whole grid steps
     return std::ranges::all_of(small.corners, [&](const glm::dvec3& p) {
         return std::abs(glm::dot(p - large.corners[0], large.normal)) <= (isUpright ? 0.5 : kPlaneTolerance);
     });
 }
 
-/// Whether an edge of `face` has all of `other` on its outer side, but for kLeastWidth.
+/// Returns true if an edge of `face` has all corners of `other` on its outer side, with a tolerance of kLeastWidth.
 bool separates(const Face& face, const Face& other) {
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 away = outwards(face, i);
@@ -86,7 +88,8 @@ bool separates(const Face& face, const Face& other) {
     return false;
 }
 
-/// Whether `face` and the triangle `t` lie in one plane and overlap. Most triangles are told apart without a root.
+/// Returns true if `face` and triangle `t` are coplanar and overlap. The first test rejects most triangles without a
+/// square root.
 bool overlap(const simplify::Mesh& mesh, const Face& face, const simplify::Triangle& t) {
     const glm::dvec3 a = vectorOf(mesh.vertices[t[0]].position);
     const glm::dvec3 b = vectorOf(mesh.vertices[t[1]].position) - a;
@@ -100,8 +103,8 @@ bool overlap(const simplify::Mesh& mesh, const Face& face, const simplify::Trian
     return !separates(face, other) && !separates(other, face);
 }
 
-/// The places in `triangles` of those whose plane has the same x, the same y, the same z at all corners, and of others.
-/// Most are of the first three kinds in buildings, and only faces of one kind can lie in one plane.
+/// Sorts the indices of `triangles` into four lists: planes of constant x, of constant y, of constant z, and tilted
+/// planes. Most faces of buildings are in the first three lists. Only faces of one list can be coplanar.
 std::array<std::vector<std::uint32_t>, 4> placesByDirection(
     const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles) {
     std::array<std::vector<std::uint32_t>, 4> places;
@@ -116,7 +119,7 @@ std::array<std::vector<std::uint32_t>, 4> placesByDirection(
     return places;
 }
 
-/// Finds the earlier triangles of other colours that overlap one of some triangles of a mesh.
+/// Finds the earlier triangles of other colours that overlap a given triangle.
 class Coverings {
 public:
     Coverings(const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles)
@@ -126,7 +129,8 @@ public:
           colors_(colorsOf(mesh, triangles)),
           tree_(boxes_, colors_) {}
 
-    /// Returns the triangles that cover the one of this place, ascending; none if they are too many.
+    /// Returns the triangles that cover triangle `place`, in ascending order. Returns an empty list if there are too
+    /// many.
     std::vector<std::uint32_t> of(std::uint32_t place) const {
         proximity::TreeBox box = boxes_[place];
         box.low -= kPlaneTolerance;
@@ -171,7 +175,7 @@ private:
     proximity::BoxTree tree_;
 };
 
-/// Tells open surfaces from closed ones.
+/// Classifies connected surfaces as open or closed.
 class OpenSurfaces {
 public:
     explicit OpenSurfaces(const simplify::Mesh& mesh)
@@ -179,7 +183,7 @@ public:
           adjacency_(mesh.positionCount, corners_),
           state_(mesh.triangles.size(), State::Unknown) {}
 
-    /// Whether an edge of what is connected with `triangle` has no other triangle.
+    /// Returns true if the connected surface of `triangle` has an edge with only one triangle.
     bool isOpen(std::uint32_t triangle) {
         if (state_[triangle] == State::Unknown) explore(triangle);
         return state_[triangle] == State::Open;
@@ -225,7 +229,8 @@ private:
     std::vector<State> state_;
 };
 
-/// The parts of `polygon` on the side of the plane through `point` that `away` leads to, and on the other.
+/// Cuts `polygon` by the plane through `point` with the normal `away`. Returns the part on the side of the normal and
+/// the part on the other side.
 std::array<Polygon, 2> cut(const Polygon& polygon, const glm::dvec3& point, const glm::dvec3& away) {
     std::array<Polygon, 2> parts;
     auto& [out, in] = parts;
@@ -245,7 +250,7 @@ std::array<Polygon, 2> cut(const Polygon& polygon, const glm::dvec3& point, cons
     return parts;
 }
 
-/// Whether a polygon is wide enough to be seen.
+/// Returns true if a polygon is wide enough to be visible.
 bool counts(const Polygon& polygon) {
     if (polygon.size() < 3) return false;
     glm::dvec3 area(0);
@@ -257,7 +262,7 @@ bool counts(const Polygon& polygon) {
     return glm::length(area) > 2 * kLeastWidth * longest;
 }
 
-/// What `covering` leaves of `parts`.
+/// Returns the parts of `parts` that `covering` does not cover.
 std::vector<Polygon> uncovered(const std::vector<Polygon>& parts, const Face& covering) {
     std::vector<Polygon> left;
     for (Polygon part : parts) {
@@ -272,7 +277,7 @@ std::vector<Polygon> uncovered(const std::vector<Polygon>& parts, const Face& co
     return left;
 }
 
-/// Gives the parts of triangles corners in the mesh.
+/// Creates mesh vertices for the corners of cut triangles.
 class CornerMaker {
     auto isAt(const hierarchy::GridPoint& p) const {
         return [this, p](std::uint32_t v) { return mesh_.vertices[v].position == p; };
@@ -286,7 +291,7 @@ public:
         }
     }
 
-    /// A vertex of `triangle` at `p`, which lies on it.
+    /// Returns a vertex of `triangle` at the point `p` of the triangle. Creates the vertex if needed.
     std::uint32_t vertexAt(const simplify::Triangle& triangle, const glm::dvec3& p) {
         const auto rounded = [](double x) { return static_cast<std::uint32_t>(std::llround(std::max(x, 0.0))); };
         const hierarchy::GridPoint point{rounded(p.x), rounded(p.y), rounded(p.z)};
@@ -338,12 +343,12 @@ private:
     }
 
     simplify::Mesh& mesh_;
-    IndexTable vertexAt_; // one of the mesh's own at each of its positions
+    IndexTable vertexAt_; // an original mesh vertex at each of its positions
     std::map<hierarchy::GridPoint, std::uint32_t> newPositionAt_;
     std::map<std::pair<hierarchy::Vertex, std::uint32_t>, std::uint32_t> made_;
 };
 
-/// The triangles of what is left of a face, as a fan each.
+/// Appends a fan of triangles for each remaining part of a face.
 void appendParts(
     CornerMaker& maker,
     const simplify::Triangle& triangle,
@@ -368,7 +373,8 @@ bool isAtBorder(const simplify::Mesh& mesh, const simplify::Triangle& t) {
     return std::ranges::count_if(t, [&](std::uint32_t v) { return mesh.isBorder[mesh.positionOf[v]] != 0; }) > 1;
 }
 
-/// What earlier triangles leave of `triangle`; nothing if all of it stays.
+/// Returns the parts of `triangle` that earlier triangles do not cover. Returns nothing if the triangle does not
+/// change.
 std::optional<std::vector<Polygon>> partsOf(
     const simplify::Mesh& mesh,
     std::uint32_t triangle,
@@ -376,8 +382,8 @@ std::optional<std::vector<Polygon>> partsOf(
     OpenSurfaces& surfaces) {
     const Face face = faceOf(mesh, mesh.triangles[triangle]);
     const std::vector<Polygon> whole{{face.corners.begin(), face.corners.end()}};
-    std::vector<Polygon> parts = whole;       // without the parts that sheets and faces of the same side cover
-    std::vector<Polygon> unseenParts = whole; // also without those that face a solid
+    std::vector<Polygon> parts = whole;       // without parts that open surfaces or faces of the same orientation cover
+    std::vector<Polygon> unseenParts = whole; // also without parts that face a solid
     for (const std::uint32_t other : covering) {
         const Face cover = faceOf(mesh, mesh.triangles[other]);
         const bool facesIt = glm::dot(face.normal, cover.normal) < 0;
@@ -413,7 +419,7 @@ std::uint64_t removeCoveredFaces(simplify::Mesh& mesh) {
     std::vector<simplify::Triangle> triangles;
     triangles.reserve(mesh.triangles.size());
     std::uint64_t changed = 0;
-    std::uint32_t next = 0; // of the mesh's triangles
+    std::uint32_t next = 0; // index of the next mesh triangle to copy
     const auto keepUntil = [&](std::size_t end) {
         for (; next < end; ++next)
             triangles.push_back(mesh.triangles[next]);

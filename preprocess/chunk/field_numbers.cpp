@@ -7,7 +7,7 @@ namespace gnomon::chunk {
 
 namespace {
 
-/// Widens the fields by the values of a vertex.
+/// Extends the ranges of the fields by the values of a vertex.
 void add(
     read::MeshSource& source,
     std::uint64_t vertex,

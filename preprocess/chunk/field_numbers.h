@@ -1,4 +1,4 @@
-// Fields of a source's vertices as numbers between the least and the greatest value of each.
+// Quantises the fields of a source's vertices to integers between the min and the max value of each field.
 #pragma once
 
 #include "core/progress.h"
@@ -11,27 +11,27 @@
 
 namespace gnomon::chunk {
 
-/// The fields of `source` over the vertices that triangles use, those with a `valence`: one pass over the vertices,
-/// none where there are no fields. Throws Error for a value that is not finite, for a range that is not, and for more
-/// than hierarchy::kMostFields.
+/// Returns the fields of `source` with their ranges over the used vertices, which have a `valence` above 0. It makes
+/// one pass over the vertices if there are fields. Throws Error for a value or a range that is not finite, and for more
+/// than hierarchy::kMostFields fields.
 std::vector<hierarchy::Field> measuredFields(
     read::MeshSource& source, const VertexTable<std::uint8_t>& valence, Progress& progress);
 
-/// Those of `source`, without a range yet. Throws Error for more than hierarchy::kMostFields.
+/// Returns the fields of `source` without ranges. Throws Error for more than hierarchy::kMostFields fields.
 std::vector<hierarchy::Field> unmeasuredFields(const read::MeshSummary& source);
 
-/// Widens the ranges of `fields` by the vertices of a block that triangles use. Throws Error for a value that is not
-/// finite.
+/// Extends the ranges of `fields` by the used vertices of a block. Throws Error for a value that is not finite.
 void addUsed(
     read::MeshSource& source,
     const read::VertexBlock& block,
     const VertexTable<std::uint8_t>& valence,
     std::vector<hierarchy::Field>& fields);
 
-/// Ends the ranges once all vertices were added. Throws Error for a range that is not finite.
+/// Completes the ranges after all vertices were added. Throws Error for a range that is not finite.
 void endRanges(const std::string& path, std::vector<hierarchy::Field>& fields);
 
-/// The word of a vertex: each value as the nearest number, half a step of its field off at most.
+/// Packs the field values of a vertex into one word. Each value is rounded to the nearest step, so that its error is at
+/// most half a step of the field.
 std::uint32_t packedFields(std::span<const double> values, std::span<const hierarchy::Field> fields);
 
 } // namespace gnomon::chunk

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kRemembered = std::size_t{1} << 16U;
 
-/// Why a triangle between heavy points is dropped if it is not the first there, as far as that is known.
+/// Returns the reason for dropping a triangle between heavy points if it is not the first one there. Returns null if
+/// the reason depends on unknown positions.
 std::uint64_t DroppedTriangles::*reasonOf(
     const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found) {
     bool isCollapsed = false;
@@ -21,7 +22,8 @@ std::uint64_t DroppedTriangles::*reasonOf(
         const bool isFirst = found[i] % 2 == 0 && found[k] % 2 == 0;
         if (isFirst || corners[i] == corners[k]) return &DroppedTriangles::degenerate;
         isCollapsed = true;
-        isUnknown = isUnknown || found[i] == found[k]; // both elsewhere: perhaps at one position
+        // Both corners differ from the first position, so that they may be equal.
+        isUnknown = isUnknown || found[i] == found[k];
     }
     if (isUnknown) return nullptr;
     return isCollapsed ? &DroppedTriangles::collapsedByGrid : &DroppedTriangles::doubled;
@@ -50,7 +52,7 @@ bool HeavyPoints::isRepeated(
     if (reason == nullptr) return false;
     std::array<std::uint64_t, 3> points{found[0] / 2, found[1] / 2, found[2] / 2};
     std::sort(points.begin(), points.end());
-    const std::uint64_t key = 1 + (points[0] << 32U | points[1] << 16U | points[2]); // fewer than 2^16 each
+    const std::uint64_t key = 1 + (points[0] << 32U | points[1] << 16U | points[2]); // each number is below 2^16
     std::uint64_t& earlier = earlier_[mix64(key) % kRemembered];
     if (earlier != key) {
         earlier = key;

@@ -1,4 +1,4 @@
-// The points of the grid at which too many corners lie for a chunk, and the repeated triangles between them.
+// Grid points with too many corners for one chunk, and the detection of repeated triangles between them.
 #pragma once
 
 #include "preprocess/chunk/chunk_streams.h"
@@ -8,32 +8,33 @@
 
 namespace gnomon::chunk {
 
-/// A point of the grid cannot be cut, so triangles that repeat each other there are left out before they reach a chunk.
-/// They are told by their points alone: which of the points a corner lies at, and whether at the very position of the
-/// first vertex that was seen there.
+/// The heavy points of a source. A grid point cannot be divided, so repeated triangles between heavy points must be
+/// dropped before the binning. The class knows only two facts per corner: its heavy point, and whether it has the
+/// position of the first vertex there.
 class HeavyPoints {
 public:
-    /// Of `points`, the first `most`.
+    /// Uses the first `most` points of `points`.
     HeavyPoints(std::vector<hierarchy::GridPoint> points, std::size_t most);
 
     std::size_t size() const { return points_.size(); }
 
     const hierarchy::GridPoint& operator[](std::size_t which) const { return points_[which]; }
 
-    /// Where a vertex lies that snaps to `point`: twice the number of the heavy point, and one more unless it is at the
-    /// position of the first vertex there. None where no heavy point is.
+    /// Returns the place of a vertex that snaps to `point`: twice the number of the heavy point, plus one if its
+    /// position differs from the first vertex there. Returns nothing if `point` is not heavy.
     std::optional<std::uint32_t> find(const hierarchy::GridPoint& point, const glm::dvec3& position);
 
-    /// Whether the triangle of `corners`, which lie at `found` as `find` tells, is left out of the source for sure: its
-    /// points are those of an earlier triangle, and why it is dropped is known without its positions; `dropped` counts
-    /// it then. Not all repeats are found: what is remembered is bounded.
+    /// Returns true if the triangle certainly repeats an earlier one, and counts it in `dropped`. `found` contains the
+    /// results of `find` for its corners. The reason for the drop must be known without positions. The memory is
+    /// bounded, so the function misses some repeats.
     bool isRepeated(
         const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found, DroppedTriangles& dropped);
 
 private:
     std::vector<hierarchy::GridPoint> points_; // ascending
     std::vector<std::optional<glm::dvec3>> first_;
-    std::vector<std::uint64_t> earlier_; // triangles of three heavy points, by hash; the last one stays
+    // Hash table of triangles of three heavy points; a new entry replaces an old one.
+    std::vector<std::uint64_t> earlier_;
 };
 
 } // namespace gnomon::chunk

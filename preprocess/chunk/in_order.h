@@ -1,4 +1,4 @@
-// Many pieces of work at once, their results taken one after the other in order.
+// Runs many pieces of work in parallel and consumes their results in order.
 #pragma once
 
 #include <tbb/parallel_pipeline.h>
@@ -9,8 +9,8 @@
 
 namespace gnomon::chunk {
 
-/// Calls `make(i)` for i in [first, end) on as many threads as there are, never holding more than `atOnce` results, and
-/// `take(i, result)` in order, one at a time.
+/// Calls `make(i)` in parallel for each i in [first, end), and `take(i, result)` in order, one at a time. At most
+/// `atOnce` results exist at once.
 template <class Make, class Take>
 void makeInOrder(std::size_t first, std::size_t end, std::size_t atOnce, const Make& make, const Take& take) {
     using Result = decltype(make(first));

@@ -1,31 +1,32 @@
-// The vertices that a chunk has and uses, found by the index that they have in the source.
+// The vertices that a chunk contains or uses, with a lookup by source index.
 #pragma once
 
 #include "preprocess/chunk/chunk_streams.h"
 
 namespace gnomon::chunk {
 
-/// Those that lie in the chunk come first, then those of other chunks.
+/// A list of vertices: first the vertices in the chunk, then the vertices of other chunks.
 class IndexedVertices {
 public:
-    /// The first `ownCount` by ascending index, the others in any order; no index twice.
+    /// Takes `vertices`. The first `ownCount` must have ascending indices. The rest may have any order. Indices are
+    /// unique.
     IndexedVertices(std::vector<ChunkVertex> vertices, std::size_t ownCount);
 
     std::size_t size() const { return vertices_.size(); }
 
-    /// How many lie in the chunk.
+    /// Returns the number of vertices in the chunk.
     std::size_t ownCount() const { return ownCount_; }
 
     const ChunkVertex& operator[](std::uint32_t vertex) const { return vertices_[vertex]; }
 
-    /// Gives the vertices up, in the order that they have here.
+    /// Moves the vertices out, in their current order.
     std::vector<ChunkVertex> take() && {
         runs_ = {};
         firstRun_ = {};
         return std::move(vertices_);
     }
 
-    /// Its number here; a check fails for a vertex that the chunk has not.
+    /// Returns the position of a source vertex in this list. A check fails if the list does not contain it.
     std::uint32_t find(std::uint64_t sourceIndex) const;
 
     simplify::Triangle find(const read::TriangleCorners& corners) const {
@@ -33,14 +34,15 @@ public:
     }
 
 private:
-    /// Vertices that follow each other both in the source and here. Scans have few runs, and long ones.
+    /// A run of vertices that are consecutive both in the source and in this list. A scan has few long runs.
     struct Run {
         std::uint64_t index = 0;
         std::uint32_t vertex = 0;
         std::uint32_t count = 0;
     };
 
-    /// Calls `begin(index, vertex)` where a run begins and `extend()` for each of its vertices, by ascending index.
+    /// Calls `begin(index, vertex)` at the start of each run and `extend()` for each of its vertices, by ascending
+    /// index.
     template <class Begin, class Extend>
     void forEachRun(const std::vector<std::uint32_t>& foreign, const Begin& begin, const Extend& extend) const;
 
@@ -51,7 +53,7 @@ private:
     std::size_t ownCount_;
     std::vector<Run> runs_; // by ascending index
     std::uint32_t bucketShift_ = 0;
-    std::vector<std::uint32_t> firstRun_; // that begins in each bucket of 2^bucketShift_ indices, or after it
+    std::vector<std::uint32_t> firstRun_; // the first run that starts in or after each bucket of 2^bucketShift_ indices
 };
 
 } // namespace gnomon::chunk

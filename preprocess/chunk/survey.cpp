@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t kMostSampled = std::size_t{1} << 19U;
 constexpr int kExponentBias = 1200;
 constexpr int kBinsPerOctave = 16;
-constexpr std::size_t kMaxStrayShare = 1000; // one of so many triangles
-constexpr std::size_t kMaxFewStrays = 16;    // triangles of a small source
-constexpr std::size_t kMaxFewStrayShare = 8; // one of so many
-constexpr double kFewStraysDistance = 1000;  // widths of the others
-constexpr double kUnsampled = 1.0 / 64;      // of the width: vertices outside of the sample may lie so far out
-constexpr int kRangeBits = 30;               // of a grid coordinate, if all of the source is in the grid's range
+constexpr std::size_t kMaxStrayShare = 1000; // max share of strays: 1 of 1000 triangles
+constexpr std::size_t kMaxFewStrays = 16;    // max number of strays in a small source
+constexpr std::size_t kMaxFewStrayShare = 8; // max share of these strays: 1 of 8 triangles
+constexpr double kFewStraysDistance = 1000;  // min distance of these strays, in widths of the rest
+constexpr double kUnsampled = 1.0 / 64;      // share of the width by which unsampled vertices may exceed the sample
+constexpr int kRangeBits = 30;               // bits of a grid coordinate if the whole source is within the grid's range
 
 double maxAbs(const glm::dvec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -33,7 +33,7 @@ double maxExtent(const Box& box) {
     return std::max({extent.x, extent.y, extent.z});
 }
 
-/// Returns `box`, moved outwards on each side by its width times `widths`.
+/// Returns `box` extended on each side by its width times `widths`.
 Box grown(const Box& box, double widths) {
     const glm::dvec3 by(widths * maxExtent(box));
     return {box.min - by, box.max + by};
@@ -43,7 +43,7 @@ bool contains(const Box& outer, const Box& inner) {
     return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::greaterThanEqual(outer.max, inner.max));
 }
 
-/// Returns the median of each coordinate, of 65,536 evenly chosen positions at most. `positions` has at least one.
+/// Returns the median of each coordinate over at most 65,536 evenly chosen positions. `positions` must not be empty.
 glm::dvec3 medianOf(std::span<const glm::dvec3> positions) {
     glm::dvec3 median(0);
     std::vector<double> values(std::min<std::size_t>(positions.size(), 1U << 16U));
@@ -57,7 +57,7 @@ glm::dvec3 medianOf(std::span<const glm::dvec3> positions) {
     return median;
 }
 
-/// The largest exponent e with 2^e <= value.
+/// Returns the largest integer e with 2^e <= value.
 int floorExponent(double value) {
     int exponent = 0;
     std::frexp(value, &exponent);
@@ -82,9 +82,9 @@ void countTriangles(read::MeshSource& source, SourceSurvey& survey, EdgeSample& 
     });
 }
 
-/// Throws Error for coordinates that cannot be computed with.
+/// Throws Error if a coordinate is too large for computations.
 void requireReach(const std::string& path, const Box& box) {
-    constexpr double kMostCoordinate = 1e100; // beyond, squares of distances leave the range of doubles
+    constexpr double kMostCoordinate = 1e100; // larger values would overflow squared distances
     const double largest = box.isEmpty() ? 0 : std::max(maxAbs(box.min), maxAbs(box.max));
     if (largest <= kMostCoordinate) return;
     std::array<char, 32> found{};
@@ -116,8 +116,9 @@ void addUsed(
     }
 }
 
-// The threshold of the whole sample is the largest power of two that leaves few enough, in whatever order. Hashes as by
-// chance leave a fiftieth more than are expected to be left as good as never: it is 14 standard deviations.
+// The final threshold is the largest power of two that leaves at most kMostSampled entries. It does not depend on the
+// order of the triangles. This constructor starts at a threshold that is never lower than the final one in practice.
+// The margin of 1/50 is 14 standard deviations for random hashes.
 EdgeSample::EdgeSample(std::uint64_t triangles) {
     for (; triangles > kMostSampled + kMostSampled / 50; triangles /= 2)
         threshold_ /= 2;
@@ -222,7 +223,7 @@ hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample
     const int coarsest = exponent;
     if (const double shortest = lengths.quantile(2e-5); shortest > 0)
         exponent = std::min(exponent, floorExponent(shortest / 2));
-    // A step below the spacing of doubles at these coordinates would only store noise.
+    // A step smaller than the spacing of doubles at these coordinates would only store noise.
     const double largest = std::max(glm::length(mainPart.min), glm::length(mainPart.max));
     exponent = std::max(exponent, floorExponent(largest) - 52);
     const int ofAll = floorExponent(maxExtent(box)) + 1 - kRangeBits;

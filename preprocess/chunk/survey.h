@@ -1,4 +1,4 @@
-// What a first look at a source tells: its counts, its grid, and how many triangles use each vertex.
+// The survey of a source mesh: counts, grid, and the number of triangles per vertex.
 #pragma once
 
 #include "core/progress.h"
@@ -12,14 +12,15 @@
 
 namespace gnomon::chunk {
 
-/// What to do with triangles far outside of the main part of a source.
+/// The treatment of triangles far outside the main part of a source: exclude them or include them.
 enum class Strays : std::uint8_t { Leave, Keep };
 
+/// The facts about a source that the binning needs.
 struct SourceSurvey {
     hierarchy::Grid grid;
-    hierarchy::GridPoint furthest; // no snapped vertex of a triangle lies beyond it on any axis
-    Box mainPart;                  // contains all vertices of triangles unless the source has strays
-    double medianEdge = 0;         // of the sampled edges; 0 without edges
+    hierarchy::GridPoint furthest; // max coordinates of snapped vertices of triangles
+    Box mainPart;                  // contains all vertices of triangles if the source has no strays
+    double medianEdge = 0;         // median length of the sampled edges; 0 without edges
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
@@ -29,12 +30,13 @@ struct SourceSurvey {
     std::vector<hierarchy::Field> fields;
 };
 
-/// One pass over the triangles and two over the vertices, one more where these have fields, in one byte a vertex and
-/// some 60 MiB. Throws Error where the source does.
+/// Surveys `source` in one pass over the triangles and two passes over the vertices, or three if there are fields. Uses
+/// one byte per vertex and about 60 MiB. Throws Error if the source throws it.
 SourceSurvey surveySource(read::MeshSource& source, Progress& progress, Strays strays = Strays::Leave);
 
-/// The triangles whose edges the grid is chosen by: all of a source of up to 512 Ki triangles, else at least 256 Ki
-/// drawn by a hash of their index, so the same ones for the same source.
+/// A sample of triangles whose edges determine the grid step. It contains all triangles of a source of up to 512 Ki
+/// triangles, and at least 256 Ki triangles of a larger source. The hash of the triangle index selects them, so that
+/// the sample is deterministic.
 class EdgeSample {
 public:
     struct Entry {
@@ -44,27 +46,27 @@ public:
 
     EdgeSample() = default;
 
-    /// Of a part of a source of `triangles` triangles: what all parts have together is enough, and not much more.
+    /// Creates a sample for one part of a source that has `triangles` triangles in total. The samples of all parts
+    /// together contain the sample of the source, and only few more triangles.
     explicit EdgeSample(std::uint64_t triangles);
 
-    /// Takes or leaves the triangle `index`.
+    /// Adds the triangle `index` if its hash is small enough.
     void offer(std::uint64_t index, const read::TriangleCorners& corners);
 
-    /// Takes or leaves what another sample had.
+    /// Adds an entry of another sample if its hash is small enough.
     void take(const Entry& entry);
 
     const std::vector<Entry>& entries() const { return entries_; }
 
-    /// All corners.
+    /// Returns the vertices of all sampled triangles.
     std::vector<std::uint64_t> vertices() const;
 
-    /// A histogram of edge lengths, with 16 bins from each power of two to the next. It does not depend on the order of
-    /// the edges.
+    /// A histogram of edge lengths with 16 bins per power of two. It does not depend on the order of the edges.
     class Lengths {
     public:
         void add(double length);
 
-        /// Returns the lower end of the bin in which the quantile lies: at most the quantile, and more than 16/17 of
+        /// Returns the lower end of the bin that contains the quantile: at most the quantile, and more than 16/17 of
         /// it. Returns 0 without edges.
         double quantile(double fraction) const;
 
@@ -73,14 +75,16 @@ public:
         std::uint64_t total_ = 0;
     };
 
-    /// Returns the lengths of the sampled edges. `positions` are those of `vertices()`.
+    /// Returns the lengths of the sampled edges. `positions` must contain the positions of `vertices()`.
     Lengths measure(const VertexLookup& positions) const;
 
-    /// Returns the part of `box` in which the sampled triangles lie, without strays. Strays are
-    /// - up to 0.1% of the triangles, if they lie further outside of the box of the others than this box is wide, or
-    /// - up to 16 triangles, but at most an eighth, if they lie 1000 times as far outside.
-    /// The triangles that may be strays are those that are furthest from the median vertex. Without strays the result
-    /// is `box`, else the box of all sampled vertices that lie no further out than the others are wide, grown by 1/64.
+    /// Returns the part of `box` that contains the sampled triangles without strays. Triangles are strays in two cases:
+    /// - up to 0.1% of the triangles, if their distance from the bounds of the rest is larger than the width of these
+    /// bounds;
+    /// - up to 16 triangles, at most an eighth, if they are 1000 times as far outside.
+    /// Only the triangles farthest from the median vertex can be strays. Without strays the result is `box`. With
+    /// strays, the result is the box of all sampled vertices at most one width outside the rest, extended by 1/64 of
+    /// the width.
     Box mainPart(const VertexLookup& positions, const Box& box) const;
 
 private:
@@ -88,13 +92,13 @@ private:
     std::uint64_t threshold_ = ~std::uint64_t{0};
 };
 
-/// Widens `box` by the vertices of a block that triangles use: a stray one would set the grid's step. Throws Error for
-/// one that is not finite.
+/// Extends `box` by the used vertices of a block. Unused vertices do not count, because they would influence the grid
+/// step. Throws Error for a position that is not finite.
 void addUsed(
     read::MeshSource& source, const read::VertexBlock& block, const VertexTable<std::uint8_t>& valence, Box& box);
 
-/// Sets the grid of a survey, its main part and its median edge. `box` contains the vertices that triangles use, and
-/// `positions` are those of the sample's vertices. Throws Error for coordinates that cannot be computed with.
+/// Sets the grid, the main part and the median edge of a survey. `box` contains the used vertices. `positions` contains
+/// the positions of the sample's vertices. Throws Error for coordinates that are too large.
 void setGrid(
     SourceSurvey& survey,
     const std::string& path,
@@ -103,14 +107,15 @@ void setGrid(
     const VertexLookup& positions,
     Strays strays);
 
-/// Returns the grid for positions within `box` whose edges have these `lengths`. Its step is at most 2^-20 of the
-/// extent of `mainPart`, 1/64 of the median and of the 10% quantile of the edges, and the spacing of doubles at most.
-/// If `box` fits into 2^30 steps, it is also at most half of nearly the shortest edge. It is coarser only if `mainPart`
-/// needs more than 2^30 steps. If `box` needs more, the grid's range is around `mainPart`, and the rest of `box` is
-/// beyond it.
+/// Returns the grid for positions within `box` with edges of these `lengths`. The grid step is at most
+/// - 2^-20 of the extent of `mainPart`,
+/// - 1/64 of the median and of the 10% quantile of the edges.
+/// If `box` fits into 2^30 steps, the step is also at most half of the 2e-5 quantile of the edges. The step is never
+/// smaller than the spacing of doubles at these coordinates. The step is larger only if `mainPart` needs more than 2^30
+/// steps. If `box` needs more, the grid's range is centred on `mainPart`, and the rest of `box` is outside the range.
 hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample::Lengths& lengths);
 
-/// Finds the points of a grid that are nearest to positions.
+/// Snaps positions to the nearest grid points.
 class GridSnap {
 public:
     explicit GridSnap(const hierarchy::Grid& grid) : origin_(grid.origin), stepsPerUnit_(1 / grid.step()) {}
@@ -120,7 +125,7 @@ public:
         return {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
     }
 
-    /// Returns whether the grid has a point that is at most half a step away on each axis.
+    /// Returns true if the grid has a point at most half a step away on each axis.
     bool isInRange(const glm::dvec3& position) const {
         const glm::dvec3 p = (position - origin_) * stepsPerUnit_;
         return isInRange(p.x) && isInRange(p.y) && isInRange(p.z);

@@ -1,4 +1,4 @@
-// Fetching some vertices of a source by index in one pass, in the memory of what is fetched.
+// Reads chosen vertices of a source by index in one pass. The memory is proportional to the number of chosen vertices.
 #pragma once
 
 #include "core/check.h"
@@ -13,7 +13,7 @@ namespace gnomon::chunk {
 /// The positions of chosen vertices.
 class VertexLookup {
 public:
-    /// Reads the positions of `vertices` (any order, repeats welcome) in one pass over the source.
+    /// Reads the positions of `vertices` in one pass over the source. The list may be unsorted and contain repeats.
     VertexLookup(read::MeshSource& source, std::vector<std::uint64_t> vertices) : vertices_(std::move(vertices)) {
         std::sort(vertices_.begin(), vertices_.end());
         vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
@@ -22,9 +22,9 @@ public:
         GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
     }
 
-    /// The same of a source whose rows are indexed: of what lies between, only little is read.
+    /// Reads the positions of `vertices` from a source with indexed rows. It skips long gaps between the vertices.
     static VertexLookup byRanges(read::MeshSource& source, std::vector<std::uint64_t> vertices) {
-        constexpr std::uint64_t kLittle = read::RowIndex::kRows; // about what a file is read in anyway
+        constexpr std::uint64_t kLittle = read::RowIndex::kRows; // about the size of one read of the file
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
         std::vector<glm::dvec3> positions;
@@ -41,7 +41,7 @@ public:
         return {std::move(vertices), std::move(positions)};
     }
 
-    /// Of `vertices`, ascending, with their positions.
+    /// Takes ascending `vertices` with their positions.
     VertexLookup(std::vector<std::uint64_t> vertices, std::vector<glm::dvec3> positions)
         : vertices_(std::move(vertices)), positions_(std::move(positions)) {
         GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
@@ -52,10 +52,10 @@ public:
         return positions_[static_cast<std::size_t>(found - vertices_.begin())];
     }
 
-    /// All of them, in the order of the vertices.
+    /// Returns the positions in the order of the ascending vertices.
     std::span<const glm::dvec3> positions() const { return positions_; }
 
-    /// Appends the positions of those of `vertices`, ascending, that are next and in the block.
+    /// Appends the positions of the next vertices of `vertices` (ascending) that are in the block.
     static void take(
         const read::VertexBlock& block,
         const std::vector<std::uint64_t>& vertices,

@@ -1,4 +1,4 @@
-// A number for each vertex of a source, in pages: those of which no vertex was told anything take no memory.
+// A table with one number per vertex of a source, in pages. Pages without any written number need no memory.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gnomon::chunk {
 
-/// Begins with zeros.
+/// A paged table whose numbers are initially zero.
 template <class T>
 class VertexTable {
 public:
@@ -25,7 +25,7 @@ public:
         return page != nullptr ? page[vertex % kPageVertices] : T{};
     }
 
-    /// To be written.
+    /// Returns a writable reference and allocates its page.
     T& at(std::uint64_t vertex) {
         std::unique_ptr<T[]>& page = pages_[vertex >> kPageBits];
         if (page == nullptr) {
@@ -37,25 +37,25 @@ public:
 
     std::size_t pageCount() const { return pages_.size(); }
 
-    /// The numbers of `kPageVertices` vertices; nothing where no vertex was told anything.
+    /// Returns the numbers of `kPageVertices` vertices, or an empty span if the page is not allocated.
     std::span<const T> page(std::size_t page) const {
         return pages_[page] == nullptr ? std::span<const T>() : std::span<const T>(pages_[page].get(), kPageVertices);
     }
 
-    /// To be written.
+    /// Returns a writable page and allocates it.
     std::span<T> pageAt(std::size_t page) {
         at(page << kPageBits);
         return {pages_[page].get(), kPageVertices};
     }
 
-    /// All are zeros again.
+    /// Frees all pages, so that all numbers are zero.
     void clear() {
         for (std::unique_ptr<T[]>& page : pages_)
             page.reset();
         held_ = 0;
     }
 
-    /// How many pages take memory.
+    /// Returns the number of allocated pages.
     std::size_t held() const { return held_; }
 
 private:
@@ -63,10 +63,10 @@ private:
     std::size_t held_ = 0;
 };
 
-/// Numbers of which most sources need 16 bits, and few more.
+/// A paged table of vertex numbers with 16 bits, or with 32 bits if the largest number needs them.
 class VertexNumbers {
 public:
-    /// For `vertices` numbers of up to `largest`.
+    /// Creates a table of `vertices` numbers from 0 to `largest`.
     VertexNumbers(std::uint64_t vertices, std::uint64_t largest)
         : isWide_(largest > 0xFFFF), narrow_(isWide_ ? 0 : vertices), wide_(isWide_ ? vertices : 0) {}
 

@@ -4,11 +4,12 @@ namespace gnomon::levels {
 
 namespace {
 
-/// Where a triangle is looked at: between its middle and each corner, so that what lies on a seam has one word.
+/// The barycentric coordinates of the three sample points of a triangle. They lie between the centroid and each corner,
+/// so that a sample never lies on a seam with two words.
 constexpr std::array<std::array<float, 3>, 3> kSampleWeights = {
     {{2.0F / 3, 1.0F / 6, 1.0F / 6}, {1.0F / 6, 2.0F / 3, 1.0F / 6}, {1.0F / 6, 1.0F / 6, 2.0F / 3}}};
 
-/// The least height of a triangle.
+/// Returns the smallest height of a triangle.
 double widthOf(const std::array<glm::dvec3, 3>& t) {
     const double area = glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
     const double longest = std::max({glm::length(t[1] - t[0]), glm::length(t[2] - t[1]), glm::length(t[0] - t[2])});
@@ -98,8 +99,8 @@ void ChannelFit::compareWordsAround() {
     }
 }
 
-/// Whether the simplified triangles around what the corners of triangle `t` were collapsed into all have one word, that
-/// of `t`, at all corners: what most triangles have that are coloured part by part, found without a list of them.
+/// Returns true if all simplified triangles around the collapsed corners of `t` have one word, the word of `t`. This is
+/// true for most triangles of a surface with few colours. The test needs no candidate list.
 bool ChannelFit::isPlain(const simplify::Triangle& t) const {
     const std::uint32_t word = words_[t[0]];
     return std::ranges::all_of(t, [&](std::uint32_t v) {
@@ -109,7 +110,7 @@ bool ChannelFit::isPlain(const simplify::Triangle& t) const {
     });
 }
 
-/// The simplified triangles around what the corners of triangle `t` were collapsed into, each once.
+/// Gathers the simplified triangles around the positions that the corners of `t` were collapsed into, each once.
 void ChannelFit::gatherCandidates(const simplify::Triangle& t) {
     candidates_.clear();
     for (const std::uint32_t v : t)
@@ -119,7 +120,8 @@ void ChannelFit::gatherCandidates(const simplify::Triangle& t) {
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
 }
 
-/// How far the corners of a triangle moved; where none did, how far what was collapsed into them did.
+/// Returns the max distance by which a corner of `t` moved. If no corner moved, returns the max distance by which other
+/// positions moved that were collapsed into a corner.
 double ChannelFit::lengthOf(const simplify::Triangle& t) const {
     double moved = 0;
     double reach = 0;
@@ -131,13 +133,13 @@ double ChannelFit::lengthOf(const simplify::Triangle& t) const {
     return moved > 0 ? moved : reach;
 }
 
-/// Looks at points of triangle `number` of the patch, and divides what is off there among the corners of the
-/// simplified triangle there.
+/// Samples triangle `number` of the patch and adds each residual to the corners of the simplified triangle at the
+/// sample.
 void ChannelFit::compare(std::uint32_t number) {
     const simplify::Triangle& t = patch_.triangles[number];
     const std::array<glm::dvec3, 3> places = surface_.placesOf(t);
     const auto area = static_cast<float>(glm::length(glm::cross(places[1] - places[0], places[2] - places[0])));
-    if (isPlain(t)) { // nothing is off, but that counts
+    if (isPlain(t)) { // the residual is zero, but its area counts
         for (const std::uint32_t v : t)
             plainWeight_[simplified_.positionOf(patch_, v)] += area;
         return;

@@ -1,4 +1,4 @@
-// What the vertices of a simplified patch carry in up to four channels, fitted to those of the patch that it replaces.
+// Fits the vertex attributes of a simplified patch, in up to four channels, to the attributes of the original patch.
 #pragma once
 
 #include "hierarchy/page_fields.h"
@@ -9,32 +9,35 @@
 
 namespace gnomon::levels {
 
-/// A vertex, by its number in a patch or a mesh, and the word that it takes: a colour, or its fields.
+/// A vertex, by its index in a patch or a mesh, with its new word: a packed colour or packed fields.
 struct TransferredWord {
     std::uint32_t vertex = 0;
     std::uint32_t word = 0;
 };
 
-/// One step of a least squares fit, over the area of a patch, of what is interpolated between the vertices that are
-/// left to what was there; so a pattern that is gone leaves its mean, and one that is kept stays sharp. Vertices at
-/// locked positions keep what they have. For one patch at a time; what it is made of must outlive it.
+/// A fit of the vertex attributes of a simplified patch. It is one step of a least-squares fit of the interpolated
+/// attributes to the original attributes over the area of the patch. A removed pattern therefore leaves its mean, and a
+/// preserved pattern stays sharp. Vertices at locked positions do not change. One object fits one patch, and its inputs
+/// must outlive it.
 class ChannelFit {
 public:
     using Channels = std::array<float, hierarchy::kMostFields>;
 
-    /// `words` are those of the patch's vertices, and channels lie in them as `layout` says.
+    /// Prepares the fit. `words` are the packed attributes of the patch's vertices, and `layout` describes their
+    /// channels.
     ChannelFit(
         const simplify::Patch& patch,
         const simplify::SimplifiedPatch& simplified,
         std::vector<std::uint32_t> words,
         const hierarchy::FieldLayout& layout);
 
-    /// The words of the vertices that are left and that change, ascending.
+    /// Returns the changed words of the remaining vertices, by ascending vertex.
     std::vector<TransferredWord> run();
 
-    /// After `run`: calls `take(length, difference)` for points of all triangles of the patch where not all is of one
-    /// word, each compared with the nearest simplified triangle around what its corners were collapsed into. `length`
-    /// is how far these moved, grid steps; `difference` the largest of a channel, as a part of the first one's range.
+    /// Calls `take(length, difference)` for sample points of the original triangles after `run`. Triangles with a
+    /// single word are skipped. Each sample is compared with the nearest simplified triangle around its collapsed
+    /// corners. `length` is the distance in grid steps by which the corners moved. `difference` is the largest
+    /// difference of a channel, divided by the range of the first channel.
     template <class Take>
     void forEachDifference(const Take& take) const {
         for (const Sample& sample : samples_) {
@@ -49,7 +52,7 @@ public:
 private:
     using Weights = std::array<float, 3>;
 
-    /// A point of the patch, and where it lies on the simplified one.
+    /// A sample point of the original patch with its nearest place on the simplified patch.
     struct Sample {
         Channels channels{};
         Weights weights{};
@@ -63,7 +66,7 @@ private:
 
     Channels found(const Sample& sample) const { return mixed(simplified_.triangles[sample.triangle], sample.weights); }
 
-    /// What the simplified triangles around a position have at their corners.
+    /// The words at the corners of the simplified triangles around a position: no triangle, one word, or several.
     enum class Around : std::uint8_t { NoTriangle, OneWord, Words };
 
     void compareWordsAround();
@@ -77,13 +80,13 @@ private:
     hierarchy::FieldLayout layout_;
     SimplifiedSurface surface_;
     std::vector<std::uint32_t> words_;
-    std::vector<Around> around_;            // per position that is left
-    std::vector<std::uint32_t> wordAround_; // likewise, of those with OneWord
-    std::vector<double> reach_;             // per position: how far what was collapsed into it moved
+    std::vector<Around> around_;            // per remaining position
+    std::vector<std::uint32_t> wordAround_; // per position; the word of positions with OneWord
+    std::vector<double> reach_;             // per position: max distance of a position that was collapsed into it
     std::vector<Channels> channels_;        // per vertex
     std::vector<Channels> residual_;
-    std::vector<float> weight_;      // of what the residuals were added up over
-    std::vector<float> plainWeight_; // per position: likewise, of triangles without any
+    std::vector<float> weight_;      // area of the samples of each residual
+    std::vector<float> plainWeight_; // per position: area of triangles without residual
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> candidates_;
 };

@@ -12,10 +12,10 @@ namespace {
 
 using Positions = std::span<const glm::vec3>;
 
-/// What kdSplit orders: whole small pieces and single triangles of large ones.
+/// The items that kdSplit orders: small connected pieces as a whole, and single triangles of large pieces.
 struct Items {
     std::vector<KdItem> items;
-    std::vector<std::uint32_t> first; // item -> its first place in `members`
+    std::vector<std::uint32_t> first; // index of each item's first triangle in `members`
     std::vector<std::uint32_t> members;
 };
 
@@ -30,7 +30,7 @@ struct ClusterInput {
     }
 };
 
-/// For each triangle the number of its connected piece, counted in the order of first appearance.
+/// Returns the number of the connected piece of each triangle. Pieces are numbered by first appearance.
 std::vector<std::uint32_t> pieces(const ClusterInput& input, std::uint32_t& count) {
     simplify::UnionFind sets(static_cast<std::uint32_t>(input.positions.size()));
     for (const simplify::Triangle& t : input.triangles) {
@@ -89,7 +89,7 @@ std::uint32_t vertexCount(const ClusterInput& input, std::span<const std::uint32
     return static_cast<std::uint32_t>(numbers.ids().size());
 }
 
-/// Appends `cluster`, halved until its vertices fit.
+/// Appends `cluster`. The function splits it into halves until each part has few enough vertices.
 void appendFitting(
     const ClusterInput& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers, Clustering& out) {
     if (const std::uint32_t vertices = vertexCount(input, cluster, numbers); vertices <= kMaxClusterVertices) {

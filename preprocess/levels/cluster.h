@@ -1,4 +1,4 @@
-// Cutting triangles into clusters: compact ones, and small connected pieces stay whole.
+// Divides triangles into compact clusters. Small connected pieces stay in one cluster.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -9,18 +9,18 @@
 
 namespace gnomon::levels {
 
-/// An order of triangles in which clusters are contiguous.
+/// An order of triangles with contiguous clusters.
 struct Clustering {
     std::vector<std::uint32_t> order;        // triangle indices
-    std::vector<std::uint32_t> ends;         // where each cluster ends in `order`
-    std::vector<std::uint32_t> vertexCounts; // how many vertices each cluster has
+    std::vector<std::uint32_t> ends;         // end of each cluster in `order`
+    std::vector<std::uint32_t> vertexCounts; // number of vertices per cluster
 };
 
 constexpr std::uint32_t kMaxClusterVertices = 256;
 
-/// Cuts `triangles` (vertex indices) into clusters of at most `maxTriangles` triangles and kMaxClusterVertices
-/// vertices. `positionOf` maps vertices to positions, `positions` gives their place. A connected piece of at most
-/// `maxTriangles` triangles is not cut unless its vertices are too many.
+/// Divides `triangles` (vertex indices) into clusters of at most `maxTriangles` triangles and kMaxClusterVertices
+/// vertices. `positionOf` maps vertices to positions, and `positions` contains their coordinates. A connected piece of
+/// at most `maxTriangles` triangles stays whole unless it has too many vertices.
 Clustering clusterTriangles(
     std::span<const simplify::Triangle> triangles,
     std::span<const std::uint32_t> positionOf,

@@ -1,5 +1,5 @@
-// Colour transfer: the colours of a simplified patch, fitted to those of the patch that it replaces, and what that
-// leaves wrong; its fields likewise, which nothing is charged for.
+// Transfers colours and fields from a patch to its simplified version. Colours have a remaining error. Errors of fields
+// are not measured.
 #pragma once
 
 #include "preprocess/levels/channel_fit.h"
@@ -7,16 +7,18 @@
 
 namespace gnomon::levels {
 
+/// The new colours of a simplified patch and their remaining error.
 struct ColorTransfer {
-    std::vector<TransferredWord> colors; // RGBA8, of vertices that `simplified` keeps and that change, ascending
-    double error = 0;                    // grid steps
+    std::vector<TransferredWord> colors; // RGBA8 of changed vertices of `simplified`, by ascending vertex
+    double error = 0;                    // remaining error in grid steps
 };
 
-/// New colours for the vertices that `simplified` keeps, by ChannelFit. The error is the largest `colorCharge` of what
-/// is off after that.
+/// Returns new colours for the vertices of `simplified`, computed by ChannelFit. The error is the max `colorCharge` of
+/// the remaining differences.
 ColorTransfer transferredColors(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
 
-/// New words of fields, by ChannelFit; none where the patch has no fields.
+/// Returns new packed fields for the vertices of `simplified`, computed by ChannelFit. Returns an empty list if all
+/// words are equal or the patch has no fields.
 std::vector<TransferredWord> transferredFields(
     const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
 

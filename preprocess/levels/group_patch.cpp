@@ -11,7 +11,7 @@ using hierarchy::kNone;
 PositionOwners::PositionOwners(const simplify::Mesh& mesh, const Level& level) : owners_(mesh.positionCount, kNone) {
     for (std::uint32_t position = 0; position < mesh.positionCount; ++position)
         if (mesh.isBorder[position] != 0) owners_[position] = kShared;
-    // Which group comes first depends on the threads, whether a position ends as shared does not.
+    // The threads claim positions in any order. The order does not affect whether a position ends as shared.
     const auto claim = [&](std::uint32_t position, std::uint32_t group) {
         const std::atomic_ref<std::uint32_t> owner(owners_[position]);
         std::uint32_t found = owner.load(std::memory_order_relaxed);
@@ -49,7 +49,7 @@ GroupPatch makeGroupPatch(
     patch.fields.layout = mesh.fields.layout;
     numbers.positions.begin();
     glm::dvec3 origin(0);
-    constexpr std::size_t kAhead = 16; // the vertices of a group lie all over the mesh
+    constexpr std::size_t kAhead = 16; // prefetch distance; the vertices of a group are scattered in the mesh
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const std::uint32_t v = vertices[i];
         if (i + kAhead < vertices.size()) {

@@ -1,4 +1,4 @@
-// From a group of the level to a patch with its own numbering, its shared positions locked.
+// Converts a group of a level to a patch with its own numbering and locked shared positions.
 #pragma once
 
 #include "preprocess/levels/level.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::levels {
 
-/// Which group uses each position of the mesh, or that several do, or triangles outside the mesh.
+/// The owner of each position of the mesh: one group, or shared if several groups or triangles outside the mesh use it.
 class PositionOwners {
 public:
     PositionOwners(const simplify::Mesh& mesh, const Level& level);
@@ -22,12 +22,13 @@ private:
     std::vector<std::uint32_t> owners_;
 };
 
+/// A patch with the mesh vertices that it was made from.
 struct GroupPatch {
     simplify::Patch patch;
-    std::vector<std::uint32_t> globalVertex; // of each vertex of the patch
+    std::vector<std::uint32_t> globalVertex; // mesh vertex of each patch vertex
 };
 
-/// The numbers that vertices and positions of a mesh have in one patch after the other.
+/// Reusable tables that map vertices and positions of a mesh to their numbers in a patch.
 struct PatchNumbers {
     explicit PatchNumbers(const simplify::Mesh& mesh) : vertices(mesh.vertices.size()), positions(mesh.positionCount) {}
 
@@ -35,7 +36,8 @@ struct PatchNumbers {
     LocalNumbers positions;
 };
 
-/// The patch of `triangles` (vertices of `mesh`). `numbers` are of that mesh, and this patch's afterwards.
+/// Makes the patch of `triangles` (vertices of `mesh`). The function overwrites `numbers` with the numbers of this
+/// patch.
 GroupPatch makeGroupPatch(
     const simplify::Mesh& mesh,
     std::span<const simplify::Triangle> triangles,

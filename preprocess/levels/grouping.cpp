@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::uint32_t kGroupClusters = 16;
 
-/// Where each level's cuts lie: never twice in a row in the same place.
+/// The fraction of weight on the low side of each cut, by level modulo 3. Consecutive levels therefore cut at different
+/// places.
 constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
 
-// Errors up to twice what two thirds of the triangles have are grouped.
+// The share of triangles that defines the usual error. Clusters with up to twice this error are grouped.
 constexpr double kUsualShare = 2.0 / 3;
 constexpr double kMostTimesUsual = 2;
 
@@ -27,8 +28,8 @@ glm::vec3 centerOf(const hierarchy::GridBox& box) {
     return (toVector(box.min) + toVector(box.max)) * 0.5F;
 }
 
-/// A ball around the middle of `box` that holds its corners and the `children`, a hair larger than computed so that
-/// rounding cannot undo it.
+/// Returns a sphere around the centre of `box` that contains the corners of the box and `children`. The radius is
+/// slightly enlarged to cover rounding.
 Sphere enclosing(const Box& box, std::span<const Sphere> children) {
     Sphere sphere{box.center(), glm::length(box.extent()) * 0.5};
     for (const Sphere& child : children)
@@ -37,7 +38,7 @@ Sphere enclosing(const Box& box, std::span<const Sphere> children) {
     return sphere;
 }
 
-/// Beyond which error clusters are deferred, world units.
+/// Returns the error, in world units, above which clusters are deferred.
 double greatestGroupedError(const Level& level) {
     std::vector<WeightedError> errors;
     for (const LevelCluster& cluster : level.clusters)
@@ -88,7 +89,7 @@ void formGroups(
             deferred.push_back(c);
     }
     const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
-    // Half a group at least on either side of a gap: small parts need others near them to merge with.
+    // At least half a group on each side of a gap, because small parts need neighbours to merge with.
     KdParts parts = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()), maxWeight / 2);
     const std::size_t formed = parts.ends.size();
     for (const std::uint32_t c : deferred) {
@@ -143,7 +144,8 @@ void dropDeferred(Level& level) {
 }
 
 void appendDeferred(const Level& level, Level& next) {
-    std::vector<std::uint32_t> numbers(level.refinements.size(), hierarchy::kNone); // in `next`
+    // Number of each refinement in `next`.
+    std::vector<std::uint32_t> numbers(level.refinements.size(), hierarchy::kNone);
     for (const LevelGroup& group : level.groups) {
         if (!group.isDeferred) continue;
         for (const LevelCluster& cluster : clustersOf(level, group)) {

@@ -1,32 +1,33 @@
-// Forming the groups of a level: neighbouring clusters, to be simplified together. Some clusters are deferred: a level
-// passes them on as they are, since to replace them now would cost far more error than the rest of it does, and that
-// error would stand in all that is ever built on top. They are stored once, with the level that groups them.
+// Forms the groups of a level from neighbouring clusters. The clusters of a group are simplified together. A level
+// defers some clusters and passes them on unchanged, because their simplification would cost far more error than the
+// rest. All coarser levels would inherit this error. Deferred clusters are stored once, in the level that groups them.
 #pragma once
 
 #include "preprocess/levels/level.h"
 
 namespace gnomon::levels {
 
-/// An error, and the triangles that have it.
+/// An error with the number of triangles that have it.
 struct WeightedError {
     double error = 0; // world units
     std::uint64_t triangles = 0;
 };
 
-/// The least of `errors` that is not below those of at least `share` (0 to 1) of the triangles; infinity for none.
+/// Returns the smallest value of `errors` such that at least `share` (0 to 1) of the triangles do not exceed it.
+/// Returns infinity for an empty list.
 double errorQuantile(std::vector<WeightedError> errors, double share);
 
-/// Forms the groups of `level`, the `number`th from 0, and reorders clusters and triangles accordingly. Cuts lie
-/// elsewhere than in the level before, so that the borders which were locked there become interiors here. Where it
-/// `mayDefer` (then all clusters refine into something), clusters of more than twice the error of two thirds of the
-/// triangles are groups by themselves, after the others, and deferred.
+/// Forms the groups of `level`, which has the index `number`, and reorders its clusters and triangles by group. The
+/// cuts differ from the previous level, so that locked borders become interior. If `mayDefer` is true, clusters with
+/// more than twice the error of two thirds of the triangles are deferred. Each of them becomes a group after the
+/// others. In this case all clusters must have a refinement.
 void formGroups(
     Level& level, const hierarchy::Grid& grid, const LevelOptions& options, std::uint32_t number, bool mayDefer);
 
-/// Leaves out of `level` the groups that are deferred.
+/// Removes the deferred groups from `level`.
 void dropDeferred(Level& level);
 
-/// Appends the clusters of the groups of `level` that are deferred to `next`, with what they refine into.
+/// Appends the clusters of the deferred groups of `level` to `next`, with their refinements.
 void appendDeferred(const Level& level, Level& next);
 
 } // namespace gnomon::levels

@@ -9,13 +9,13 @@ namespace gnomon::levels {
 
 namespace {
 
-/// A place between points in their order: before `item`, whose center is at `value`.
+/// A cut position in the order of the points: before point `item` at the coordinate `value`.
 struct Place {
     float value;
     std::uint64_t item;
     std::uint64_t weightBefore;
 
-    /// Which side a point is on is a toss, so there are no branches.
+    /// The comparison has no branches, because the CPU cannot predict the side of a point.
     bool isAfter(float pointValue, std::uint32_t pointItem) const {
         const unsigned isLess = pointValue < value ? 1 : 0;
         const unsigned isNoMore = pointValue <= value ? 1 : 0;
@@ -24,12 +24,13 @@ struct Place {
     }
 };
 
-/// Buckets of one width. Which one a value falls into never decreases with the value, however that is rounded.
+/// Buckets of equal width. The bucket index never decreases as the value increases, independent of rounding.
 class Buckets {
 public:
     static constexpr std::size_t kMost = 256;
 
-    /// For `points` values from `low` to `high`; one bucket alone where these are too near each other to divide by.
+    /// Creates buckets for `points` values from `low` to `high`. If the range is too small for a division, it uses one
+    /// bucket.
     Buckets(float low, float high, std::size_t points)
         : low_(low), count_(std::clamp<std::size_t>(points / 2, 16, kMost)) {
         const float scale = static_cast<float>(count_ - 1) / (high - low);
@@ -53,9 +54,9 @@ struct CutInput {
     std::uint64_t target;
 };
 
-/// Copies those of `candidates` in whose bucket `before`, the weight of all points before them, exceeds the target to
-/// the front of the spare points, where `candidates` may lie as well, brings `before` up to that bucket and returns how
-/// many they are.
+/// Finds the bucket that contains the target weight and copies its points to the front of the spare points.
+/// `candidates` may already be there. `before` is the weight of all earlier points and is increased up to this bucket.
+/// Returns the number of copied points.
 template <int kAxis>
 std::size_t narrow(
     const CutInput& input, std::span<const KdPoint> candidates, const KdBounds& bounds, std::uint64_t& before) {
@@ -74,7 +75,7 @@ std::size_t narrow(
     return count;
 }
 
-/// A copy of `candidates`, in the spare points, in the order in which points are cut.
+/// Returns a sorted copy of `candidates` in the spare points.
 template <int kAxis>
 std::span<const KdPoint> sorted(const CutInput& input, std::span<const KdPoint> candidates) {
     const std::span<KdPoint> copies = input.spare.first(candidates.size());
@@ -85,8 +86,8 @@ std::span<const KdPoint> sorted(const CutInput& input, std::span<const KdPoint> 
     return copies;
 }
 
-/// Narrows the points down to those of the bucket in which the target is reached, these to those of a narrower one,
-/// until they are so few that they can be looked at in their order.
+/// Finds the cut position. It narrows the points to the bucket that reaches the target, repeats this with smaller
+/// buckets, and finally sorts the few remaining points.
 template <int kAxis>
 Place findPlace(const CutInput& input, KdBounds bounds) {
     constexpr std::size_t kFew = 16;
@@ -107,8 +108,8 @@ Place findPlace(const CutInput& input, KdBounds bounds) {
     return {point.center[kAxis], std::uint64_t{point.item} + 1, input.weights[point.item]};
 }
 
-/// Brings the points before `place` to the front and returns how many they are. Every point is written to both sides,
-/// and stays on the one that grows by it.
+/// Moves the points before `place` to the front and returns their number. Each point is written to both sides, and only
+/// one side grows. This avoids branches.
 template <int kAxis>
 std::size_t part(const CutInput& input, const Place place) {
     KdPoint* const low = input.points.data();
@@ -125,7 +126,7 @@ std::size_t part(const CutInput& input, const Place place) {
     return lows;
 }
 
-/// The axis is known to the compiler, since the inner loops are short.
+/// Cuts across an axis. The axis is a template parameter because the inner loops are short.
 template <int kAxis>
 KdSide cutAcross(const CutInput& input, const KdBounds& bounds) {
     const Place place = findPlace<kAxis>(input, bounds);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kBuckets = 64;
 constexpr double kLeastShare = 0.15;
-// Of the distance between n points in a square, the side of which is 1: 1 / sqrt(n).
+// min gap width as a multiple of 1 / sqrt(n), the distance between n points evenly spread over a unit square
 constexpr double kLeastSpacings = 1.5;
 
 } // namespace

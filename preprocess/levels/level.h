@@ -1,4 +1,4 @@
-// One level of detail while it is built: triangles, clusters of them, groups of clusters.
+// A level of detail during the build: triangles, clusters of triangles, and groups of clusters.
 #pragma once
 
 #include "core/words.h"
@@ -13,11 +13,11 @@
 
 namespace gnomon::levels {
 
-/// How the stored error of a group comes about.
+/// The method that computes the stored error of a group.
 enum class ErrorKind : std::uint8_t {
-    Estimated, // what the simplifier claims
-    Measured,  // a bound, summed over the collapses
-    Tight      // a bound of what they came to, where that is lower
+    Estimated, // estimate of the simplifier
+    Measured,  // upper bound: the sum over all collapses
+    Tight      // upper bound: the smaller of this sum and the measured two-sided Hausdorff bound
 };
 
 inline constexpr std::array kErrorKinds = {
@@ -26,16 +26,16 @@ inline constexpr std::array kErrorKinds = {
     Word<ErrorKind>{ErrorKind::Tight, "tight"},
 };
 
-inline constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // of an error
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // an infinite error limit
 
-/// What shapes the hierarchy; part of what a .gnm says about itself.
+/// The options that shape the hierarchy. The .gnm file stores them.
 struct LevelOptions {
     std::uint32_t clusterTriangles = 128;
     simplify::Simplifier simplifier = simplify::Simplifier::Quadric;
     ErrorKind error = ErrorKind::Measured;
 };
 
-/// Where a group lies: its level, its page within that level's pages, its place in the page.
+/// The place of a group: its level, the page within the level, and the group within the page.
 struct GroupPlace {
     std::uint32_t level = 0;
     std::uint32_t page = 0;
@@ -44,7 +44,7 @@ struct GroupPlace {
     bool operator==(const GroupPlace&) const = default;
 };
 
-/// A group of a finer level that clusters were simplified from.
+/// A refinement: the group of a finer level that clusters were simplified from.
 struct LevelRefinement {
     GroupPlace place;
     Sphere bounds;             // local space
@@ -54,20 +54,23 @@ struct LevelRefinement {
     double drawnError() const { return std::max(error, attributeError); }
 };
 
-/// A vertex of the mesh that lies, from a level on, where `at` lies.
+/// A vertex of the mesh that moves to the position of vertex `at` from a level on.
 struct MovedVertex {
     std::uint32_t vertex = 0;
     std::uint32_t at = 0;
 };
 
+/// A cluster of a level: a contiguous range of its triangles.
 struct LevelCluster {
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
-    std::uint32_t refinement = hierarchy::kNone; // of the level's refinements: the group that it was simplified from
+    // Index of its refinement in the level: the group that the cluster was simplified from.
+    std::uint32_t refinement = hierarchy::kNone;
     hierarchy::GridBox box;
 };
 
+/// A group of a level: a contiguous range of its clusters.
 struct LevelGroup {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
@@ -76,20 +79,20 @@ struct LevelGroup {
     double error = kNoLimit;   // world units; infinite for a root
     double attributeError = 0; // world units; 0 for a root
     GroupPlace place;
-    bool isDeferred = false; // its clusters go on to the next level as they are
+    bool isDeferred = false; // its clusters continue unchanged in the next level
 };
 
-/// Clusters of a group and triangles of a cluster are contiguous.
+/// A level of detail. The clusters of a group and the triangles of a cluster are contiguous.
 struct Level {
     std::vector<simplify::Triangle> triangles;   // vertices of the Mesh
     std::vector<simplify::TriangleError> errors; // per triangle
     std::vector<LevelCluster> clusters;
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;
-    std::vector<MovedVertex> moved;         // vertices of the mesh that change their position from this level on
-    std::vector<TransferredNormal> normals; // that vertices of the mesh take from this level on
-    std::vector<TransferredWord> colors;    // likewise
-    std::vector<TransferredWord> fields;    // likewise
+    std::vector<MovedVertex> moved;         // vertices that change their position from this level on
+    std::vector<TransferredNormal> normals; // normals of vertices that change from this level on
+    std::vector<TransferredWord> colors;    // colours of vertices that change from this level on
+    std::vector<TransferredWord> fields;    // fields of vertices that change from this level on
 };
 
 } // namespace gnomon::levels

@@ -1,4 +1,4 @@
-// The clusters of a level: the first level of a mesh, and how clusters are entered into any.
+// Creates the clusters of a level.
 #pragma once
 
 #include "preprocess/levels/cluster.h"
@@ -8,11 +8,11 @@
 
 namespace gnomon::levels {
 
-/// Level 0: the mesh's triangles in clusters, without groups.
+/// Returns level 0 of `mesh`: all triangles in clusters, without groups.
 Level firstLevel(const simplify::Mesh& mesh, const LevelOptions& options);
 
-/// Appends the clusters of `triangles`, which are in the order of `clustering`, to `level`; `firstTriangle` counts from
-/// the first of them. Only the positions of the corners matter, which are vertices of `mesh`.
+/// Appends the clusters of `triangles` to `level`. The triangles are in the order of `clustering`, and `firstTriangle`
+/// counts from the first of them. The boxes use only the positions of the corners, which are vertices of `mesh`.
 void appendClusters(
     const simplify::Mesh& mesh,
     std::span<const simplify::Triangle> triangles,

@@ -17,9 +17,10 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr double kMostTimesMedian = 4;   // of a level: what a group may cost and not be deferred
-constexpr double kToleranceShare = 0.25; // of the error that the clusters of a group already have
-constexpr double kTightShare = 0.5;      // of the collapses' bound: where a lower one is no longer looked for
+// Max error of a group, in medians of the level; more expensive groups are deferred.
+constexpr double kMostTimesMedian = 4;
+constexpr double kToleranceShare = 0.25; // share of the existing error that the measurement may add
+constexpr double kTightShare = 0.5;      // share of the collapse bound below which the measurement stops its search
 
 std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
     const LevelCluster& first = level.clusters[group.firstCluster];
@@ -27,16 +28,16 @@ std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
     return last.firstTriangle + last.triangleCount - first.firstTriangle;
 }
 
-/// What a group becomes.
+/// The result of the simplification of a group.
 struct GroupResult {
-    Level clusters; // firstTriangle counts from the group's own first triangle
+    Level clusters; // firstTriangle counts from the group's first triangle
     double error = 0;
     double attributeError = 0;
-    double before = 0; // the larger of both that its clusters have
+    double before = 0; // the larger of both errors of its clusters before
 
     double drawnError() const { return std::max(error, attributeError); }
 
-    /// Whether it adds nothing beyond `greatest` to what its clusters have.
+    /// Returns true if the new error is at most `greatest`, or no larger than before.
     bool isWithin(double greatest) const { return drawnError() <= std::max(greatest, before); }
 };
 
@@ -47,8 +48,8 @@ double largestOf(std::span<const simplify::TriangleError> errors) {
     return worst;
 }
 
-/// The bounds of `simplified`, or those of measuring it against `patch`, whichever is lower at its worst. What a
-/// triangle moves in one collapse it may move back in the next; the first adds both up.
+/// Returns the error bounds of `simplified`, or the measured bounds against `patch` if their maximum is lower. The
+/// bounds of `simplified` sum up all collapses, although one collapse can undo the displacement of another.
 std::vector<simplify::TriangleError> tightErrors(
     const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     const double worst = largestOf(simplified.errors);
@@ -58,7 +59,7 @@ std::vector<simplify::TriangleError> tightErrors(
     return simplified.errors;
 }
 
-/// The largest of one of the errors of what refines the clusters of a group.
+/// Returns the max error (`error` selects the kind) of the refinements of a group's clusters.
 double worstRefinement(const Level& level, const LevelGroup& group, double LevelRefinement::*error) {
     double worst = 0;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
@@ -93,7 +94,7 @@ public:
             result.error = before + simplified.claimedError * mesh_.grid.step();
         } else {
             errors = boundedErrors(patch.patch, simplified, before);
-            // A little more than computed: the distances themselves are rounded.
+            // The distances are rounded, so the bound is slightly enlarged.
             const double measured = largestOf(errors) * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
             result.error = std::max(before, measured);
         }
@@ -104,7 +105,7 @@ public:
     }
 
 private:
-    /// Bounds of the errors of a simplified patch whose clusters have `before`, world units, already.
+    /// Returns upper error bounds of a simplified patch. `before` is the error of its clusters in world units.
     std::vector<simplify::TriangleError> boundedErrors(
         const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified, double before) const {
         if (simplified.errors.empty()) {
@@ -128,7 +129,7 @@ private:
         result.attributeError = colors.error * mesh_.grid.step();
     }
 
-    /// Cuts the simplified triangles into the clusters of `out`, and tells which of their vertices move.
+    /// Cuts the simplified triangles into the clusters of `out` and records the moved vertices.
     void cutIntoClusters(
         const GroupPatch& patch,
         const simplify::SimplifiedPatch& simplified,
@@ -139,7 +140,7 @@ private:
         for (const glm::dvec3& p : patch.patch.positions)
             positions.emplace_back(p);
         const auto count = static_cast<std::uint32_t>(patch.patch.vertices.size());
-        std::vector<std::uint32_t> vertexAt(positions.size()); // of the mesh, by position, before vertices move
+        std::vector<std::uint32_t> vertexAt(positions.size()); // mesh vertex at each position before the move
         std::vector<std::uint32_t> positionOf(count);
         for (std::uint32_t v = 0; v < count; ++v) {
             vertexAt[patch.patch.positionOf[v]] = patch.globalVertex[v];
@@ -173,7 +174,7 @@ private:
     PositionOwners owners_;
 };
 
-/// Defers the groups that cost far more than others do.
+/// Defers groups whose error is far above the median of the level.
 void deferDearGroups(Level& level, const std::vector<GroupResult>& results) {
     std::vector<WeightedError> errors;
     for (std::size_t g = 0; g < results.size(); ++g)

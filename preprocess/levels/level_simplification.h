@@ -1,4 +1,4 @@
-// From one level to the next coarser one: every group simplified and cut into clusters again.
+// Creates the next coarser level: simplifies each group and divides the result into clusters.
 #pragma once
 
 #include "core/progress.h"
@@ -6,13 +6,14 @@
 
 namespace gnomon::levels {
 
-/// Simplifies each group of `level` to half, as far as `limit` allows, sets the groups' errors, and returns the
-/// clusters that replace them, not yet in groups, and after them those of deferred groups. Where little but locked
-/// borders is left to collapse, a limit means to wait for the next level, whose borders lie elsewhere. Where the level
-/// `mayDefer`, groups are deferred that add more error than four times the median of the level's groups, by their
-/// triangles: other neighbours may help them, and by then the others cost as much. `next.refinements` begins with the
-/// groups that are not deferred, in their order. Each group is simplified as a pure function of its own triangles and
-/// of which positions it shares with others. Advances `progress` by the level's triangles.
+/// Simplifies each group of `level` to half of its triangles, as far as `limit` permits, and sets the errors of the
+/// groups. Returns the new clusters without groups, followed by the clusters of deferred groups. With a limit, a group
+/// with mostly locked borders remains for the next level, where its borders are elsewhere.
+///
+/// If `mayDefer` is true, a group is deferred if it adds more than four times the median error of the level, weighted
+/// by triangles. Other neighbours may reduce this error in a later level. `next.refinements` begins with the groups
+/// that are not deferred, in order. The result for a group is a pure function of its triangles and its shared
+/// positions. Advances `progress` by the triangles of the level.
 Level simplifiedLevel(
     const simplify::Mesh& mesh,
     Level& level,

@@ -1,4 +1,4 @@
-// Numbers from 0 for the things of one part of a mesh, in the order of their first use.
+// A table that numbers the elements of one part of a mesh from 0, in the order of first use.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,17 @@
 
 namespace gnomon::levels {
 
-/// Takes one part after another; a new one costs nothing, since each number stored is marked by its part.
+/// Local numbers of one part after another. A new part costs no clearing, because stored numbers of earlier parts are
+/// recognisable by their smaller values.
 class LocalNumbers {
 public:
     static constexpr std::uint32_t kMostNumbers = std::numeric_limits<std::uint32_t>::max() / 2;
 
-    /// For things with ids below `count`. Once it has given more than `most` numbers, at most kMostNumbers, it starts
-    /// anew with all memory wiped.
+    /// Creates a table for ids below `count`. After more than `most` numbers (at most kMostNumbers) the table clears
+    /// its memory.
     explicit LocalNumbers(std::size_t count, std::uint32_t most = kMostNumbers) : known_(count, 0), most_(most) {}
 
-    /// Forgets all numbers. A part has at most kMostNumbers things.
+    /// Starts a new part. A part has at most kMostNumbers elements.
     void begin() {
         first_ += static_cast<std::uint32_t>(ids_.size());
         ids_.clear();
@@ -27,7 +28,7 @@ public:
         first_ = 1;
     }
 
-    /// The number of `id`.
+    /// Returns the local number of `id`. A new id gets the next number.
     std::uint32_t of(std::uint32_t id) {
         std::uint32_t& known = known_[id];
         if (known < first_) {
@@ -37,11 +38,11 @@ public:
         return known - first_;
     }
 
-    /// The things that have a number since `begin`, in its order.
+    /// Returns the ids of the current part in the order of their numbers.
     std::span<const std::uint32_t> ids() const { return ids_; }
 
 private:
-    std::vector<std::uint32_t> known_; // per id: `first_` as it was then, and the number
+    std::vector<std::uint32_t> known_; // per id: `first_` at the time plus the local number
     std::vector<std::uint32_t> ids_;
     std::uint32_t most_;
     std::uint32_t first_ = 1;

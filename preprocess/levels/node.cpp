@@ -9,8 +9,9 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr std::uint32_t kDeferringLevels = hierarchy::kMaxLevels / 2; // the rest get to the root in any case
-constexpr double kLeastProgress = 0.95; // a level of more than this share of the one below is not worth having
+// Only levels below this number may defer, so that the hierarchy reaches its root.
+constexpr std::uint32_t kDeferringLevels = hierarchy::kMaxLevels / 2;
+constexpr double kLeastProgress = 0.95; // max share of triangles that a useful next level may keep
 
 hierarchy::LevelInfo infoOf(const Level& level, const hierarchy::Grid& grid) {
     hierarchy::LevelInfo info;
@@ -32,15 +33,16 @@ bool isWorthwhile(const Level& next, std::uint64_t triangles) {
            static_cast<double>(next.triangles.size()) <= kLeastProgress * static_cast<double>(triangles);
 }
 
-/// What simplification makes of a level, and whether that is worth having.
+/// The next coarser level, and whether it has sufficiently fewer triangles.
 struct Coarser {
     Level level;
     bool isWorthwhile = false;
 };
 
-/// Forms the groups of `level`, the `number`th, and simplifies them under a cost limit; towards the root without one,
-/// where the limit would end it. Triangles of level 0 are never deferred: a cluster of any other names a finer group;
-/// nor are those of high levels, of which there must be enough to get to the root.
+/// Forms the groups of `level` (index `number`) and simplifies them with a cost limit. If that makes too little
+/// progress and `isToRoot` is true, it repeats the step without a limit. Level 0 does not defer, because a cluster of
+/// any other level must name a finer group. High levels do not defer either, so that enough levels remain to reach the
+/// root.
 Coarser coarserLevel(
     const simplify::Mesh& mesh,
     Level& level,
@@ -59,7 +61,7 @@ Coarser coarserLevel(
     return make(simplify::CostLimit::None, false);
 }
 
-/// The groups of a root: nothing coarser replaces them, whatever the error.
+/// Sets infinite errors on the groups of a root, because no coarser cluster replaces them.
 void endAtRoot(Level& level) {
     for (LevelGroup& group : level.groups) {
         group.error = kNoLimit;
@@ -67,7 +69,7 @@ void endAtRoot(Level& level) {
     }
 }
 
-/// Where the groups lie that the clusters of the next level were simplified from.
+/// Sets the places of the groups that the clusters of the next level were simplified from.
 void tellPlaces(const Level& level, Level& next) {
     for (std::size_t g = 0; g < level.groups.size(); ++g)
         next.refinements[g].place = level.groups[g].place;

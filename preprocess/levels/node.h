@@ -1,4 +1,5 @@
-// A few levels of one part of the model at once: a pure function of the part, whatever threads share its groups.
+// Builds several levels of one part of the model. The result is a pure function of the part and does not depend on the
+// threads.
 #pragma once
 
 #include "core/progress.h"
@@ -7,28 +8,30 @@
 
 namespace gnomon::levels {
 
-/// Which levels to build of a part.
+/// The levels to build of a part.
 struct NodePlan {
     std::uint32_t firstLevel = 0;
-    std::uint32_t levelCount = 0; // at most; kNone: up to the root
+    std::uint32_t levelCount = 0; // max number of levels; kNone: up to the root
 };
 
-/// What a part has of one level.
+/// The data of one level of a part.
 struct NodeLevel {
     hierarchy::LevelInfo info;
-    std::vector<hierarchy::EncodedPage> pages; // in their order; none has its offset yet
+    std::vector<hierarchy::EncodedPage> pages; // in page order; without file offsets
 };
 
+/// The result of a node: its finished levels and its clusters without groups.
 struct BuiltNode {
-    std::vector<NodeLevel> levels; // from the plan's first one on
+    std::vector<NodeLevel> levels; // from the first level of the plan on
     EncodedPendingLevel pending;   // empty after the root
     std::uint64_t rootTriangles = 0;
-    std::uint64_t stuckTriangles = 0; // of level 0, never replaced
+    std::uint64_t stuckTriangles = 0; // triangles of level 0 that no coarser cluster replaces
 };
 
-/// Builds the levels of `plan` from `level`, whose clusters are in no groups yet. Up to the root: until one cluster is
-/// left or nothing gets coarser any more. Else what is left goes on: after the plan's last level, or before the one
-/// that would not get coarser, since its neighbours may change that; but triangles of level 0 always get into groups.
+/// Builds the levels of `plan` from `level`, whose clusters have no groups yet. Up to the root means: until one cluster
+/// is left or no further simplification succeeds. Otherwise `pending` receives the clusters after the last level of the
+/// plan. It receives them earlier if a level cannot become coarser, because neighbours may change this. Triangles of
+/// level 0 always get groups.
 BuiltNode buildNode(
     simplify::Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress);
 

@@ -12,7 +12,7 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr double kLeastAgreement = 0.5; // cosine between normals of one smooth surface
+constexpr double kLeastAgreement = 0.5; // min cosine between the normals of one smooth surface
 
 class NormalFit {
 public:
@@ -54,7 +54,7 @@ public:
 private:
     bool hasNormal(std::uint32_t v) const { return patch_.vertices[v].normal != hierarchy::kNoNormal; }
 
-    /// Divides the residual at a removed vertex among the corners of the triangle there.
+    /// Adds the residual at a removed vertex to the corners of its nearest simplified triangle.
     void distributeResidual(std::uint32_t v) {
         const std::uint32_t position = patch_.positionOf[v];
         const std::uint32_t triangle = surface_.nearest(patch_.positions[position], surface_.around(position));
@@ -82,10 +82,10 @@ private:
     const simplify::SimplifiedPatch& simplified_;
     SimplifiedSurface surface_;
     std::vector<std::uint8_t> isKept_;
-    std::vector<double> area_;         // six times what a vertex has of its faces
-    std::vector<glm::dvec3> normal_;   // zero for none
-    std::vector<glm::dvec3> residual_; // times the area where it residual
-    std::vector<double> weight_;       // all of the area that the vertex now represents
+    std::vector<double> area_;         // six times the face area of each vertex
+    std::vector<glm::dvec3> normal_;   // zero if the vertex has no normal
+    std::vector<glm::dvec3> residual_; // residual times the area of its removed vertex
+    std::vector<double> weight_;       // total area that the vertex now represents
 };
 
 } // namespace

@@ -20,7 +20,7 @@ using hierarchy::kNone;
 using hierarchy::Page;
 
 std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
-    constexpr std::uint64_t kGroupBytes = 72; // a constant of the format: it decides which groups share a page
+    constexpr std::uint64_t kGroupBytes = 72; // a constant of the format: it determines which groups share a page
     std::uint64_t bytes = kGroupBytes;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
         bytes += sizeof(hierarchy::Cluster) + level.clusters[c].vertexCount * sizeof(hierarchy::Vertex) +
@@ -28,20 +28,22 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
     return bytes;
 }
 
-/// The exponent of a group's error: all of a double's lie between those of none and of a root.
+/// Returns the exponent of a group's error, clamped. The exponents of all other doubles lie between those of error 0
+/// and of a root.
 int errorExponent(const LevelGroup& group) {
     constexpr int kMostExponent = 2048;
     const double error = std::max(group.error, group.attributeError);
-    return std::clamp(std::ilogb(error), -kMostExponent, kMostExponent); // INT_MIN for 0, INT_MAX for infinity
+    // Ilogb is INT_MIN for 0 and INT_MAX for infinity.
+    return std::clamp(std::ilogb(error), -kMostExponent, kMostExponent);
 }
 
 int floorOfQuotient(int value, int by) {
     return value >= 0 ? value / by : -((by - 1 - value) / by);
 }
 
-/// The groups by their errors, in classes of a factor of 16 about the median, and within a class as they lie: where a
-/// view refines some of a neighbourhood and not others, those that it does not are in other pages, which it need not
-/// read.
+/// Returns the groups sorted by error class, a factor of 16 per class, with the median in the middle of a class. Within
+/// a class the order does not change. A view often refines only some groups of a neighbourhood. The groups that it does
+/// not refine are then in other pages, which it need not read.
 std::vector<std::uint32_t> pageOrder(const Level& level) {
     constexpr int kClassBits = 4;
     std::vector<int> exponents;
@@ -50,7 +52,7 @@ std::vector<std::uint32_t> pageOrder(const Level& level) {
     std::vector<int> sorted = exponents;
     const auto median = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), median, sorted.end());
-    const int lowest = *median - kClassBits / 2; // of the median's class
+    const int lowest = *median - kClassBits / 2; // lowest exponent of the median's class
     const auto classOf = [&](std::uint32_t g) { return floorOfQuotient(exponents[g] - lowest, kClassBits); };
     std::vector<std::uint32_t> order(level.groups.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -59,7 +61,7 @@ std::vector<std::uint32_t> pageOrder(const Level& level) {
     return order;
 }
 
-/// Appends the cluster's triangles, its vertices numbered in the order of their first use.
+/// Appends the triangles of a cluster, with vertices numbered in the order of first use.
 void addGeometry(
     const simplify::Mesh& mesh,
     const Level& level,
@@ -83,8 +85,8 @@ void addGeometry(
         fields.words.push_back(mesh.fieldsOf(v));
 }
 
-/// The number that the level's refinement `refinement` has in `page`, where it is added if it is new; `known` are those
-/// of the page so far.
+/// Returns the index in `page` of the level's refinement `refinement`. Adds the refinement if it is new. `known` lists
+/// the refinements that the page already has.
 std::uint32_t refinementInPage(
     const Level& level, std::uint32_t refinement, std::vector<std::uint32_t>& known, Page& page) {
     const auto found = std::find(known.begin(), known.end(), refinement);
@@ -102,10 +104,10 @@ std::uint32_t refinementInPage(
 
 struct PageWithFields {
     Page page;
-    hierarchy::PageFields fields; // of its vertices
+    hierarchy::PageFields fields; // fields of the page's vertices
 };
 
-/// The page of these groups of the level.
+/// Makes the page of these groups of the level.
 PageWithFields makePage(
     const simplify::Mesh& mesh,
     const Level& level,
@@ -116,7 +118,7 @@ PageWithFields makePage(
     auto& [page, fields] = made;
     fields.layout = mesh.fields.layout;
     page.level = number;
-    std::vector<std::uint32_t> refinements; // of the level, in the order of the page
+    std::vector<std::uint32_t> refinements; // refinements of the level, in page order
     for (const std::uint32_t g : groups) {
         const LevelGroup& source = level.groups[g];
         page.groups.push_back(
@@ -175,7 +177,7 @@ std::uint32_t placeGroups(Level& level, std::uint32_t number) {
 
 std::vector<hierarchy::EncodedPage> encodePages(
     const simplify::Mesh& mesh, const Level& level, std::uint32_t number, std::uint32_t pageCount) {
-    std::vector<std::vector<std::uint32_t>> groups(pageCount); // of each page, in the order of their places
+    std::vector<std::vector<std::uint32_t>> groups(pageCount); // groups of each page, in order
     for (const std::uint32_t g : pageOrder(level))
         groups[level.groups[g].place.page].push_back(g);
     std::vector<hierarchy::EncodedPage> encoded(pageCount);

@@ -1,4 +1,4 @@
-// From one level of a mesh to pages of a .gnm: which group lies where, and the pages themselves.
+// Converts one level of a mesh to pages of a .gnm file: it assigns groups to pages and encodes the pages.
 #pragma once
 
 #include "hierarchy/model_writer.h"
@@ -8,26 +8,27 @@ namespace gnomon::levels {
 
 using hierarchy::kMaxLevels;
 
-/// The most pages of a level.
+/// The max number of pages of a level.
 constexpr std::uint32_t kMaxLevelPages = 1U << 26U;
 
-/// What stands for the id that page `page` of level `level` will have in the file: in the same order, but known at
-/// once.
+/// Returns a provisional id of page `page` of level `level`. Provisional ids are known before the final ids of the
+/// file, and have the same order.
 std::uint32_t provisionalId(std::uint32_t level, std::uint32_t page);
 
+/// A page, by its level and its number within the level.
 struct PageOfLevel {
     std::uint32_t level = 0;
     std::uint32_t page = 0;
 };
 
-/// What `provisionalId` was made of.
+/// Returns the page of a provisional id.
 PageOfLevel placeOfProvisional(std::uint32_t id);
 
-/// Gives every group of `level`, the `number`th from 0, its place: pages of about kPageTargetBytes, counted from 0,
-/// filled in the order of the groups with those whose errors are alike. Returns how many pages.
+/// Assigns each group of `level` (index `number`) to a page. Pages have about kPageTargetBytes, are numbered from 0,
+/// and contain groups of similar error in the order of the groups. Returns the number of pages.
 std::uint32_t placeGroups(Level& level, std::uint32_t number);
 
-/// The `pageCount` pages of `level`, encoded; other pages are named by their provisional ids.
+/// Encodes the `pageCount` pages of `level`. References to other pages are provisional ids.
 std::vector<hierarchy::EncodedPage> encodePages(
     const simplify::Mesh& mesh, const Level& level, std::uint32_t number, std::uint32_t pageCount);
 

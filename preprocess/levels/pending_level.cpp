@@ -17,10 +17,10 @@ using hierarchy::GridPoint;
 using hierarchy::kNone;
 using hierarchy::Vertex;
 
-/// A record begins with this; then come the vertices, their fields if the model has any, the errors of the triangles
-/// and the triangles themselves, three bytes each.
+/// The head of a cluster's record. The vertices, their fields if there are any, the errors of the triangles, and the
+/// triangles (three bytes each) follow.
 struct RecordHead {
-    LevelRefinement refinement; // its level is kNone where there is none
+    LevelRefinement refinement; // level kNone means no refinement
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
 };
@@ -103,7 +103,7 @@ void putRecord(
     putAll(out, std::span<const SmallTriangle>(triangles));
 }
 
-/// The borders of `mesh` that triangles of `level` use, each once.
+/// Returns the border positions of `mesh` that triangles of `level` use, each once.
 std::vector<GridPoint> usedBorders(const simplify::Mesh& mesh, const Level& level) {
     std::vector<GridPoint> borders;
     std::vector<bool> isKnown(mesh.positionCount);
@@ -205,7 +205,7 @@ struct PendingLevelMerger::State {
         return found;
     }
 
-    /// One for all clusters that stand for the same group.
+    /// Returns the index of a refinement. Clusters of the same finer group share one refinement.
     std::uint32_t refinementFor(const LevelRefinement& given) {
         if (given.place.level == kNone) return kNone;
         std::vector<LevelRefinement>& known = pending.level.refinements;
@@ -237,7 +237,7 @@ struct PendingLevelMerger::State {
         level.errors.insert(level.errors.end(), errors.begin(), errors.end());
         for (const SmallTriangle& t : takeAll<SmallTriangle>(in, head.triangleCount))
             level.triangles.push_back({numbers.at(t[0]), numbers.at(t[1]), numbers.at(t[2])});
-        // Vertices whose colours or normals became the same on the way are one from here on.
+        // Vertices whose colours or normals became equal during the build merge here.
         std::sort(numbers.begin(), numbers.end());
         const auto end = std::unique(numbers.begin(), numbers.end());
         cluster.vertexCount = static_cast<std::uint32_t>(end - numbers.begin());
@@ -248,8 +248,8 @@ struct PendingLevelMerger::State {
     IndexTable vertices;
     IndexTable positions;
     IndexTable refinements;
-    std::vector<GridPoint> points;      // of the positions
-    std::vector<std::uint32_t> numbers; // of the vertices of one record
+    std::vector<GridPoint> points;      // one per position
+    std::vector<std::uint32_t> numbers; // vertices of the current record
 };
 
 PendingLevelMerger::PendingLevelMerger(

@@ -1,5 +1,5 @@
-// What is left of a part of the model when its levels are built: coarse clusters that wait to be grouped with those of
-// its neighbours, each as a record of its own that can go anywhere.
+// The open clusters of a part of the model after its levels are built. They wait to be grouped with clusters of
+// neighbouring parts. Each cluster has an independent record.
 #pragma once
 
 #include "preprocess/levels/level.h"
@@ -9,53 +9,53 @@
 
 namespace gnomon::levels {
 
-/// A mesh and the clusters of its coarsest level, not in groups.
+/// A mesh with the open clusters of its coarsest level.
 struct PendingLevel {
     simplify::Mesh mesh;
     Level level;
 };
 
-/// Where a cluster lies, and how much there is of it.
+/// The place and the size of a cluster.
 struct ClusterPlace {
-    hierarchy::GridPoint center; // of its box
+    hierarchy::GridPoint center; // centre of its box
     std::uint32_t triangles = 0;
     std::uint32_t vertices = 0;
-    std::uint32_t bytes = 0; // of its record
+    std::uint32_t bytes = 0; // size of its record
 };
 
-/// A pending level as bytes: the places of its clusters, a record for each of them in the same order, and the positions
-/// that are borders of the part.
+/// An encoded pending level: the places of its clusters, one record per cluster in the same order, and the border
+/// positions of the part.
 struct EncodedPendingLevel {
     std::vector<std::byte> bytes;
     std::uint64_t clusters = 0;
-    std::uint64_t vertices = 0; // of all clusters, each by itself
+    std::uint64_t vertices = 0; // sum over the clusters; shared vertices count repeatedly
     std::uint64_t triangles = 0;
 };
 
-/// The clusters of `level`, with the vertices and refinements that they use.
+/// Encodes the clusters of `level` with their vertices and refinements.
 EncodedPendingLevel encodePendingLevel(const simplify::Mesh& mesh, const Level& level);
 
-/// The first bytes of an encoded level of `clusters` clusters: where these lie.
+/// Returns the size of the places at the beginning of an encoded level with `clusters` clusters.
 constexpr std::uint64_t placeBytes(std::uint64_t clusters) {
     return clusters * sizeof(ClusterPlace);
 }
 
-/// What these bytes say.
+/// Decodes the places.
 std::vector<ClusterPlace> clusterPlaces(std::span<const std::byte> bytes);
 
-/// Positions as bytes, and back.
+/// Decodes positions.
 std::vector<hierarchy::GridPoint> positionsFrom(std::span<const std::byte> bytes);
 
-/// The positions of a record's vertices; those of different normals or colours repeat.
+/// Returns the positions of a record's vertices. Positions repeat if a vertex has several normals or colours.
 std::vector<hierarchy::GridPoint> positionsOfRecord(std::span<const std::byte> record);
 
-/// Lets a record's refinement, where it is of level `firstLevel` + i, count its pages from `firstPages[i]`.
+/// Adds `firstPages[i]` to the page number of a record's refinement if the refinement is in level `firstLevel` + i.
 void countPagesFrom(std::span<std::byte> record, std::uint32_t firstLevel, std::span<const std::uint32_t> firstPages);
 
-/// Joins clusters to one part again, welded by position.
+/// Merges clusters into one part again and welds them by position.
 class PendingLevelMerger {
 public:
-    /// For clusters of at most `vertices` vertices together, which have `fields`.
+    /// Creates a merger for at most `vertices` vertices in total, with these `fields`.
     PendingLevelMerger(
         const hierarchy::Grid& grid,
         std::size_t clusters,
@@ -67,12 +67,13 @@ public:
     PendingLevelMerger(PendingLevelMerger&&) = delete;
     PendingLevelMerger& operator=(PendingLevelMerger&&) = delete;
 
-    /// Adds whole records, one after the other.
+    /// Adds one or more complete records.
     void add(std::span<const std::byte> records);
 
-    /// Makes a position of the clusters so far a border.
+    /// Marks a position of the added clusters as a border.
     void lock(const hierarchy::GridPoint& position);
 
+    /// Returns the merged part.
     PendingLevel take();
 
 private:

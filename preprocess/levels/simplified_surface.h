@@ -1,4 +1,4 @@
-// Where the points of a patch lie on what it was simplified to: what all transfers of attributes begin with.
+// Maps points of a patch to the simplified patch. All attribute transfers use this mapping.
 #pragma once
 
 #include "preprocess/proximity/triangle_batch.h"
@@ -10,28 +10,29 @@
 
 namespace gnomon::levels {
 
-/// The weights of the corners of `t` at the point of it that is about nearest to `p`; they sum up to 1.
+/// Returns barycentric coordinates of a point of `t` that is approximately nearest to `p`. Their sum is 1.
 glm::dvec3 weightsAt(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t);
 
-/// The triangles of a simplified patch, by what they touch. Both must outlive it.
+/// The triangles of a simplified patch with their adjacency. Both patches must outlive the object.
 class SimplifiedSurface {
 public:
     SimplifiedSurface(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
 
-    /// Returns the places of the corners of `t`, a triangle of the patch.
+    /// Returns the corner positions of `t`, a triangle of the patch.
     std::array<glm::dvec3, 3> placesOf(const simplify::Triangle& t) const { return places(patch_.corners(t)); }
 
-    /// Returns the places of the corners of the simplified triangle `number`.
+    /// Returns the corner positions of the simplified triangle `number`.
     std::array<glm::dvec3, 3> placesOfSimplified(std::uint32_t number) const {
         return places(simplified_.corners(patch_, simplified_.triangles[number]));
     }
 
-    /// The simplified triangles around what `position` was collapsed into.
+    /// Returns the simplified triangles around the position that `position` was collapsed into.
     std::span<const std::uint32_t> around(std::uint32_t position) const {
         return adjacency_.around(simplified_.movedTo[position]);
     }
 
-    /// That of the simplified triangles `among` which is nearest to `p`, the first of several; kNone if there is none.
+    /// Returns the triangle of `among` nearest to `p`. Among equal distances it returns the first one. Returns kNone if
+    /// `among` is empty.
     std::uint32_t nearest(const glm::dvec3& p, std::span<const std::uint32_t> among);
 
 private:

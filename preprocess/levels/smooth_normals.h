@@ -1,12 +1,12 @@
-// Smooth normals for sources that bring none.
+// Computes smooth normals for sources without normals.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
 
 namespace gnomon::levels {
 
-/// Gives each position the area-weighted mean of its faces' normals where all of them are within 40 degrees of it, and
-/// kNoNormal elsewhere. `positions` (grid points) and `triangles` of position ids.
+/// Returns the area-weighted mean normal of the faces at each position. Returns kNoNormal for a position if a face
+/// deviates more than 40 degrees from the mean. `positions` are grid points, and `triangles` contain position indices.
 std::vector<std::uint32_t> smoothNormals(
     const std::vector<hierarchy::GridPoint>& positions, const std::vector<simplify::Triangle>& triangles);
 

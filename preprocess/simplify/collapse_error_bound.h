@@ -1,4 +1,4 @@
-// Upper bounds of the errors that a collapse leaves to the triangles around it, evaluated before it is carried out.
+// Upper bounds of the errors of the triangles around a collapse, computed before the collapse is applied.
 #pragma once
 
 #include "preprocess/proximity/triangle_batch.h"
@@ -6,12 +6,13 @@
 
 namespace gnomon::simplify {
 
-/// The error bounds of a patch's triangles while it is simplified, in grid steps; none if the patch does not ask for
-/// them. Each triangle carries the error of the source points that were mapped to it: those of its own and those of the
-/// vanished triangles that it received.
+/// The error bounds of a patch's triangles during its simplification, in grid steps. The list is empty if the patch
+/// does not need bounds. Each triangle stores the error of the source points that are mapped to it. These are its own
+/// points and the points of removed triangles that it received.
 class CollapseErrorBound {
 public:
-    /// The errors of a triangle after the collapse; for the receiver of a vanishing triangle those of what it receives.
+    /// The errors of a triangle after the collapse. A receiver of a removed triangle has the errors of the received
+    /// points.
     struct Outcome {
         std::uint32_t triangle;
         double fromSource;
@@ -20,33 +21,33 @@ public:
 
     CollapseErrorBound(const Patch& patch, SimplificationMesh& mesh);
 
-    /// Bounds the errors after the collapse of `star` of each triangle that stays or receives the source points of one
-    /// that vanishes; may reorder the star's faces. False if a vanishing triangle has no receiver, or once a bound
+    /// Bounds the errors after the collapse of `star` for each remaining triangle and each receiver of a removed
+    /// triangle. May reorder the faces of the star. Returns false if a removed triangle has no receiver, or if a bound
     /// reaches `limit`.
     bool evaluate(CollapseStar& star, double limit);
 
-    /// The largest bound of the last `evaluate`.
+    /// Returns the max bound of the last `evaluate`.
     double worst() const { return worst_; }
 
-    /// The bounds of the last `evaluate`.
+    /// Returns the bounds of the last `evaluate`.
     std::span<const Outcome> outcomes() const { return outcomes_; }
 
-    /// Stores the outcomes of the last `evaluate`, which was of `star`.
+    /// Stores the outcomes of the last `evaluate`, which must have been for `star`.
     void commit(const CollapseStar& star);
 
-    /// Of two triangles with the same positions the kept one carries the error of both.
+    /// Adds the error of the removed triangle of a duplicate pair to the kept triangle.
     void merge(const SimplificationMesh::Duplicate& pair);
 
-    /// The largest error of the triangles around `p`; 0 where errors are not asked for.
+    /// Returns the max error of the triangles around `p`, or 0 if the patch does not need bounds.
     double largestAround(std::uint32_t p);
 
-    /// The error of a triangle, rounded up.
+    /// Returns the errors of a triangle, rounded up.
     TriangleError of(std::uint32_t triangle) const {
         return {roundedUp(error_[triangle].fromSource), roundedUp(error_[triangle].toSource)};
     }
 
 private:
-    struct BothErrors { // as in TriangleError
+    struct BothErrors { // see TriangleError
         double fromSource = 0;
         double toSource = 0;
     };
@@ -58,7 +59,7 @@ private:
 
     struct Candidate {
         std::uint32_t triangle = hierarchy::kNone;
-        Triangle corners{}; // as they are after the collapse
+        Triangle corners{}; // positions after the collapse
     };
 
     void add(std::uint32_t triangle, double fromSource, double toSource);
@@ -71,8 +72,8 @@ private:
     std::vector<BothErrors> error_; // per triangle
     std::vector<std::uint32_t> stamp_;
     std::uint32_t stampNow_ = 0;
-    std::array<Candidate, proximity::TriangleBatch::kCapacity> candidates_; // for the receiver
-    proximity::TriangleBatch batch_;                                        // of them
+    std::array<Candidate, proximity::TriangleBatch::kCapacity> candidates_; // candidates for the receiver
+    proximity::TriangleBatch batch_; // the same triangles for the distance computation
     Fan fan_;
     std::vector<Outcome> outcomes_;
     double worst_ = 0;

@@ -1,4 +1,4 @@
-// The priority queue of collapses: a tournament tree over the vertices, whose costs may change.
+// The priority queue of collapses: a tournament tree over the vertices with changeable costs.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace gnomon::simplify {
 
-/// Each vertex is in the queue at most once; equal costs leave in the order of the vertices. A binary tree stands over
-/// all vertices, in the queue or not, whose nodes know the cheapest vertex below them: what changes at one vertex
-/// changes nothing beyond the first node that it neither won nor wins.
+/// A queue of vertices by cost. Each vertex is in the queue at most once. Equal costs are in vertex order. Each node of
+/// a binary tree over all vertices stores the cheapest vertex below it. An update stops at the first node whose winner
+/// was another vertex before and after.
 class CollapseQueue {
 public:
     explicit CollapseQueue(std::size_t vertexCount) {
@@ -28,13 +28,13 @@ public:
 
     bool contains(std::uint32_t vertex) const { return cost_[vertex] != kAbsent; }
 
-    /// The cost of a vertex; infinite if it is not here.
+    /// Returns the cost of a vertex. The cost is infinite if the vertex is not in the queue.
     double costOf(std::uint32_t vertex) const { return cost_[vertex]; }
 
-    /// The cost of the cheapest.
+    /// Returns the lowest cost.
     double leastCost() const { return cost_[winner_[1]]; }
 
-    /// Inserts `vertex` or changes its cost, which is finite.
+    /// Inserts `vertex` or changes its cost. The cost must be finite.
     void put(std::uint32_t vertex, double cost) {
         cost_[vertex] = cost;
         for (std::size_t node = (firstLeaf_ + vertex) / 2; node > 0; node /= 2) {
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    /// Gives each vertex its cost; infinite ones are not in the queue.
+    /// Sets the cost of each vertex. Vertices with infinite cost are not in the queue.
     void putAll(const std::vector<double>& costs) {
         std::copy(costs.begin(), costs.end(), cost_.begin());
         for (std::size_t node = firstLeaf_; node-- > 1;)
@@ -72,7 +72,7 @@ private:
         return cost_[right] < cost_[left] ? right : left;
     }
 
-    std::size_t firstLeaf_ = 1;         // a power of two; node n is over nodes 2n and 2n + 1
+    std::size_t firstLeaf_ = 1;         // a power of two; the children of node n are 2n and 2n + 1
     std::vector<double> cost_;          // per vertex
     std::vector<std::uint32_t> winner_; // per node
 };

@@ -13,9 +13,9 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr double kLeastTurnCosine = 0.25; // faces turn by no more than 75 degrees in one collapse
+constexpr double kLeastTurnCosine = 0.25; // a collapse may turn a face by at most 75 degrees
 
-/// The place of the corner of `t` at position `p`, which it has.
+/// Returns the index of the corner of `t` at position `p`. `t` must contain `p`.
 std::uint32_t placeOf(std::uint32_t p, const Triangle& t) {
     return t[0] == p ? 0 : (t[1] == p ? 1 : 2);
 }
@@ -117,9 +117,10 @@ bool CollapseStar::orderAsFan(Fan& fan) {
     return true;
 }
 
-/// The vertex at `to` that replaces `vertex`: the one at the other end of an edge of a vanishing triangle, which keeps
-/// attribute seams, else the one with the nearest attributes. If that one has another colour, `vertex` itself moves to
-/// `to`: else the faces that stay would show the other part's colour, however large they are.
+/// Returns the vertex at `to` that replaces `vertex`. If an edge of a vanishing triangle connects `vertex` with a
+/// vertex at `to`, the function selects that vertex, because this preserves attribute seams. Otherwise it selects the
+/// vertex with the nearest attributes. If this vertex has another colour, `vertex` itself moves to `to`. Otherwise the
+/// remaining faces, which may be large, would show the colour of another part.
 std::uint32_t CollapseStar::replacementOf(std::uint32_t vertex) {
     for (const auto& [removed, kept] : replacements_)
         if (removed == vertex) return kept;

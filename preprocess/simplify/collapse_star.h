@@ -1,5 +1,4 @@
-// The star of a half-edge collapse: the triangles around the position that is removed, which of them degenerate, and
-// the tests that forbid the collapse.
+// The star of a half-edge collapse: the triangles around the removed position, with the tests that reject the collapse.
 #pragma once
 
 #include "preprocess/simplify/fan_map.h"
@@ -9,18 +8,19 @@
 
 namespace gnomon::simplify {
 
+/// A triangle of the star.
 struct StarFace {
     std::uint32_t triangle;
-    std::uint32_t b; // the two positions besides the star's centre, in order
+    std::uint32_t b; // the two positions other than the star's centre, in order
     std::uint32_t c;
 };
 
-/// Holds the star of one collapse after the other; its tests hold for `mesh` as it was when the star was gathered.
+/// The star of one collapse at a time. The tests are valid for `mesh` at the time of `gather`.
 class CollapseStar {
 public:
     CollapseStar(const Patch& patch, SimplificationMesh& mesh) : patch_(patch), mesh_(mesh) {}
 
-    /// Considers moving `from` onto `to`, which has faces.
+    /// Gathers the star for a collapse of `from` onto `to`. `to` must have faces.
     void gather(std::uint32_t from, std::uint32_t to);
 
     std::uint32_t from() const { return from_; }
@@ -29,31 +29,31 @@ public:
 
     std::span<const StarFace> faces() const { return faces_; }
 
-    /// Whether the collapse makes a face of the star degenerate, so that it is removed; the others get `to` in the
-    /// place of `from`.
+    /// Returns true if the collapse makes a face of the star degenerate. Such a face is removed. The other faces get
+    /// `to` in the place of `from`.
     bool vanishes(const StarFace& face) const { return face.b == to_ || face.c == to_; }
 
-    /// How many faces of the star vanish.
+    /// Returns the number of faces of the star that vanish.
     std::size_t vanishingCount() const { return vanishing_; }
 
-    /// Whether the normal of a face that stays would turn by more than 75 degrees, or to the other side of its
-    /// original.
+    /// Returns true if the normal of a remaining face would turn by more than 75 degrees, or to the opposite side of
+    /// its original normal.
     bool turnsFace() const;
 
-    /// Whether the collapse would change the topology: the two ends have common neighbours besides those of the
-    /// triangles that vanish, or both are on a border but their edge is not, or they have no edge. The link condition:
-    /// Dey, Edelsbrunner, Guha and Nekhayev, "Topology Preserving Edge Contraction", 1999.
+    /// Returns true if the collapse would change the topology. This is true if `from` and `to` have common neighbours
+    /// outside the vanishing triangles, if both are on a border but their edge is not, or if they have no edge. This is
+    /// the link condition (Dey, Edelsbrunner, Guha, Nekhayev, "Topology Preserving Edge Contraction", 1999).
     bool violatesLinkCondition();
 
-    /// Whether an edge between two locked positions would gain or lose a face: the group on its other side relies on
-    /// it.
+    /// Returns true if an edge between two locked positions would gain or lose a face. The neighbouring group relies on
+    /// these faces.
     bool breaksLockedEdge();
 
-    /// Orders the faces edge to edge from `to` onwards and writes the shape of `fan`, whose old triangle i is face i;
-    /// false if the star is no fan.
+    /// Orders the faces edge to edge from `to` onwards and writes the shape of `fan`, where old triangle i is face i.
+    /// Returns false if the star is not a fan.
     bool orderAsFan(Fan& fan);
 
-    /// Carries the collapse out on the mesh: `to` takes the place of `from` in the faces that stay, the others are
+    /// Applies the collapse to the mesh: `to` replaces `from` in the remaining faces, and the vanishing faces are
     /// removed.
     void apply();
 
@@ -66,8 +66,9 @@ private:
     std::uint32_t to_ = hierarchy::kNone;
     std::vector<StarFace> faces_;
     std::size_t vanishing_ = 0;
-    std::vector<std::array<std::uint32_t, 2>> ends_;         // of locked edges: neighbour, 1 if the face there vanishes
-    std::vector<std::array<std::uint32_t, 2>> replacements_; // a vertex of `from`, and the one of `to` that replaces it
+    // Ends of locked edges: neighbour, and 1 if the face there vanishes.
+    std::vector<std::array<std::uint32_t, 2>> ends_;
+    std::vector<std::array<std::uint32_t, 2>> replacements_; // a vertex at `from`, and its replacement at `to`
 };
 
 } // namespace gnomon::simplify

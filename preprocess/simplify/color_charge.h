@@ -1,4 +1,4 @@
-// How a wrong colour counts as an error in lengths.
+// Converts a wrong colour to an error in units of length.
 #pragma once
 
 #include <algorithm>
@@ -7,22 +7,23 @@
 
 namespace gnomon::simplify {
 
-/// The difference of a channel, of full scale, that nobody sees in a shaded picture.
+/// The max channel difference (of full scale) that is invisible in a shaded image.
 constexpr double kUnseenDifference = 0.03;
 
-/// The difference of a channel, of full scale, that counts as an error of the wrong region's own width.
+/// The channel difference (of full scale) at which the error is equal to the width of the wrong region.
 constexpr double kWrongPixel = 0.3;
 
-/// The difference of a channel, of full scale, from which two vertices at one position belong to parts of different
-/// colours. Less than that is noise of one surface, whose vertices replace each other.
+/// The min channel difference (of full scale) between vertices of parts with different colours. Smaller differences are
+/// noise of one surface, and such vertices may replace each other.
 constexpr double kOtherPart = 0.1;
 
-/// Returns the charge of a region of width `length` whose colour is wrong by `difference` (of a channel, 0 to 1).
+/// Returns the error of a region of width `length` whose colour is wrong by `difference` (of a channel, 0 to 1). The
+/// unit is the unit of `length`.
 inline double colorCharge(double length, double difference) {
     return length * std::max(difference - kUnseenDifference, 0.0) / kWrongPixel;
 }
 
-/// Returns the largest difference of a channel of two colours (RGBA8, without alpha), 0 to 1.
+/// Returns the max channel difference of two colours (RGBA8, without alpha), from 0 to 1.
 inline double colorDifference(std::uint32_t a, std::uint32_t b) {
     int largest = 0;
     for (const std::uint32_t shift : {0U, 8U, 16U}) {

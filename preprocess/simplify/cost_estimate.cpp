@@ -8,11 +8,11 @@ namespace gnomon::simplify {
 
 namespace {
 
-constexpr double kBorderWeight = 2;    // of the squared length of an open edge, against the areas of faces
-constexpr double kCreaseWeight = 0.5;  // the same where normals or colours part
-constexpr double kLengthWeight = 1e-5; // of the squared length: in flat places short edges go first
-constexpr double kNormalWeight = 0.1;  // of the squared length times the squared change of the normal
-constexpr double kColorWeight = 0.02;  // the same for colours, whose channels are in 0..1
+constexpr double kBorderWeight = 2;    // weight of the squared length of an open edge, compared with face areas
+constexpr double kCreaseWeight = 0.5;  // the same for edges where normals or colours differ
+constexpr double kLengthWeight = 1e-5; // weight of the squared length, so that short edges in flat areas collapse first
+constexpr double kNormalWeight = 0.1;  // weight of the squared length times the squared change of the normal
+constexpr double kColorWeight = 0.02;  // the same for colours, with channels from 0 to 1
 
 } // namespace
 
@@ -65,7 +65,7 @@ void CostEstimate::loadSites() {
     sites_.resize(patch_.positions.size());
     for (std::size_t p = 0; p < sites_.size(); ++p)
         sites_[p].position = rowOf(patch_.positions[p]);
-    for (std::size_t v = patch_.vertices.size(); v-- > 0;) { // the first vertex of a position has the last word
+    for (std::size_t v = patch_.vertices.size(); v-- > 0;) { // the first vertex of a position overwrites the others
         const Vertex& vertex = patch_.vertices[v];
         CostSite& site = sites_[patch_.positionOf[v]];
         if (weights_.normal > 0) site.normal = rowOf(hierarchy::unpackNormal(vertex.normal));

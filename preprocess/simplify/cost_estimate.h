@@ -1,5 +1,5 @@
-// The estimated cost of a half-edge collapse, before its error is bounded: the quadric error of the target, and the
-// length and the change of attributes along the edge.
+// The estimated cost of a half-edge collapse, computed before its error bound. The estimate contains the quadric error
+// of the target, the edge length, and the change of attributes along the edge.
 #pragma once
 
 #include "preprocess/proximity/triangle_distance.h"
@@ -8,30 +8,30 @@
 
 namespace gnomon::simplify {
 
-/// Costs are squared distances in grid steps. Open edges and seams (where normals or colours differ) add planes
-/// perpendicular to their faces, as Garland and Heckbert 1997 do for boundaries.
+/// Estimates the costs of collapses as squared distances in grid steps. Open edges and attribute seams (different
+/// normals or colours) add planes perpendicular to their faces (Garland, Heckbert 1997).
 class CostEstimate {
 public:
-    /// Of `patch`, with nothing collapsed yet in `mesh`.
+    /// Prepares the estimates of `patch`. No collapse may have been applied to `mesh` yet.
     CostEstimate(const Patch& patch, const SimplificationMesh& mesh);
 
-    /// The estimate for moving `from` onto `to`.
+    /// Returns the estimate for a collapse of `from` onto `to`.
     double square(std::uint32_t from, std::uint32_t to) const {
         const double length = proximity::squaredLength(patch_.positions[from] - patch_.positions[to]);
-        // Without any area there are no planes to measure by.
+        // Without any area there are no planes to measure distances from.
         if (!(quadric_[from].weight > 0)) return length * 0.01;
         return planes(from, to) + length * (weights_.length + attributes(from, to));
     }
 
-    /// `square` onto each of `to`. Valid until the next call.
+    /// Returns `square` for each target of `to`. The result is valid until the next call.
     std::span<const double> squares(std::uint32_t from, std::span<const std::uint32_t> to);
 
-    /// The part of it that is a distance: the mean square of those of `to` from the planes of `from`.
+    /// Returns the mean squared distance of `to` from the planes of `from`.
     double planes(std::uint32_t from, std::uint32_t to) const {
         return quadric_[from].meanSquare(patch_.positions[to]);
     }
 
-    /// Adds the quadric of `from` to that of `to`.
+    /// Adds the quadric of `from` to the quadric of `to`.
     void merge(std::uint32_t from, std::uint32_t to) { quadric_[to].add(quadric_[from]); }
 
 private:

@@ -1,4 +1,4 @@
-// The estimates for moving one position onto several others, in vector lanes.
+// The cost estimates for collapses of one position onto several others, in vector lanes.
 #pragma once
 
 #include "preprocess/simplify/quadric.h"
@@ -9,41 +9,42 @@
 
 namespace gnomon::simplify {
 
-/// What the estimates need to know of a position besides its planes: three rows of four numbers, the last of each for
-/// nothing.
+/// The position and attributes that an estimate needs: three rows of four numbers. The last number of each row is
+/// unused.
 struct alignas(32) CostSite {
     using Row = std::array<double, 4>;
 
     Row position{};
-    Row normal{}; // zero for none
-    Row color{};  // channels in 0..1
+    Row normal{}; // zero if there is no normal
+    Row color{};  // channels from 0 to 1
 
     bool hasNormal() const { return normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > 0; }
 };
 
+/// Returns the first three numbers of a row as a vector.
 inline glm::dvec3 vectorOf(const CostSite::Row& row) {
     return {row[0], row[1], row[2]};
 }
 
-/// Weights of what an edge costs besides the planes, all of the squared length.
+/// The weights of the edge terms of the cost. All of them multiply the squared length.
 struct EdgeWeights {
     double length = 0;
-    double normal = 0; // times the squared difference of the normals, where both ends have one
+    double normal = 0; // times the squared difference of the normals, if both ends have one
     double color = 0;  // times the squared difference of the colours
 };
 
-/// The edges from one position, whose planes have some weight, to others.
+/// The edges from one position to others. The planes of the position must have a positive weight.
 struct EdgeFan {
     const CostSite& from;
     const Quadric& planes;
     std::span<const CostSite> sites;
-    std::span<const std::uint32_t> to; // places in `sites`
+    std::span<const std::uint32_t> to; // indices of `sites`
 };
 
-/// How many numbers `edgeSquares` may write behind those that are asked for.
+/// The max number of lanes. `edgeSquares` may write up to this number of additional values.
 constexpr std::size_t kMostCostLanes = 4;
 
-/// Writes the estimates, by `fan.to`, as CostEstimate::square has them to the bit.
+/// Writes the estimates in the order of `fan.to`. They are identical to the bit with CostEstimate::square.
 void edgeSquares(const EdgeFan& fan, const EdgeWeights& weights, double* squares);
 
 } // namespace gnomon::simplify

@@ -13,14 +13,15 @@ namespace {
 using hierarchy::kNone;
 
 constexpr std::size_t kMaxCorners = 24;
-constexpr std::uint32_t kMaxWalk = 24;     // cuts in a row from one triangle to the next
-constexpr std::uint32_t kMaxHalvings = 12; // of a piece that walking cannot assign
-constexpr std::uint32_t kMaxPieces = 1024; // of one triangle
+constexpr std::uint32_t kMaxWalk = 24;     // max consecutive cuts from one triangle to the next
+constexpr std::uint32_t kMaxHalvings = 12; // max halvings of a piece after its cuts failed
+constexpr std::uint32_t kMaxPieces = 1024; // max pieces per triangle
 
-/// Points of which only those that are there are copied.
-class Corners { // NOLINT(cppcoreguidelines-pro-type-member-init): behind the last there is anything
+/// A list of points in a fixed array. Its copy constructor copies only the used points, which is faster than a copy of
+/// the array.
+class Corners { // NOLINT(cppcoreguidelines-pro-type-member-init): the values behind the last point are undefined
 public:
-    Corners() = default; // NOLINT(cppcoreguidelines-pro-type-member-init): the same
+    Corners() = default; // NOLINT(cppcoreguidelines-pro-type-member-init): the values are undefined
 
     Corners(const Corners& other) { *this = other; } // NOLINT(cppcoreguidelines-pro-type-member-init): as above
 
@@ -44,11 +45,11 @@ public:
     const glm::dvec3& operator[](std::size_t i) const { return points_[i]; }
 
 private:
-    std::array<glm::dvec3, 2 * kMaxCorners> points_; // rounding may let a plane cross more than two sides
+    std::array<glm::dvec3, 2 * kMaxCorners> points_; // rounding can make a plane cross more than two sides
     std::uint32_t count_ = 0;
 };
 
-/// A convex polygon.
+/// A convex piece of a triangle, with the triangle of the other surface that it is assigned to (its host).
 struct Piece {
     Corners corners;
     std::uint32_t host = kNone;
@@ -56,7 +57,7 @@ struct Piece {
     std::uint32_t halvings = 0;
 };
 
-/// The parts of `piece` where dot(p - point, normal) is at most and at least 0.
+/// The parts of `piece` where dot(p - point, normal) is at most 0 and at least 0.
 struct Halves {
     Piece inside;
     Piece outside;
@@ -69,7 +70,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
         half->walked = piece.walked + 1;
         half->halvings = piece.halvings;
     }
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): of the corners that there are
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the loop sets the used entries
     std::array<double, 2 * kMaxCorners> side;
     double least = 0;
     double most = 0;
@@ -89,7 +90,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
             halves.outside.corners.add(crossing);
         }
     }
-    // What lies in the plane belongs to one half only.
+    // A piece in the plane belongs to one half only.
     if (most <= 0)
         halves.outside.corners.clear();
     else if (least >= 0)
@@ -114,13 +115,13 @@ Farthest farthestFrom(const Surface& surface, const Piece& piece, std::uint32_t 
     return farthest;
 }
 
-/// Cuts triangles into pieces and assigns each to a nearby triangle of a surface, its host.
+/// Cuts triangles into pieces and assigns each piece to a nearby triangle of a surface, its host.
 class Cover {
 public:
     Cover(Surface& surface, double goal) : surface_(surface), enough_(goal) {}
 
-    /// Calls `assign(host, error)` for pieces that together make up `whole`, which names a host to begin with; the
-    /// error of a piece is its distance from its host and what `before(host)` adds to it.
+    /// Calls `assign(host, error)` for pieces that together form `whole`. `whole` names its first host. The error of a
+    /// piece is its distance from its host plus `before(host)`.
     template <class Before, class Assign>
     void run(const Piece& whole, Before before, Assign assign) {
         pieces_ = 0;
@@ -139,7 +140,7 @@ public:
     }
 
 private:
-    /// Hands the part beyond the host's edge to the triangle there; false if that brings nothing nearer.
+    /// Moves the part outside the host's edge to the triangle across the edge. Returns false if no neighbour is nearer.
     bool walk(const Piece& piece, const Farthest& farthest) {
         if (piece.walked >= kMaxWalk || piece.corners.count() + 2 > kMaxCorners ||
             farthest.feature == proximity::TriangleFeature::Face)
@@ -153,7 +154,8 @@ private:
             const std::uint32_t other = surface_.across(piece.host, edge);
             if (other == kNone) continue;
             const glm::dvec3& corner = piece.corners[farthest.corner];
-            // A corner that the plane leaves on this side would come back, and back again.
+            // Without this test a corner on this side of the plane would return to the host, and the loop would not
+            // end.
             if (glm::dot(corner - surface_.corner(piece.host, edge), bisector(piece.host, edge)) <= 0) continue;
             const double square = surface_.squaredDistance(corner, other);
             if (square < best) {
@@ -169,7 +171,8 @@ private:
         const glm::dvec3& from = surface_.corner(piece.host, edge);
         Halves halves = cut(piece, from, bisector(piece.host, edge));
         halves.outside.host = other;
-        if (halves.outside.corners.count() < 3) { // all is on this side of the bisecting plane, yet nearer to the other
+        // All corners are on this side of the bisecting plane, yet nearer to the other triangle.
+        if (halves.outside.corners.count() < 3) {
             if (piece.walked > 2) return false;
             halves.inside.host = other;
             halves.inside.walked = piece.walked + 1;
@@ -179,14 +182,15 @@ private:
         return true;
     }
 
-    /// Where neighbours lead nowhere: asks the tree, and halves the piece if no one triangle will do.
+    /// Finds the nearest triangle in the tree if the neighbours fail, and halves the piece if one triangle is not
+    /// enough.
     bool halve(const Piece& piece, const Farthest& farthest) {
         const glm::dvec3& corner = piece.corners[farthest.corner];
         const std::uint32_t nearest = surface_.nearest(corner);
         if (surface_.squaredDistance(corner, nearest) > farthest.square * 0.8) return false;
         Piece moved = piece;
         moved.host = nearest;
-        // A few times more than it may be halved, and then no more, so that this ends.
+        // The limit is slightly above the halving limit, so that the loop ends.
         if (piece.halvings < kMaxHalvings + 4 &&
             farthestFrom(surface_, moved, nearest).square < farthest.square * 0.8) {
             moved.halvings += 1;
@@ -209,7 +213,7 @@ private:
         return true;
     }
 
-    /// The corner of `piece` that is farthest from `p`.
+    /// Returns the corner of `piece` that is farthest from `p`.
     static glm::dvec3 farthestCorner(const Piece& piece, const glm::dvec3& p) {
         std::uint32_t farthest = 0;
         for (std::uint32_t i = 1; i < piece.corners.count(); ++i)
@@ -218,7 +222,7 @@ private:
         return piece.corners[farthest];
     }
 
-    /// Many cuts leave a piece more corners than a further cut has room for: two pieces have half as many each.
+    /// Splits a piece with too many corners for a further cut into two pieces with half the corners each.
     bool splitAlongDiagonal(const Piece& piece) {
         Piece first = piece;
         Piece second = piece;
@@ -237,12 +241,13 @@ private:
         return true;
     }
 
-    /// The normal, away from `triangle`, of the plane through its edge that halves the angle to its neighbour there.
+    /// Returns the normal of the plane through the edge that bisects the angle between `triangle` and its neighbour. It
+    /// points away from `triangle`.
     glm::dvec3 bisector(std::uint32_t triangle, std::uint32_t edge) const {
         const glm::dvec3 along = surface_.corner(triangle, (edge + 1) % 3) - surface_.corner(triangle, edge);
         const glm::dvec3 normal = unitNormal(triangle);
         const glm::dvec3 otherNormal = unitNormal(surface_.across(triangle, edge));
-        const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0; // neighbours need not agree on a side
+        const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0; // neighbours may have opposite orientation
         return glm::cross(along, normal + otherNormal * turn);
     }
 
@@ -254,7 +259,7 @@ private:
     }
 
     Surface& surface_;
-    double enough_; // the goal, or the largest error that had to be accepted: no other piece need do better
+    double enough_; // the goal, or the largest accepted error; other pieces need no smaller error
     std::uint32_t pieces_ = 0;
     std::vector<Piece> stack_;
 };
@@ -342,7 +347,7 @@ private:
         return corners;
     }
 
-    /// A simplified triangle near the patch's triangle `t`.
+    /// Returns a simplified triangle near triangle `t` of the patch.
     std::uint32_t firstHost(std::uint32_t t) {
         if (successor_[t] != kNone) return successor_[t];
         const glm::dvec3 center = centerOf(fine_, t);
@@ -363,7 +368,7 @@ private:
     const SimplifiedPatch& simplified_;
     Surface fine_;
     Surface coarse_;
-    std::vector<std::uint32_t> successor_; // per triangle of the patch the simplified one that it became
+    std::vector<std::uint32_t> successor_; // per triangle of the patch: the simplified triangle with this origin
     std::vector<std::uint8_t> isSame_;
     Deviation result_;
 };

@@ -1,21 +1,24 @@
-// How far a simplified patch and the source that it stands for are apart: a bound, not an estimate.
+// The measured upper bound of the two-sided Hausdorff distance between a simplified patch and the source.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
 
 namespace gnomon::simplify {
 
+/// The measured error bounds of a simplified patch.
 struct Deviation {
-    std::vector<TriangleError> errors; // of the simplified triangles
-    double worst = 0;                  // the largest of them
+    std::vector<TriangleError> errors; // per simplified triangle
+    double worst = 0;                  // max of these errors
 };
 
-/// Bounds the two-sided distance between the source and `simplified`, given the bounds `patch.errors` of the patch's
-/// own triangles. Each triangle of one side is cut into convex pieces, each piece is assigned to one triangle of the
-/// other side, and since the distance to a convex set is a convex function, the piece's corners bound all of it: no
-/// samples, no covering radius. Pieces whose bound is at most `goal` (grid steps) are not cut further, and simplified
-/// triangles whose own bound towards the source is no more keep it. Every source point is mapped to exactly one chain
-/// of triangles through the levels, so the bound holds for every cut, not only for uniform ones.
+/// Returns an upper bound of the two-sided Hausdorff distance between the source and `simplified`. `patch.errors`
+/// bounds the errors of the patch's own triangles. The function cuts each triangle of one side into convex pieces and
+/// assigns each piece to one triangle of the other side. The distance to a convex set is a convex function. The corners
+/// of a piece therefore bound the whole piece, without sampling.
+///
+/// Pieces with a bound of at most `goal` (grid steps) are not cut further. A simplified triangle keeps its own bound
+/// towards the source if that is at most `goal`. Each source point is mapped to exactly one chain of triangles through
+/// the levels. The bound is therefore valid for each cut, not only for uniform cuts.
 Deviation measureDeviation(const Patch& patch, const SimplifiedPatch& simplified, double goal);
 
 } // namespace gnomon::simplify

@@ -12,7 +12,7 @@ namespace {
 
 using Row = std::array<double, Fan::kMaxRim>;
 
-/// The map of one fan: squared distances that the corners of the cells in each new triangle move.
+/// The map of one fan. It computes the squared distance by which the cell corners in each new triangle move.
 class FanMap {
 public:
     explicit FanMap(const Fan& fan) : fan_(fan) {
@@ -38,10 +38,10 @@ public:
     }
 
 private:
-    /// The new triangle that takes the apex, and how far the apex moves.
+    /// Finds the new triangle that contains the image of the apex, and the distance of the apex from it.
     void placeApex() {
         const std::uint32_t end = fan_.count - 1;
-        if (!fan_.isClosed) { // the open end stays an open end
+        if (!fan_.isClosed) { // the open end must remain an open end
             host_ = end - 1;
             square_[host_] = proximity::squaredDistance(fan_.apex, fan_.rim[0], fan_.rim[end]);
             return;
@@ -56,7 +56,8 @@ private:
         square_[host_] = best;
     }
 
-    /// The crossing of the old edge to rim `i`, not before the share `least` of it, with the new edge to rim `j`.
+    /// Places the crossing of the old edge to rim `i` with the new edge to rim `j`. Its parameter on the old edge is at
+    /// least `least`.
     void cross(std::uint32_t i, std::uint32_t j, double& least) {
         const glm::dvec3& pivot = fan_.rim[0];
         const glm::dvec3 spoke = fan_.rim[i] - fan_.apex;
@@ -80,7 +81,7 @@ private:
         square_[j - 1] = std::max(square_[j - 1], square);
     }
 
-    /// A new triangle carries the error of the old ones that it overlaps.
+    /// Sets the error of each new triangle to the max error of the overlapped old triangles plus its displacement.
     void spread(const Row& before, Row& after) const {
         const std::uint32_t oldCount = fan_.isClosed ? fan_.count : fan_.count - 1;
         double sum = 0;
@@ -100,7 +101,7 @@ private:
     const Fan& fan_;
     std::uint32_t host_ = 1;
     Row square_{}; // per new triangle
-    Row most_{};   // per new edge: the share of it from rim 0 within which the next crossing lies
+    Row most_{};   // per new edge: the max parameter of the next crossing, measured from rim 0
 };
 
 } // namespace

@@ -14,9 +14,9 @@ namespace gnomon::simplify {
 
 namespace {
 
-constexpr double kParallel = 0.7;    // the least cosine between the normals of layers
-constexpr double kReachShare = 0.45; // of a gap: both sides of it may move so far and still not meet
-constexpr double kLargeArea = 16;    // times the mean: such a triangle is tested at more points than its middle
+constexpr double kParallel = 0.7;    // min cosine between the normals of layers
+constexpr double kReachShare = 0.45; // share of a gap by which each side may move without contact
+constexpr double kLargeArea = 16;    // times the mean area; a larger triangle is tested at more points than its centre
 
 using Weights = std::array<double, 3>;
 
@@ -29,9 +29,9 @@ constexpr std::array<Weights, 4> kPoints = {
 struct Side {
     std::array<glm::dvec3, 3> corners;
     Triangle positions;
-    glm::dvec3 normal; // unit; zero if there is no area
-    double area = 0;   // twice
-    double width = 0;  // the least height
+    glm::dvec3 normal; // unit length; zero if there is no area
+    double area = 0;   // twice the area
+    double width = 0;  // the smallest height
     std::uint32_t triangle = 0;
 };
 
@@ -56,7 +56,7 @@ bool touch(const Side& a, const Side& b) {
     });
 }
 
-/// Whether the line through `p` along `direction` meets the triangle.
+/// Returns true if the line through `p` along `direction` intersects the triangle.
 bool meets(const Side& side, const glm::dvec3& p, const glm::dvec3& direction) {
     std::array<double, 3> turn{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -67,7 +67,8 @@ bool meets(const Side& side, const glm::dvec3& p, const glm::dvec3& direction) {
     return (turn[0] >= 0 && turn[1] >= 0 && turn[2] >= 0) || (turn[0] <= 0 && turn[1] <= 0 && turn[2] <= 0);
 }
 
-/// How far `other` is from the point `p` of `side` along its normal, if it is a layer there.
+/// Returns the distance of `other` from the point `p` of `side` along its normal. Returns nothing if `other` is not a
+/// layer there.
 std::optional<double> distanceToLayer(const Side& side, const Side& other, const glm::dvec3& p) {
     const double cosine = glm::dot(side.normal, other.normal);
     if (std::abs(cosine) < kParallel || touch(side, other)) return std::nullopt;

@@ -1,20 +1,22 @@
-// Layers: parallel faces of different colours, one close behind the other, whose order a collapse must not change.
+// Detects layers: parallel faces of different colours at a small distance. A collapse must not change their order.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
 
 namespace gnomon::simplify {
 
-/// How far a triangle may move along its normal before it can reach a layer of another colour, and what it costs then.
+/// The max displacement of a triangle along its normal before it can reach a layer of another colour, and the cost of a
+/// larger displacement.
 struct LayerGap {
-    float reach = std::numeric_limits<float>::infinity(); // grid steps: a bit less than half the distance to the layer
-    float charge = 0;                                     // grid steps: of the whole triangle in the layer's colour
+    // Grid steps; slightly less than half the distance to the layer.
+    float reach = std::numeric_limits<float>::infinity();
+    float charge = 0; // grid steps; the error if the whole triangle has the colour of the layer
 };
 
-/// Returns the gap of each triangle of `patch`; empty if there are no layers. Only triangles of one colour each count.
-/// A layer lies before or behind a point of the triangle, no farther than the triangle is wide, and faces the same way;
-/// behind, it may also face away, as the other side of a sheet does. Two faces that face each other are no layers:
-/// nobody sees either.
+/// Returns the gap of each triangle of `patch`, or an empty list if there are no layers. Only triangles of one colour
+/// count. A layer is in front of or behind a point of the triangle, at a distance of at most the triangle's width, and
+/// has the same orientation. A layer behind may also have the opposite orientation, as the other side of a sheet. Two
+/// faces that face each other are not layers, because both are invisible.
 std::vector<LayerGap> layerGaps(const Patch& patch);
 
 } // namespace gnomon::simplify

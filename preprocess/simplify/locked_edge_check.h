@@ -1,16 +1,18 @@
-// Whether a simplified patch kept what other groups rely on: the faces at every edge between locked positions.
+// Checks that a simplified patch preserves the faces at each edge between locked positions, because neighbouring groups
+// rely on them.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
 
 namespace gnomon::simplify {
 
-/// True if each edge between two locked positions has as many of `triangles` as of the patch's own. An edge that is new
-/// between locked positions counts too: the group on its other side may make the same one, and lose it later.
+/// Returns true if each edge between two locked positions has the same number of faces in `triangles` and in the patch.
+/// A new edge between locked positions also fails, because the neighbouring group could create the same edge and lose
+/// it later.
 bool keepsLockedEdges(const Patch& patch, const std::vector<Triangle>& triangles);
 
-/// The patch's locks with all neighbours of locked positions locked as well: a simplifier that respects these keeps
-/// locked edges.
+/// Returns the locks of the patch, with all neighbours of locked positions also locked. A simplifier that respects
+/// these locks preserves all locked edges.
 std::vector<std::uint8_t> lockedWithRing(const Patch& patch);
 
 } // namespace gnomon::simplify

@@ -1,4 +1,4 @@
-// A welded mesh on the grid: what all phases after the binning work on.
+// A welded mesh on the grid. All phases after the binning use it.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -15,19 +15,19 @@ using hierarchy::GridBox;
 using hierarchy::GridPoint;
 using hierarchy::Vertex;
 
-/// Three indices of vertices or positions.
+/// A triangle: three indices of vertices or positions.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A mesh whose topology is welded by position; vertices (corners) of one position differ in normal or colour. It may
-/// be a part of a model: a chunk, or the clusters of a round's node.
+/// A mesh with topology by position. Vertices at the same position differ in normal, colour or fields. A mesh is a part
+/// of a model: a chunk, or the clusters of a node of a later round.
 struct Mesh {
     Grid grid;
-    std::vector<Vertex> vertices;          // all different
-    std::vector<std::uint32_t> positionOf; // vertex -> position id, dense from 0
+    std::vector<Vertex> vertices;          // no two are equal
+    std::vector<std::uint32_t> positionOf; // vertex -> position index, dense from 0
     std::uint32_t positionCount = 0;
-    std::vector<std::uint8_t> isBorder; // per position: triangles outside this mesh may share it, so it must stay
+    std::vector<std::uint8_t> isBorder; // per position: triangles of other meshes may share it, so it must not move
     std::vector<Triangle> triangles;    // vertex indices; the three positions of a triangle differ
-    hierarchy::PageFields fields;       // of the vertices, which are equal only where these are
+    hierarchy::PageFields fields;       // fields of the vertices; equal vertices have equal fields
 
     bool hasFields() const { return fields.layout.count() > 0; }
 

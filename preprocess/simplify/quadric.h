@@ -1,4 +1,4 @@
-// Quadric error metric: the weighted sum of squared distances to a set of planes.
+// The quadric error metric: the weighted sum of squared distances to a set of planes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,7 +7,7 @@
 
 namespace gnomon::simplify {
 
-/// Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997.
+/// A quadric (Garland, Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997).
 struct Quadric {
     glm::dvec3 diagonal{0}; // xx yy zz
     glm::dvec3 mixed{0};    // xy yz zx
@@ -15,7 +15,7 @@ struct Quadric {
     double constant = 0;
     double weight = 0;
 
-    /// Adds the plane through `point` with unit `normal`.
+    /// Adds the plane through `point` with unit `normal` and weight `planeWeight`.
     void addPlane(const glm::dvec3& normal, const glm::dvec3& point, double planeWeight) {
         const double d = -glm::dot(normal, point);
         diagonal += normal * normal * planeWeight;
@@ -33,7 +33,7 @@ struct Quadric {
         weight += other.weight;
     }
 
-    /// The weighted mean of the squared distances of `p`; 0 without planes.
+    /// Returns the weighted mean of the squared distances of `p` from the planes, or 0 without planes.
     double meanSquare(const glm::dvec3& p) const {
         if (!(weight > 0)) return 0;
         const double square =

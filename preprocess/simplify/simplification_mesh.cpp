@@ -42,14 +42,15 @@ void SimplificationMesh::linkCorners() {
     }
 }
 
-/// Notes what the triangles around `a` have at the edges from there.
+/// Records each edge from `a` with the vertices of its triangles.
 void SimplificationMesh::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) const {
     for (std::uint32_t corner = head_[a]; corner != kNone; corner = next_[corner])
         for (const std::uint32_t place : kOthers[corner % 3]) {
             Spoke& spoke = spokes[position_[corner / 3][place]];
             const std::uint64_t here = vertex_[corner / 3][corner % 3];
             const std::uint64_t vertices = here << 32U | vertex_[corner / 3][place];
-            // No branches: whether this is the first triangle or the second is a toss.
+            // The code has no branches, because the CPU cannot predict whether this is the first or the second
+            // triangle.
             const std::uint64_t kept = spoke.seenFrom == a ? ~std::uint64_t{0} : 0;
             spoke.seenFrom = a;
             spoke.triangles = (spoke.triangles & static_cast<std::uint32_t>(kept)) + 1;
@@ -108,7 +109,7 @@ void SimplificationMesh::merge(std::uint32_t from, std::uint32_t to) {
 bool SimplificationMesh::hasEqualOppositeEdges() const {
     unsigned found = 0;
     for (std::size_t i = 1; i < oppositeEdges_.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k) // no branches: hardly ever are two equal
+        for (std::size_t k = 0; k < i; ++k) // no branches, because two edges are almost never equal
             found |=
                 ((oppositeEdges_[i][0] ^ oppositeEdges_[k][0]) | (oppositeEdges_[i][1] ^ oppositeEdges_[k][1])) == 0
                     ? 1U
@@ -125,7 +126,7 @@ std::span<const SimplificationMesh::Duplicate> SimplificationMesh::duplicates(st
         const std::uint32_t b = t[(corner % 3 + 2) % 3];
         oppositeEdges_.push_back({std::min(a, b), std::max(a, b), corner / 3});
     });
-    constexpr std::size_t kMostCompared = 16; // few are compared sooner than sorted, and hardly ever are two equal
+    constexpr std::size_t kMostCompared = 16; // up to this number, comparisons of all pairs are faster than sorting
     if (oppositeEdges_.size() <= kMostCompared && !hasEqualOppositeEdges()) return duplicates_;
     std::sort(oppositeEdges_.begin(), oppositeEdges_.end());
     const auto locked = [&](std::uint32_t q) { return patch_.isLocked[q] != 0 ? 1 : 0; };

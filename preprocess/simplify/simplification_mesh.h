@@ -1,5 +1,5 @@
-// The mesh that edge collapses work on: the triangles that remain of a patch, linked around their positions, and what
-// each collapsed position was merged into.
+// The mesh that edge collapses modify: the remaining triangles of a patch, linked around their positions, and the
+// target of each collapsed position.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -8,102 +8,107 @@
 
 namespace gnomon::simplify {
 
-/// What the input patch has at an edge: no other triangle, or one with other vertices (a seam), or one with the same.
+/// The kind of an edge in the input patch: Open edges have one triangle, Crease edges separate different vertices (a
+/// seam), and Smooth edges share their vertices.
 enum class EdgeKind : std::uint8_t { Open, Crease, Smooth };
 
-/// Triangles keep their index in the patch; corner i of triangle t has the id 3 t + i. The corners at a position are a
-/// linked list. Walks along it unlink the removed triangles that they meet, so they are not const.
+/// A mesh for edge collapses. Triangles keep their index in the patch. Corner i of triangle t has the index 3 t + i.
+/// The corners at a position are a linked list. Each traversal unlinks the removed triangles that it finds, so
+/// traversals are not const.
 class SimplificationMesh {
 public:
     explicit SimplificationMesh(const Patch& patch);
 
     std::size_t triangleCount() const { return triangleCount_; }
 
-    /// Whether a collapse or `remove` has taken the triangle out.
+    /// Returns true if a collapse or `remove` has removed the triangle.
     bool isRemoved(std::uint32_t triangle) const { return isRemoved_[triangle] != 0; }
 
-    /// The current positions of a triangle.
+    /// Returns the current positions of a triangle.
     const Triangle& positions(std::uint32_t triangle) const { return position_[triangle]; }
 
-    /// The current vertices of a triangle.
+    /// Returns the current vertices of a triangle.
     const Triangle& vertices(std::uint32_t triangle) const { return vertex_[triangle]; }
 
-    /// The normal of a triangle before any collapse; twice its area long.
+    /// Returns the normal of a triangle before all collapses. Its length is twice the area.
     const glm::dvec3& originalNormal(std::uint32_t triangle) const { return originalNormal_[triangle]; }
 
-    /// The edge from a corner to the next one of its triangle, before any collapse.
+    /// Returns the kind of the edge from a corner to the next corner of its triangle, before all collapses.
     EdgeKind originalEdge(std::uint32_t corner) const { return originalEdge_[corner]; }
 
-    /// Whether `p`, or a position merged into it, had an open edge in the patch; edges between groups do not count.
+    /// Returns true if `p`, or a position merged into it, had an open edge in the patch. Edges between groups do not
+    /// count.
     bool isBorder(std::uint32_t p) const { return isBorder_[p] != 0; }
 
-    /// Calls `visit(corner)` for the corners of remaining triangles at `p`.
+    /// Calls `visit(corner)` for each corner of a remaining triangle at `p`.
     template <class Visit>
     void forEachCorner(std::uint32_t p, Visit visit);
 
-    /// Each position that shares a remaining triangle with `p`, once, in the order of the walk. Valid until the next
-    /// call.
+    /// Returns each position that shares a remaining triangle with `p`, once, in the order of the traversal. The result
+    /// is valid until the next call.
     std::span<const std::uint32_t> neighbours(std::uint32_t p);
 
-    /// Whether any triangle remains at `p`.
+    /// Returns true if a triangle remains at `p`.
     bool hasTriangles(std::uint32_t p);
 
-    /// How many positions share a remaining triangle both with `a` and with `b`, these two aside.
+    /// Returns the number of positions that share a remaining triangle with `a` and a remaining triangle with `b`,
+    /// except `a` and `b`.
     std::size_t commonNeighbours(std::uint32_t a, std::uint32_t b);
 
-    /// The position that `p` has been merged into, itself while it has not (the root of a union-find tree).
+    /// Returns the position that `p` was merged into, or `p` itself (the root of a union-find tree).
     std::uint32_t representative(std::uint32_t p) const {
         while (mergedInto_[p] != p)
             p = mergedInto_[p];
         return p;
     }
 
-    /// Whether `p` has not been merged into another position.
+    /// Returns true if `p` was not merged into another position.
     bool isRepresentative(std::uint32_t p) const { return mergedInto_[p] == p; }
 
-    /// The representative of the other end of the vertex pair of `p` (vertex_pairs.h); kNone if it has none.
+    /// Returns the representative of the other end of the vertex pair of `p` (vertex_pairs.h), or kNone without a pair.
     std::uint32_t pairedWith(std::uint32_t p) const {
         return pair_.empty() || pair_[p] == hierarchy::kNone ? hierarchy::kNone : representative(pair_[p]);
     }
 
-    /// Takes a triangle out; its corners are unlinked by the next walks.
+    /// Removes a triangle. The next traversals unlink its corners.
     void remove(std::uint32_t triangle) {
         isRemoved_[triangle] = 1;
         --triangleCount_;
     }
 
-    /// Gives a corner another vertex, at the position `p`.
+    /// Sets the vertex of a corner, at the position `p`.
     void setCorner(std::uint32_t corner, std::uint32_t vertex, std::uint32_t p) {
         vertex_[corner / 3][corner % 3] = vertex;
         position_[corner / 3][corner % 3] = p;
     }
 
-    /// Merges `from` into `to`: its corners, its border flag and, where `to` has none, its vertex pair.
+    /// Merges `from` into `to`: its corners, its border flag and, if `to` has none, its vertex pair.
     void merge(std::uint32_t from, std::uint32_t to);
 
-    /// Makes `q` what `p` has been merged into.
+    /// Sets `q` as the position that `p` was merged into.
     void redirect(std::uint32_t p, std::uint32_t q) { mergedInto_[p] = q; }
 
-    /// Two triangles of the same three positions.
+    /// Two triangles with the same three positions.
     struct Duplicate {
         std::uint32_t kept;
         std::uint32_t removed;
     };
 
-    /// The triangles at `p` that have the same three positions as an earlier one, except those on a locked edge, which
-    /// keeps all its triangles. Valid until the next call.
+    /// Returns the triangles at `p` with the same three positions as an earlier triangle. Triangles at a locked edge
+    /// are excluded, because the edge must keep all of its triangles. The result is valid until the next call.
     std::span<const Duplicate> duplicates(std::uint32_t p);
 
 private:
-    /// The places of a triangle that follow one of them.
+    /// The two corner indices that follow each corner of a triangle.
     static constexpr std::array<std::array<std::uint32_t, 2>, 3> kOthers = {{{1, 2}, {2, 0}, {0, 1}}};
 
-    /// What the triangles around one position have at an edge from there; stored at the other end of the edge.
+    /// The triangles around one position that share an edge from this position. The data are stored at the other end of
+    /// the edge.
     struct Spoke {
-        std::uint32_t seenFrom = hierarchy::kNone; // that one position; the other fields are valid for it alone
+        std::uint32_t seenFrom = hierarchy::kNone; // the position; the other fields are valid only for it
         std::uint32_t triangles = 0;
         std::uint64_t first = 0;   // the two vertices of the first triangle
-        std::uint64_t differs = 0; // bits in which those of another one differ from them
+        std::uint64_t differs = 0; // bits in which the vertices of another triangle differ from them
     };
 
     void linkCorners();
@@ -119,17 +124,17 @@ private:
     std::vector<std::uint8_t> isRemoved_;
     std::size_t triangleCount_ = 0;
     std::vector<std::uint32_t> head_; // per position: its first corner
-    std::vector<std::uint32_t> tail_; // its last, if there is one
+    std::vector<std::uint32_t> tail_; // per position: its last corner, if any
     std::vector<std::uint32_t> next_; // per corner
     std::vector<std::uint8_t> isBorder_;
-    std::vector<std::uint32_t> pair_; // per position, as in vertexPairs
+    std::vector<std::uint32_t> pair_; // per position; see vertexPairs
     std::vector<std::uint32_t> mergedInto_;
     std::vector<std::uint32_t> stamp_; // per position
     std::uint32_t stampNow_ = 0;
     std::vector<std::array<std::uint32_t, 3>>
-        oppositeEdges_; // of the triangles at a position: lesser, greater, triangle
+        oppositeEdges_; // of the triangles at a position: lower end, higher end, triangle
     std::vector<Duplicate> duplicates_;
-    std::vector<std::uint32_t> neighbours_; // room for all positions and one more
+    std::vector<std::uint32_t> neighbours_; // space for all positions and one more
 };
 
 template <class Visit>
@@ -156,7 +161,7 @@ inline std::span<const std::uint32_t> SimplificationMesh::neighbours(std::uint32
         const Triangle& t = position_[corner / 3];
         for (const std::uint32_t place : kOthers[corner % 3]) {
             const std::uint32_t q = t[place];
-            list[count] = q; // without a branch: whether q is new is unpredictable
+            list[count] = q; // without a branch, because it is unpredictable whether q is new
             count += stamps[q] != stamp ? 1 : 0;
             stamps[q] = stamp;
         }

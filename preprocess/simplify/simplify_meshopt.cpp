@@ -9,8 +9,8 @@ namespace gnomon::simplify {
 
 namespace {
 
-/// What meshoptimizer takes: the patch, and for each locked vertex the same dummy triangle twice, which makes the
-/// vertex non-manifold in its eyes and so holds it in place.
+/// The input of meshoptimizer: the patch, and two equal dummy triangles per locked vertex. The dummies make the vertex
+/// non-manifold, so that meshoptimizer does not move it.
 struct Input {
     std::vector<unsigned> indices;
     std::vector<float> positions;
@@ -21,7 +21,7 @@ struct Input {
         for (const std::uint32_t p : patch.positionOf)
             for (int axis = 0; axis < 3; ++axis)
                 positions.push_back(static_cast<float>(patch.positions[p][axis]));
-        for (unsigned dummy = 0; dummy < 2; ++dummy) { // beside the first vertex, at a place that nobody else has
+        for (unsigned dummy = 0; dummy < 2; ++dummy) { // near the first vertex, at unique positions
             positions.push_back(positions[0] + 0.25F + 0.25F * static_cast<float>(dummy));
             positions.push_back(positions[1] + 0.25F);
             positions.push_back(positions[2] + 0.25F);
@@ -47,7 +47,7 @@ std::vector<Triangle> simplified(const Patch& patch, const Input& input, std::si
         input.positions.size() / 3,
         3 * sizeof(float),
         targetTriangles * 3 + input.dummyIndices,
-        1e6F, // of the extent: no limit
+        1e6F, // in extents of the patch: no limit
         0,
         &claimed));
     std::vector<Triangle> triangles;

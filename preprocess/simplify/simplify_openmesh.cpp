@@ -24,11 +24,12 @@ struct Traits : OpenMesh::DefaultTraits {
 
 using HalfedgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-/// The patch as half-edges, welded by position; faces that half-edges cannot hold are kept aside, their corners locked.
+/// The patch as a half-edge mesh, welded by position. Faces that a half-edge mesh cannot represent are stored
+/// separately, and their corners are locked.
 struct Halfedges {
     HalfedgeMesh mesh;
     std::vector<std::uint32_t> faceTriangle; // face -> triangle of the patch
-    std::vector<std::uint32_t> aside;        // triangles
+    std::vector<std::uint32_t> aside;        // triangles that are not in the half-edge mesh
 
     Halfedges(const Patch& patch, const std::vector<std::uint8_t>& isLocked) {
         for (const glm::dvec3& p : patch.positions)
@@ -50,7 +51,8 @@ struct Halfedges {
     }
 
 private:
-    /// Whether adding the face would be refused: a corner that is closed all round, or an edge with a face on its side.
+    /// Returns true if the half-edge mesh would reject the face, because a corner has a closed ring of faces, or an
+    /// edge already has a face on this side.
     template <class VertexOf>
     bool isTaken(const Triangle& p, VertexOf vertex) const {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -62,7 +64,8 @@ private:
     }
 };
 
-/// The vertex of the patch at position `p` whose normal and colour are most like those of `wanted`.
+/// Returns the vertex of the patch at position `p` with the normal and colour of `wanted`. If there is none, returns
+/// the first vertex at `p`.
 std::uint32_t vertexAt(const Patch& patch, std::uint32_t p, std::uint32_t wanted) {
     if (patch.positionOf[wanted] == p) return wanted;
     std::uint32_t best = hierarchy::kNone;
@@ -100,7 +103,7 @@ SimplifiedPatch simplifiedWith(
         if (mesh.status(face).deleted()) continue;
         const std::uint32_t origin = halfedges.faceTriangle[f];
         const Triangle was = patch.corners(patch.triangles[origin]);
-        // The half-edges of a face may begin at any of its corners; those that stayed say how the others are turned.
+        // The half-edges of a face may start at any corner. The unmoved corners determine the rotation.
         std::vector<std::uint32_t> corners;
         for (auto it = mesh.cfv_ccwiter(face); it.is_valid(); ++it)
             corners.push_back(static_cast<std::uint32_t>(it->idx()));
@@ -120,7 +123,7 @@ SimplifiedPatch simplifiedWith(
 } // namespace
 
 SimplifiedPatch simplifyOpenMesh(const Patch& patch, std::size_t targetTriangles) {
-    omerr().disable(); // faces that it refuses are kept aside, so there is nothing to tell
+    omerr().disable(); // rejected faces are stored separately, so no message is needed
     SimplifiedPatch result = simplifiedWith(patch, patch.isLocked, targetTriangles);
     if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles))
         result = simplifiedWith(patch, lockedWithRing(patch), targetTriangles);

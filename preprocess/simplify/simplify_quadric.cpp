@@ -1,24 +1,23 @@
-// The quadric simplifier: half-edge collapses in the order of their cost, in the quadric framework of Garland and
-// Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997.
+// The quadric simplifier: half-edge collapses in the order of their cost (Garland, Heckbert, "Surface Simplification
+// Using Quadric Error Metrics", 1997).
 //
 // - A vertex moves onto a neighbour (half-edge collapse) or onto the nearest vertex of another connected component (the
-//   non-edge vertex pairs of the same paper), so no position is new and the grid holds all of them. Locked positions,
-//   on which other groups rely, never move, and edges between two of them keep their triangles.
-// - The cost estimate is the root of the mean squared distance of the target from the planes of the source's triangles
-//   (a quadric, weighted by area and summed over collapses, so each vertex has the planes of all that it has replaced),
-//   with planes perpendicular to open edges and attribute seams, and small terms for the edge's length and the change
-//   of normal and colour.
-// - The cost proper is no estimate but an upper bound of the error that the collapse would leave, if that is larger: by
-// a
-//   piecewise linear map between the star before and after (Cohen, Manocha and Olano, "Simplifying Polygonal Models
-//   Using Successive Mappings", 1997; fan_map.h), or, where the star is no fan, by distances to convex sets
-//   (collapse_error_bound.h).
-// - A collapse that would turn a normal by more than 75 degrees is rejected. One that would change the topology, by the
-//   link condition of Dey, Edelsbrunner, Guha and Nekhayev, "Topology Preserving Edge Contraction", 1999, costs twice.
-// - The order is lazy: the queue holds estimates, and a vertex is evaluated only when it comes first; if its cost
-// proves
-//   higher than the queue said, it is put back. A collapse is refused above the patch's cost limit, and the loop stops
-//   early once two thirds of the triangles are left and the cost rises steeply.
+//   non-edge vertex pairs of the same paper). There are therefore no new positions, and all positions are on the grid.
+//   Locked positions, which other groups share, do not move. Edges between two locked positions keep their triangles.
+// - The cost estimate is the root of the mean squared distance of the target from the planes of the source's triangles.
+//   The planes form a quadric, weighted by area and summed over collapses, so that each vertex has the planes of all
+//   vertices that it replaced. Open edges and attribute seams add perpendicular planes. Small terms add the edge length
+//   and the change of normal and colour.
+// - The final cost is an upper bound of the error after the collapse, if that is larger than the estimate. A piecewise
+//   linear map between the star before and after computes the bound (Cohen, Manocha, Olano, "Simplifying Polygonal
+//   Models Using Successive Mappings", 1997; fan_map.h). If the star is not a fan, distances to convex sets compute the
+//   bound (collapse_error_bound.h).
+// - A collapse that turns a normal by more than 75 degrees is rejected. A collapse that changes the topology costs
+//   twice. The test is the link condition (Dey, Edelsbrunner, Guha, Nekhayev, "Topology Preserving Edge Contraction",
+//   1999).
+// - The queue is lazy: it stores estimates, and only the first vertex is evaluated. If its cost is higher than its
+//   estimate, it returns to the queue. A collapse above the patch's cost limit is rejected. The loop stops early if
+//   less than two thirds of the triangles are left and the cost rises steeply.
 #include "preprocess/simplify/collapse_error_bound.h"
 #include "preprocess/simplify/collapse_queue.h"
 #include "preprocess/simplify/collapse_star.h"
@@ -39,10 +38,10 @@ namespace {
 using hierarchy::kNone;
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
-constexpr double kTopologyPenalty = 2;   // on the cost of a collapse that violates the link condition
-constexpr double kQueueSlack = 1.1;      // a collapse may cost so much more than the queue says
-constexpr double kEarlyStopShare = 0.67; // of the triangles: from there on the loop stops where costs rise
-constexpr double kMaxCostRise = 1.6;     // over the largest cost accepted before
+constexpr double kTopologyPenalty = 2;   // factor of the cost of a collapse that violates the link condition
+constexpr double kQueueSlack = 1.1;      // max ratio of the evaluated cost to the cost in the queue
+constexpr double kEarlyStopShare = 0.67; // share of the triangles below which the loop stops if costs rise
+constexpr double kMaxCostRise = 1.6;     // max ratio to the largest cost accepted before
 constexpr double kMeanEdges = 2.5;       // CostLimit::MeanEdge, in mean edge lengths of the patch
 
 double meanEdge(const Patch& patch) {
@@ -89,14 +88,14 @@ private:
     SimplificationMesh mesh_;
     CostEstimate estimate_;
     CollapseErrorBound errors_;
-    std::vector<LayerGap> gaps_; // per triangle, empty if all is of one colour
-    CollapseStar star_;          // of the collapse that `boundedCost` evaluated last
-    double maxCost_;             // of a collapse
+    std::vector<LayerGap> gaps_; // per triangle; empty if the patch has one colour
+    CollapseStar star_;          // star of the last collapse that `boundedCost` evaluated
+    double maxCost_;             // max cost of a collapse
     double claimed_ = 0;
     double layerCharge_ = 0;
     CollapseQueue queue_;
     std::vector<std::uint32_t> target_;   // per position in the queue
-    std::vector<std::uint8_t> isBounded_; // whether its cost in the queue is bounded, not estimated
+    std::vector<std::uint8_t> isBounded_; // per position: whether its cost in the queue is a bound, not an estimate
     std::vector<std::uint32_t> around_;   // neighbours of `from` in the current collapse
     std::vector<std::pair<double, std::uint32_t>> candidates_;
 };
@@ -113,8 +112,8 @@ Collapser::Collapser(const Patch& patch)
       target_(patch.positions.size(), kNone),
       isBounded_(patch.positions.size(), 0) {}
 
-/// Calls `visit(q, square)` for each position that `p` may collapse onto, with the squared estimate: its `neighbours`,
-/// and the other end of its vertex pair.
+/// Calls `visit(q, square)` with the squared estimate for each position that `p` may collapse onto. These are its
+/// `neighbours` and the other end of its vertex pair.
 template <class Visit>
 void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit) {
     const std::span<const double> squares = estimate_.squares(p, neighbours);
@@ -125,8 +124,8 @@ void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neigh
         visit(q, estimate_.square(p, q) * kTopologyPenalty * kTopologyPenalty);
 }
 
-/// The cost of moving `from` onto `to` with its error bound; kForbidden if the collapse is not allowed, or once it was
-/// found to cost `limit` or more.
+/// Returns the cost of a collapse of `from` onto `to` with its error bound. Returns kForbidden if the collapse is not
+/// allowed, or if its cost reaches `limit`.
 double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit) {
     star_.gather(from, to);
     if (star_.vanishingCount() >= mesh_.triangleCount()) return kForbidden; // at least one triangle must remain
@@ -140,7 +139,7 @@ double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit
     return std::max(cost, layerCost());
 }
 
-/// The largest charge of the faces of `star_` that the collapse may move to the other side of a layer.
+/// Returns the max charge of the faces of `star_` that the collapse may move to the other side of a layer.
 double Collapser::layerCost() const {
     if (gaps_.empty()) return 0;
     double cost = 0;
@@ -155,7 +154,7 @@ double Collapser::layerCost() const {
     return cost;
 }
 
-/// The target of the least estimate.
+/// Returns the target with the lowest estimate.
 Collapser::Choice Collapser::cheapestByEstimate(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     Choice best;
     forTargets(p, neighbours, [&](std::uint32_t q, double cost) {
@@ -165,7 +164,7 @@ Collapser::Choice Collapser::cheapestByEstimate(std::uint32_t p, std::span<const
     return best;
 }
 
-/// The target of the least bounded cost, where that of `best` is known.
+/// Returns the target with the lowest bounded cost. The bounded cost of `best` is known.
 Collapser::Choice Collapser::cheapestByBound(std::uint32_t p, Choice best) {
     candidates_.clear();
     forTargets(p, mesh_.neighbours(p), [&](std::uint32_t q, double cost) { candidates_.emplace_back(cost, q); });
@@ -182,7 +181,7 @@ Collapser::Choice Collapser::cheapestByBound(std::uint32_t p, Choice best) {
     return best;
 }
 
-/// Puts `p`, whose neighbours are given, into the queue with its current estimate.
+/// Puts `p`, which has these neighbours, into the queue with its current estimate.
 void Collapser::refresh(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     if (patch_.isLocked[p] != 0) return;
     const Choice choice = cheapestByEstimate(p, neighbours);
@@ -194,7 +193,7 @@ void Collapser::refresh(std::uint32_t p, std::span<const std::uint32_t> neighbou
         queue_.put(p, choice.cost);
 }
 
-/// Updates the queue after `from` was collapsed onto `to`.
+/// Updates the queue after a collapse of `from` onto `to`.
 void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
     for (const std::uint32_t q : around_) {
         if (!mesh_.isRepresentative(q) || patch_.isLocked[q] != 0) continue;
@@ -203,7 +202,7 @@ void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
             continue;
         }
         const double estimate = std::sqrt(estimate_.square(q, to));
-        if (estimate >= queue_.costOf(q)) continue; // mostly so, whatever the errors there
+        if (estimate >= queue_.costOf(q)) continue; // true in most cases, independent of the errors there
         const double cost = errors_.largestAround(q) + estimate;
         if (cost >= queue_.costOf(q)) continue;
         target_[q] = to;
@@ -219,7 +218,7 @@ void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
         refresh(q);
 }
 
-/// Puts `p` back with a bounded cost, if any collapse is allowed.
+/// Returns `p` to the queue with a bounded cost if a collapse is allowed.
 void Collapser::reinsert(std::uint32_t p, const Choice& choice) {
     if (choice.target == kNone) return;
     target_[p] = choice.target;
@@ -227,12 +226,12 @@ void Collapser::reinsert(std::uint32_t p, const Choice& choice) {
     queue_.put(p, choice.cost);
 }
 
-/// Bounds the cost of `p`, the first of the queue, which has it at `cost`. Nothing if the cost proves higher, so that
-/// others come first; then `p` is back in the queue.
+/// Bounds the cost of `p`, the first vertex of the queue with the given `cost`. If the bound is higher than that, it
+/// returns `p` to the queue and returns nothing.
 std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, double cost) {
     if (!mesh_.hasTriangles(p)) return std::nullopt;
     const std::uint32_t to = target_[p];
-    if (!mesh_.hasTriangles(to)) { // vanished since
+    if (!mesh_.hasTriangles(to)) { // `to` has vanished in the meantime
         refresh(p);
         return std::nullopt;
     }
@@ -248,7 +247,7 @@ std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, doubl
     return found;
 }
 
-/// Carries out the collapse that `boundedCost` evaluated last.
+/// Applies the collapse that `boundedCost` evaluated last.
 void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     claimed_ = std::max(claimed_, estimate_.planes(from, to));
     layerCharge_ = std::max(layerCharge_, layerCost());
@@ -266,7 +265,7 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     refreshAround(from, to);
 }
 
-/// Removes all but the first of triangles at `p` with the same three positions.
+/// Removes triangles at `p` that repeat the three positions of an earlier triangle.
 void Collapser::removeDuplicates(std::uint32_t p) {
     for (const SimplificationMesh::Duplicate& pair : mesh_.duplicates(p)) {
         errors_.merge(pair);
@@ -274,8 +273,8 @@ void Collapser::removeDuplicates(std::uint32_t p) {
     }
 }
 
-/// Where no triangle remains at `p`: redirects it to the nearest corner of the triangles that received the error of
-/// those that vanished.
+/// Redirects `p` if no triangle remains there. The new position is the nearest corner of the triangles that received
+/// the errors of the removed triangles.
 void Collapser::redirectIsolated(std::uint32_t p) {
     if (mesh_.hasTriangles(p)) return;
     queue_.remove(p);
@@ -301,7 +300,7 @@ SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
     }
     queue_.putAll(costs);
     const double earlyStopCount = kEarlyStopShare * static_cast<double>(mesh_.triangleCount());
-    double maxAcceptedCost = 0; // of the collapses before the early stop may happen
+    double maxAcceptedCost = 0; // largest cost before the early stop is allowed
     while (mesh_.triangleCount() > targetTriangles && !queue_.isEmpty()) {
         const bool mayStopEarly = static_cast<double>(mesh_.triangleCount()) < earlyStopCount;
         const double cost = queue_.leastCost();

@@ -21,7 +21,7 @@ Surface::Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> tr
       triangles_(std::move(triangles)),
       adjacency_(positions.size(), triangles_),
       across_(triangles_.size(), Triangle{hierarchy::kNone, hierarchy::kNone, hierarchy::kNone}) {
-    constexpr std::size_t kMostLookedAt = 32; // keeps a position with a million triangles from costing their square
+    constexpr std::size_t kMostLookedAt = 32; // bounds the quadratic cost at a position with very many triangles
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t b = triangles_[t][(i + 1) % 3];

@@ -1,4 +1,4 @@
-// A triangle surface prepared for questions of distance: neighbours across edges, and a tree for the nearest triangle.
+// A triangle surface prepared for distance queries: neighbours across edges, and a tree for the nearest triangle.
 #pragma once
 
 #include "preprocess/proximity/triangle_distance.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::simplify {
 
-/// Triangles over given positions. The positions must outlive it.
+/// A set of triangles over given positions. The positions must outlive it.
 class Surface {
 public:
     Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> triangles);
@@ -29,27 +29,27 @@ public:
         return proximity::squaredDistance(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
     }
 
-    /// A triangle across edge `i` (from corner i to the next), or kNone.
+    /// Returns a triangle across edge `i` (from corner i to the next corner), or kNone.
     std::uint32_t across(std::uint32_t triangle, std::uint32_t i) const { return across_[triangle][i]; }
 
-    /// The triangles around a position.
+    /// Returns the triangles around a position.
     std::span<const std::uint32_t> around(std::uint32_t position) const { return adjacency_.around(position); }
 
-    /// The triangle nearest to `p`; the first call builds a tree.
+    /// Returns the triangle nearest to `p`. The first call builds a tree.
     std::uint32_t nearest(const glm::dvec3& p);
 
 private:
     struct Leaf {
-        glm::vec3 center; // of the triangle, three times
+        glm::vec3 center; // three times the centroid of the triangle
         std::uint32_t triangle = 0;
     };
 
     struct Node {
         glm::dvec3 low;
         glm::dvec3 high;
-        std::uint32_t begin; // of its triangles in leaves_
+        std::uint32_t begin; // first triangle in leaves_
         std::uint32_t end;
-        std::uint32_t right; // index of the second child, the first follows its parent; 0 for a leaf
+        std::uint32_t right; // index of the second child; the first child follows its parent; 0 for a leaf
     };
 
     void buildTree(std::uint32_t begin, std::uint32_t end);
@@ -59,7 +59,7 @@ private:
     TriangleAdjacency adjacency_;
     std::vector<Triangle> across_;
     std::vector<Node> nodes_;
-    std::vector<Leaf> leaves_; // in the tree's order
+    std::vector<Leaf> leaves_; // in tree order
 };
 
 } // namespace gnomon::simplify

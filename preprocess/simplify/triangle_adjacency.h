@@ -7,9 +7,10 @@
 
 namespace gnomon::simplify {
 
+/// The adjacency of positions and triangles.
 class TriangleAdjacency {
 public:
-    /// Of `triangles` over positions 0 up to `positionCount`, exclusive.
+    /// Builds the adjacency of `triangles` over the positions 0 to `positionCount` - 1.
     TriangleAdjacency(std::size_t positionCount, std::span<const Triangle> triangles)
         : first_(positionCount + 1, 0), members_(triangles.size() * 3) {
         for (const Triangle& t : triangles)
@@ -23,7 +24,7 @@ public:
                 members_[next[p]++] = t;
     }
 
-    /// The triangles around `position`, ascending.
+    /// Returns the triangles around `position` in ascending order.
     std::span<const std::uint32_t> around(std::uint32_t position) const {
         return std::span(members_).subspan(first_[position], first_[position + 1] - first_[position]);
     }

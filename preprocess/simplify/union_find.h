@@ -1,4 +1,5 @@
-// Disjoint sets of dense ids; the smallest id represents its set, so the answer does not depend on the order of unions.
+// Disjoint sets of dense ids. The smallest id represents its set, so that the result does not depend on the order of
+// unions.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 namespace gnomon::simplify {
 
+/// A union-find structure with path halving.
 class UnionFind {
 public:
     explicit UnionFind(std::uint32_t count) : parent_(count), count_(count) {
@@ -31,7 +33,7 @@ public:
         --count_;
     }
 
-    /// How many sets there are.
+    /// Returns the number of sets.
     std::uint32_t count() const { return count_; }
 
 private:

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> vertexPairs(const Patch& patch) {
     std::vector<std::uint32_t> size(count, 0);
     for (const std::uint32_t id : component)
         ++size[id];
-    // The small components pair with a large one; its own queries would visit all of itself first.
+    // Only small components search a partner. A large component would first visit all of its own points.
     std::vector<std::uint32_t> querying;
     for (std::uint32_t p = 0; p < count; ++p)
         if (patch.isLocked[p] == 0 && size[component[p]] <= kSmallComponent) querying.push_back(p);

@@ -1,4 +1,4 @@
-// What makes two builds the same.
+// The key of a build. Builds with equal keys produce the same model.
 #pragma once
 
 #include "preprocess/pipeline/build_options.h"
@@ -8,10 +8,11 @@
 
 namespace gnomon::pipeline {
 
-/// The options that change bytes.
+/// Returns the options that affect the bytes of the model.
 std::map<std::string, std::string> optionsOf(const BuildOptions& options);
 
-/// What is built from what, in one line of entries "name value" that commas part: a resumed build must have the same.
+/// Returns the key of a build: input and options in one line of entries "name value", separated by commas. A resumed
+/// build must have the same key.
 std::string keyOf(const BuildOptions& options);
 
 } // namespace gnomon::pipeline

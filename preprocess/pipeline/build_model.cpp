@@ -27,7 +27,7 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// Seconds since the last lap, or since `watch` was made; begins the next.
+/// Returns the seconds since the last lap (or since the creation of `watch`) and starts the next lap.
 double lap(Stopwatch& watch) {
     return std::exchange(watch, Stopwatch()).elapsed().count / 1000;
 }
@@ -52,10 +52,10 @@ RoundReport reportOf(const RoundRecord& record) {
     return report;
 }
 
-/// One build, phase after phase. A phase that the checkpoint log has as finished is skipped.
+/// One build. It runs the phases in order and skips phases that the checkpoint log lists as finished.
 class Build {
 public:
-    /// `team` is null where there are no other processes.
+    /// Creates a build. `team` is null if there are no other processes.
     Build(
         read::MeshSource& source,
         const BuildOptions& options,
@@ -88,7 +88,7 @@ public:
         } catch (const hierarchy::Damage& damage) {
             throw scratch::DamageError(options_.output + ": temporary data", damage.what);
         } catch (...) {
-            // What many machines have done is worth more than the space that it takes.
+            // The results of many machines are worth more than the disk space that they use.
             if (team_ != nullptr && log().binned()) workDirectory_.leave();
             throw;
         }
@@ -108,7 +108,8 @@ private:
         assemble();
     }
 
-    /// Before anything is touched.
+    /// Returns the memory needs of the build. Throws LimitError if they exceed the limit. It runs before anything is
+    /// written.
     MemoryNeeds affordableNeeds() const {
         MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
         needs.threads = threads_;
@@ -133,7 +134,7 @@ private:
              team});
     }
 
-    /// What is read and built from here on is so in tasks, by whichever process.
+    /// Starts the tasks. All later reading and building runs in tasks of any process.
     void beginTasks() {
         work_.emplace(source_, options_.level, workDirectory_.scratch(), progress_);
         perform_ = [this](TaskKind kind, std::span<const std::byte> input) { return work_->perform(kind, input); };
@@ -163,10 +164,11 @@ private:
             endPhase("bin", source_.summary().fileBytes);
         }
         const Bytes needed = needs_.building(log().binned()->largestChunk);
-        if (isResumed && needed > options_.memory) workDirectory_.leave(); // what is finished waits for more memory
+        // Preserves the finished work for a build with more memory.
+        if (isResumed && needed > options_.memory) workDirectory_.leave();
         requireMemory(source_.summary(), options_, needed);
         if (countAtOnce(room(), MemoryNeeds::node(log().binned()->largestChunk, threads_), threads_) < 2)
-            returnFreedMemoryAtOnce(); // memory is tight
+            returnFreedMemoryAtOnce(); // memory is scarce
         const TaskFacts facts{log().binned()->grid, log().binned()->format};
         work_->tell(facts);
         workDirectory_.scratch().handOver();
@@ -175,7 +177,7 @@ private:
 
     TaskRunner& runner() { return team_ != nullptr ? static_cast<TaskRunner&>(*team_) : localTasks_; }
 
-    /// Lets the chunks exchange what they share.
+    /// Lets the chunks exchange data about shared vertices.
     void shareBorders() {
         if (log().bordered()) {
             borders_.emplace(workDirectory_.scratch(), log().bordered()->directory);
@@ -208,12 +210,12 @@ private:
             progress_.advance(1);
         };
         runner().run(phase, perform_);
-        for (const Mail& answers : mail) // in the order of the chunks, whichever answered first
+        for (const Mail& answers : mail) // in chunk order, independent of the order of the answers
             for (const auto& [chunk, block] : answers)
                 borders_->adopt(chunk::streamOf(stream, chunk), block);
     }
 
-    /// How much there is to read of a chunk.
+    /// Returns the number of bytes to read for a chunk.
     std::uint64_t chunkBytes(std::uint32_t chunk) const {
         std::uint64_t bytes = 0;
         for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(chunk::BinStream::Count); ++kind)
@@ -221,7 +223,7 @@ private:
         return bytes;
     }
 
-    /// How many tasks that take `each` fit into memory, at least one, which does.
+    /// Returns the number of tasks of size `each` that fit into memory, at least one. One task always fits.
     std::size_t atOnce(const Bytes& each) const {
         return std::max<std::size_t>(countAtOnce(room(), each, threads_), 1);
     }
@@ -242,7 +244,7 @@ private:
         }
     }
 
-    /// What is left takes as much for a triangle as what is gone did.
+    /// Estimates the remaining work. It assumes the same work per triangle as in the finished rounds.
     void expectWhatIsLeft(const Round& round) {
         const std::uint64_t source = log().binned()->triangles;
         std::uint64_t left = 0;
@@ -288,7 +290,7 @@ private:
         return input;
     }
 
-    /// Returns the blocks of a finished node's inputs, which nobody reads again.
+    /// Returns the blocks of a finished node's inputs. No later phase reads them.
     Blocks takeInputs(const Round& round, std::uint32_t node) {
         if (round.number > 0) return roundBins_->takeBlocks(node);
         Blocks all;
@@ -380,7 +382,7 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
     const std::size_t threads =
         options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
     std::optional<tbb::global_control> limit;
-    if (team == nullptr) limit.emplace(kLimit, threads); // a team sees to that itself
+    if (team == nullptr) limit.emplace(kLimit, threads); // a team limits its own threads
     Stopwatch watch;
     const auto run = [&](const BuildOptions& given) { return Build(source, given, threads, team, progress).run(); };
     BuildReport report;
@@ -394,7 +396,7 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
         anew.isResumed = false;
         report = run(anew);
     }
-    report.seconds = lap(watch); // with the temporary files gone
+    report.seconds = lap(watch); // includes the removal of temporary files
     return report;
 }
 

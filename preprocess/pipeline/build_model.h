@@ -1,4 +1,4 @@
-// `gnomon build` from a MeshSource to a .gnm: the phases in the order in which they run.
+// Builds a .gnm model from a MeshSource: the phases of `gnomon build` in order.
 #pragma once
 
 #include "core/progress.h"
@@ -12,31 +12,33 @@
 
 namespace gnomon::pipeline {
 
+/// The time and the I/O of one phase.
 struct BuildPhase {
     std::string name;
     double seconds = 0;
     std::uint64_t bytesRead = 0;
     std::uint64_t bytesWritten = 0;
-    TeamShare team; // where many processes build
+    TeamShare team; // used if several processes build
 };
 
-/// What was binned for a round after the first.
+/// The size of a round after the first.
 struct RoundReport {
     std::uint64_t nodes = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t locked = 0;       // positions
-    std::uint64_t lockedBefore = 0; // of these, in the round before as well
+    std::uint64_t locked = 0;       // locked positions
+    std::uint64_t lockedBefore = 0; // positions of these that were also locked in the round before
 };
 
+/// The result and the costs of a build.
 struct BuildReport {
-    hierarchy::ModelSummary summary; // as it stands in the file
+    hierarchy::ModelSummary summary; // the summary in the file
     std::uint64_t pages = 0;
     std::uint64_t stuckTriangles = 0;
     std::uint64_t fileBytes = 0;
-    std::uint64_t temporaryBytes = 0; // at their peak
-    std::uint64_t scratchRead = 0;    // bytes of temporary files, by this process
+    std::uint64_t temporaryBytes = 0; // peak size
+    std::uint64_t scratchRead = 0;    // bytes of temporary files, read by this process
     std::uint64_t scratchWritten = 0;
-    std::uint64_t tableBytes = 0; // at most, of what is known of each vertex, by this process
+    std::uint64_t tableBytes = 0; // peak size of the per-vertex tables of this process
     double seconds = 0;
     std::vector<BuildPhase> phases;
     std::vector<RoundReport> rounds;
@@ -47,15 +49,21 @@ struct BuildReport {
     std::uint64_t badNormals = 0;         // of the source, if its summary does not count them
 };
 
-/// Builds `options.output` from `source`, out of core: whatever the source's size, memory stays below `memory`. The
-/// bytes are the same for any memory, threads and place of the temporary files, resumed or not. A resumed build starts
-/// anew if temporary data are damaged. Throws Error for what the source or the output refuses, for a model without
-/// triangles, for a `memory` that is too small (naming the one that would do), for a resumed build of another input or
-/// with other options, for damaged temporary data, and where more than `maxStuckPercent` of the triangles stay stuck at
-/// full detail; then nothing is left under the output's name.
+/// Builds `options.output` from `source` out of core: the memory stays below `memory` for any size of the source. The
+/// bytes of the model do not depend on the memory, the threads, the place of the temporary files, or a resume. A
+/// resumed build starts from the beginning if temporary data are damaged.
+///
+/// Throws Error
+/// - if the source or the output fails,
+/// - if the model has no triangles,
+/// - if `memory` is too small (the message names the required memory),
+/// - if a resumed build has another input or other options,
+/// - if temporary data are damaged,
+/// - if more than `maxStuckPercent` of the triangles of level 0 are irreducible.
+/// After an error there is no file with the name of the output.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress);
 
-/// The same by many processes.
+/// Builds a model with several processes. Arguments, result and errors are identical.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, ProcessTeam& team, Progress& progress);
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-// What a build is asked for.
+// The options of a build.
 #pragma once
 
 #include "core/units.h"
@@ -14,35 +14,37 @@
 
 namespace gnomon::pipeline {
 
-/// The most triangles of a chunk, unless told otherwise: a constant of the format, since it shapes the model's bytes.
-/// Borders between chunks stay fine for a round, so the larger the fewer triangles a view has; two at a time
-/// still fit well into the memory of an ordinary machine.
+/// The default max number of triangles per chunk. It is a constant of the format, because it affects the bytes of the
+/// model. Borders between chunks stay at full detail for one round. Larger chunks therefore reduce the triangles of a
+/// view. Two chunks at a time fit into the memory of an ordinary machine.
 constexpr std::uint32_t kChunkTriangles = 1U << 20U;
 
+/// The input, the limits and the format of a build.
 struct BuildOptions {
     std::string output;
-    Bytes memory = gibibytes(2); // the peak resident size of the process
+    Bytes memory = gibibytes(2); // max resident size of the process
     levels::LevelOptions level;
     std::uint32_t chunkTriangles = kChunkTriangles;
     std::optional<double> maxStuckPercent;
-    int threads = 0;                     // 0: all
-    std::string temporaryFolder;         // for temporary files; empty: beside the output
-    bool isInMemory = false;             // temporary files in memory
-    std::optional<hierarchy::UpAxis> up; // nothing: guessed from the mesh's shape (hierarchy/up_guess.h)
-    std::string upBecause = "as asked";  // where it is given: who says so
-    hierarchy::UpVotes upVotes{};        // where it is guessed: what the kind of the source says
+    int threads = 0;                     // 0: all threads
+    std::string temporaryFolder;         // folder for temporary files; empty: next to the output
+    bool isInMemory = false;             // whether temporary files are in memory
+    std::optional<hierarchy::UpAxis> up; // nothing: guess the axis from the shape of the mesh (hierarchy/up_guess.h)
+    std::string upBecause = "as asked";  // origin of a given axis
+    hierarchy::UpVotes upVotes{};        // votes for a guessed axis from the kind of the source
     hierarchy::Unit unit = hierarchy::Unit::Metre;
-    bool keepsStrays = false; // the grid's range includes triangles far outside of the main part (chunk/survey.h)
-    std::vector<std::string> fields; // that the source was opened with, in order
-    bool isResumed = false;          // go on with what a killed build left, if anything
-    std::string inputKey;            // what tells this input from others, for a build that resumes (fingerprint.h)
+    bool keepsStrays = false;        // extend the grid's range to triangles far outside the main part (chunk/survey.h)
+    std::vector<std::string> fields; // names of the fields with which the source was opened, in order
+    bool isResumed = false;          // continue the work of a killed build if there is any
+    std::string inputKey;            // identifies the input for a resumed build (fingerprint.h)
 
-    std::uint64_t scratchBytesPerSecond = 0; // each process reads and writes no more of temporary files; 0: no limit
+    // Max rate of reading and writing of temporary files per process; 0: no limit.
+    std::uint64_t scratchBytesPerSecond = 0;
 
-    /// Told which temporary data are damaged, before a resumed build starts anew.
+    /// Receives the description of damaged temporary data before a resumed build starts from the beginning.
     std::function<void(const std::string&)> onDamage = {};
 
-    /// Told the folder of temporary files if it stays, for what no build has written into it.
+    /// Receives the folder of temporary files if it cannot be removed because it contains other files.
     std::function<void(const std::string&)> onKeptFolder = {};
 };
 

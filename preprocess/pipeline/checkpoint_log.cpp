@@ -20,7 +20,7 @@ using hierarchy::PageInfo;
 
 enum class Kind : std::uint8_t { Binned, Bordered, Round, Node };
 
-/// Puts or takes the same fields in the same order.
+/// Writers and readers that process the same fields in the same order.
 struct Putter {
     ByteWriter& out;
 
@@ -61,7 +61,8 @@ struct Taker {
     template <class T>
     void count(std::vector<T>& values) {
         const std::uint64_t count = in.takeVarint();
-        if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"}; // each has a byte or more
+        // Each value has at least one byte.
+        if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"};
         values.resize(count);
     }
 
@@ -88,7 +89,7 @@ void boxFields(Fields& fields, SomeBox& box) {
     vectorFields(fields, box.max);
 }
 
-/// A page's row as in a model's table, after the place of its bytes in the scratch file.
+/// A page's row in the format of the model's table, after its offset in the scratch file.
 void pageFields(Putter& fields, const PageInfo& info) {
     fields.field(info.offset);
     hierarchy::putPageRow(fields.out, info);
@@ -221,7 +222,7 @@ void requireStreams(const std::vector<std::byte>& directory, std::uint64_t count
         throw hierarchy::Damage{"streams: expected " + std::to_string(count) + ", found " + std::to_string(found)};
 }
 
-/// Throws Damage for a record of none of `nodeCount` nodes, or with other clusters than places.
+/// Throws Damage if a record names an unknown node, or has different numbers of clusters and places.
 void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
     if (node.node >= nodeCount) throw hierarchy::Damage{"a node that is not there"};
     if (node.places.bytes % levels::placeBytes(1) != 0 ||
@@ -229,7 +230,7 @@ void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
         throw hierarchy::Damage{"a node with places of another number of clusters"};
 }
 
-/// A record ends with its kind.
+/// Appends the kind of a record, which is its last byte.
 std::vector<std::byte> ended(ByteWriter& out, Kind kind) {
     out.put(static_cast<std::uint8_t>(kind));
     return out.take();

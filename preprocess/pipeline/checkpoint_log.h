@@ -1,4 +1,4 @@
-// The checkpoint log: what a build has finished so far, and the records from which another process can resume it.
+// The checkpoint log: the finished steps of a build, and the records from which another process can resume it.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -18,18 +18,18 @@ namespace gnomon::pipeline {
 /// Counts up when the records change: a build can go on only with those of its own kind.
 constexpr int kCheckpointVersion = 12;
 
-/// Triangles of the source that are left out: degenerate, doubled, collapsed by the grid, and those that earlier ones
-/// cover in the same plane, wholly or in part.
+/// The numbers of dropped source triangles: degenerate, doubled, collapsed by the grid, and (partly or wholly) covered
+/// by earlier coplanar triangles.
 using DroppedCounts = std::array<std::uint64_t, 4>;
 
-/// The streams of a node of a round after the first (round_bins.h).
+/// The number of streams of a node of a round after the first (round_bins.h).
 constexpr std::uint32_t kStreamsOfNode = 3;
 
-/// The source is in chunks.
+/// The record of a finished binning: the source is in chunks.
 struct BinnedRecord {
     hierarchy::Grid grid;
-    hierarchy::GridPoint furthest; // of the positions, on each axis
-    Box mainPart;                  // of the source, without strays
+    hierarchy::GridPoint furthest; // max coordinates of the positions
+    Box mainPart;                  // main part of the source, without strays
     double medianEdge = 0;
     chunk::Strayed strayed;
     chunk::VertexFormat format;
@@ -40,21 +40,22 @@ struct BinnedRecord {
     std::uint64_t badNormals = 0; // that the source's summary does not count
     std::uint32_t chunkCount = 0;
     chunk::PartSize largestChunk;
-    DroppedCounts dropped{};          // before the chunks
-    std::vector<std::byte> directory; // of the store
+    DroppedCounts dropped{};          // dropped before the chunks
+    std::vector<std::byte> directory; // directory of the store
 };
 
-/// The chunks know their borders.
+/// The record of the finished border exchange between chunks.
 struct BorderedRecord {
     std::vector<std::byte> directory;
 };
 
-/// One node of a round is built.
+/// The record of a finished node of a round.
 struct NodeRecord {
     struct LevelOfNode {
         hierarchy::LevelInfo info;
-        /// Offsets in the scratch file, children as provisional ids: of this node's levels, pages are counted from the
-        /// node's own first until the record is among `nodes`, then from the level's.
+        /// Pages with offsets in the scratch file. Children are provisional ids. In a new record, page numbers of the
+        /// node's own levels start at 0. After the record is in `nodes`, they start at the node's first page of the
+        /// level.
         std::vector<hierarchy::PageInfo> pages;
     };
 
@@ -62,17 +63,17 @@ struct NodeRecord {
     std::uint32_t node = 0;
     std::uint32_t firstLevel = 0;
     std::vector<LevelOfNode> levels;
-    scratch::Block places;   // of the clusters that are left, and ...
-    scratch::Block clusters; // ... these
+    scratch::Block places;   // places of the remaining clusters
+    scratch::Block clusters; // the remaining clusters
     ClusterSums pending;     // their sums
     std::uint64_t rootTriangles = 0;
     std::uint64_t stuckTriangles = 0;
     DroppedCounts dropped{};
-    Box bounds;              // of the chunk, in round 0
-    bool hasNormals = false; // of the chunk, in round 0
+    Box bounds;              // bounds of the chunk, in round 0
+    bool hasNormals = false; // whether the chunk has normals, in round 0
 };
 
-/// The clusters that the round before left are in the streams of a round's nodes.
+/// The record of a binned round: the remaining clusters of the previous round are in the streams of the new nodes.
 struct RoundRecord {
     std::uint32_t round = 0; // from 1 on
     bool isLast = false;
@@ -81,36 +82,37 @@ struct RoundRecord {
     std::vector<std::byte> directory;
 };
 
-/// All of a build's records. The first is a text that says what is built from what.
+/// All records of a build. The first record of the file is the key of the build.
 class CheckpointLog {
 public:
     const std::optional<BinnedRecord>& binned() const { return binned_; }
 
     const std::optional<BorderedRecord>& bordered() const { return bordered_; }
 
-    /// That of `round`, if it is there: they come in order, without gaps.
+    /// Returns the record of `round`, or null. The records of rounds are contiguous.
     const RoundRecord* binnedRound(std::uint32_t round) const;
 
-    /// The nodes that are built of `round`, in order, up to the first that is not.
+    /// Returns the built nodes of `round`, in order, up to the first unfinished node.
     const std::vector<NodeRecord>& nodes(std::uint32_t round) const;
 
-    /// Whether a node is built, be it that others before it are not.
+    /// Returns true if a node is built. Nodes before it may be unfinished.
     bool isBuilt(std::uint32_t round, std::uint32_t node) const;
 
-    /// The triangles of all levels that the built nodes of `round` have.
+    /// Returns the number of triangles of all levels in the built nodes of `round`.
     std::uint64_t builtTriangles(std::uint32_t round) const;
 
     std::uint32_t roundCount() const { return static_cast<std::uint32_t>(rounds_.size()); }
 
-    /// Pages so far of each level, finest first.
+    /// Returns the current number of pages of each level, finest level first.
     const std::vector<std::uint32_t>& pageCounts() const { return pageCounts_; }
 
-    /// How many pages of the node's levels precede its own: of levels firstLevel, firstLevel + 1, ...
+    /// Returns the number of pages that precede the node's pages, for the levels firstLevel, firstLevel + 1, ...
     const std::vector<std::uint32_t>& firstPages(std::uint32_t round, std::size_t node) const {
         return firstPages_[round][node];
     }
 
-    /// Makes room for a round, after which `nodes` of the others may be read while nodes are added to this one.
+    /// Reserves memory for all nodes of one round. Other threads can then read existing nodes while this thread adds
+    /// new nodes.
     void beginRound(std::uint32_t round);
 
     void add(BinnedRecord record) { binned_ = std::move(record); }
@@ -119,17 +121,17 @@ public:
 
     void add(RoundRecord record);
 
-    /// In any order within a round. Throws Damage for a node that is there already.
+    /// Adds a node, in any order within a round. Throws Damage if the node was added before.
     void add(NodeRecord record);
 
-    /// Throws Damage if records do not belong together: streams, nodes or pages that are not there.
+    /// Throws Damage if the records are inconsistent: missing streams, nodes or pages.
     void requireConsistent() const;
 
-    /// Returns how many bytes of each part of the scratch file the records name, counted from its begin. Throws Damage
-    /// if blocks do not fit into a part, or share bytes.
+    /// Returns the number of bytes that the records use in each part of the scratch file, counted from the start of the
+    /// part. Throws Damage if blocks exceed a part or overlap.
     std::map<std::uint32_t, std::uint64_t> scratchBytes() const;
 
-    /// Adds what `encoded` returned. Throws Damage.
+    /// Adds a record that `encoded` returned. Throws Damage.
     void addEncoded(std::span<const std::byte> record);
 
 private:
@@ -140,23 +142,24 @@ private:
     std::optional<BorderedRecord> bordered_;
     std::vector<RoundRecord> binnedRounds_; // from round 1 on
     std::vector<std::vector<NodeRecord>> rounds_;
-    std::vector<std::map<std::uint32_t, NodeRecord>> early_; // of each round: those that wait for nodes before them
+    std::vector<std::map<std::uint32_t, NodeRecord>> early_; // per round: finished nodes that wait for earlier nodes
     std::vector<std::vector<std::vector<std::uint32_t>>> firstPages_;
     std::vector<std::uint32_t> pageCounts_;
 };
 
+/// Encodes a record as bytes.
 std::vector<std::byte> encoded(const BinnedRecord& record);
 std::vector<std::byte> encoded(const BorderedRecord& record);
 std::vector<std::byte> encoded(const RoundRecord& record);
 std::vector<std::byte> encoded(const NodeRecord& record);
 
-/// Returns the parts of the scratch file that have the blocks of `record`, ascending.
+/// Returns the parts of the scratch file that contain the blocks of `record`, in ascending order.
 std::vector<std::uint32_t> partsOf(const BinnedRecord& record);
 std::vector<std::uint32_t> partsOf(const BorderedRecord& record);
 std::vector<std::uint32_t> partsOf(const RoundRecord& record);
 std::vector<std::uint32_t> partsOf(const NodeRecord& record);
 
-/// What `encoded` made of a node's record. Throws Damage.
+/// Decodes the record of a node. Throws Damage.
 NodeRecord decodedNode(std::span<const std::byte> record);
 
 } // namespace gnomon::pipeline

@@ -23,7 +23,7 @@ void put(StreamBytes& streams, std::uint32_t stream, const T& value) {
     all.insert(all.end(), bytes.begin(), bytes.end());
 }
 
-/// Which new nodes use each position of one old node.
+/// The new nodes that use each position of one old node.
 class PositionUses {
 public:
     explicit PositionUses(std::size_t mostPositions) : table_(mostPositions) {}
@@ -37,7 +37,7 @@ public:
         if (first != node) others_.push_back({found, node});
     }
 
-    /// Calls `take(position, whether it was a border, its nodes)` for each, in the order in which they came.
+    /// Calls `take(position, whether it was a border, its nodes)` for each position, in the order of insertion.
     template <class Take>
     void forEach(const Take& take) {
         std::sort(others_.begin(), others_.end());
@@ -75,7 +75,7 @@ private:
 
     IndexTable table_;
     std::vector<Used> positions_;
-    std::vector<OtherUse> others_; // beside the first
+    std::vector<OtherUse> others_; // uses after the first
 };
 
 } // namespace

@@ -1,4 +1,5 @@
-// One finished node's clusters on their way to the nodes of the next round, and what these share.
+// Routes the clusters of one finished node to the nodes of the next round, and finds the shared positions of these
+// nodes.
 #pragma once
 
 #include "preprocess/levels/pending_level.h"
@@ -9,42 +10,44 @@
 
 namespace gnomon::pipeline {
 
-/// Bytes for each stream of a kind.
+/// Bytes per stream of one kind.
 using StreamBytes = std::map<std::uint32_t, std::vector<std::byte>>;
 
-/// That a node of the next round got a cluster with this position, which was a border in the round before.
+/// A use of a position: a node of the next round has a cluster at this position, which was a border in the previous
+/// round.
 struct BorderUse {
     hierarchy::GridPoint position;
     std::uint32_t node = 0;
     auto operator<=>(const BorderUse&) const = default;
 };
 
-/// How many positions are locked, and how many of these were in the round before.
+/// The number of locked positions, and how many of them were also locked in the previous round.
 struct LockCounts {
     std::uint64_t locked = 0;
     std::uint64_t lockedBefore = 0;
 };
 
-/// What a node hands on.
+/// The output of the routing of a node.
 struct RoutedClusters {
-    StreamBytes records; // by new node
-    StreamBytes locks;   // by new node: positions that were no borders and that several new nodes use now
-    StreamBytes borders; // BorderUse by the hash of the position, modulo the number of streams
-    LockCounts counts;   // of `locks`
+    StreamBytes records; // per new node
+    StreamBytes locks;   // per new node: positions that were not borders, and that several new nodes use now
+    // BorderUse per stream; the hash of the position modulo the number of streams selects the stream.
+    StreamBytes borders;
+    LockCounts counts; // counts of `locks`
 };
 
-/// The clusters that a node left in a round.
+/// The remaining clusters of a node after a round.
 struct LeftClusters {
     std::span<const std::byte> bytes;          // EncodedPendingLevel
-    std::span<const std::uint32_t> nodeOf;     // of each of its clusters, in the next round
-    std::uint32_t firstLevel = 0;              // of the node, and ...
-    std::span<const std::uint32_t> firstPages; // ... the number of its first page of each level
+    std::span<const std::uint32_t> nodeOf;     // node in the next round, per cluster
+    std::uint32_t firstLevel = 0;              // first level of the node
+    std::span<const std::uint32_t> firstPages; // number of its first page in each level
 };
 
-/// Parts what a node left by the new nodes, and what these share by `borderStreams` streams.
+/// Distributes the clusters of a node to the new nodes, and its border positions to `borderStreams` streams.
 RoutedClusters routed(const LeftClusters& left, std::uint32_t borderStreams);
 
-/// The positions that several nodes use of one stream of BorderUse, by node.
+/// Returns the positions of one stream of BorderUse that several nodes use, per node.
 StreamBytes sharedBorders(std::vector<BorderUse> uses, LockCounts& counts);
 
 } // namespace gnomon::pipeline

@@ -15,12 +15,12 @@ constexpr Bytes kSmallModel = mebibytes(256);
 Bytes countedNeed(read::MeshSource& source, const MemoryNeeds& needs, Bytes memory, Progress& progress) {
     MemoryNeeds serial = needs;
     serial.isSerial = true;
-    const bool isRefused = needs.sorting() > memory; // the question is how much would do
+    const bool isRefused = needs.sorting() > memory; // the caller needs the required memory for its message
     if (serial.sorting() > (isRefused ? std::max(memory, kSmallModel) : memory))
         return isRefused ? needs.most() : needs.sorting();
     const chunk::SourceSurvey survey = chunk::surveySource(source, progress);
     read::MeshSummary counted = source.summary();
-    counted.likelyTriangles = survey.triangles; // of strips, the header tells more
+    counted.likelyTriangles = survey.triangles; // the header of a file with strips gives a larger number
     counted.faceCount = std::min(counted.faceCount, survey.triangles);
     const chunk::ChunkTree tree = chunk::planChunks(source, survey, needs.chunkTriangles, progress);
     const chunk::BinnedSize size = chunk::measureBins(source, survey, tree, progress);

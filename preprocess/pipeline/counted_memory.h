@@ -1,4 +1,4 @@
-// The memory that a source needs as its triangles tell it, where the header's figure is too large.
+// Measures the memory that a source needs, if the estimate from its header is too high.
 #pragma once
 
 #include "core/progress.h"
@@ -6,10 +6,10 @@
 
 namespace gnomon::pipeline {
 
-/// Returns the memory that `source` needs: its chunks are measured as binning will find them, in passes over the
-/// source. Measuring takes memory of its own. If that is more than `memory`, the result is what sorting needs, and
-/// whether the chunks fit is known once they are there; if sorting does not fit, more than a small model takes, it is
-/// needs.most().
+/// Returns the memory that a build of `source` needs. The function makes passes over the source and measures its chunks
+/// as the binning will create them. The measurement itself needs memory. If that exceeds `memory`, the function returns
+/// the need of the sorting phase, and the build checks the chunks later. If the sorting exceeds both `memory` and the
+/// need of a small model, the function returns needs.most().
 Bytes countedNeed(read::MeshSource& source, const MemoryNeeds& needs, Bytes memory, Progress& progress);
 
 } // namespace gnomon::pipeline

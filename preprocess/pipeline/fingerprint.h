@@ -1,4 +1,4 @@
-// What tells one input from another without reading it all: for builds that resume.
+// Identifies an input without reading all of it, for resumed builds.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace gnomon::pipeline {
 
-/// For each file its size, the time of its last change, and a hash of samples taken evenly over all of it, as entries
-/// "input 1 bytes 123" that commas part. Throws Error for what cannot be read, or not several times.
+/// Returns the size, the time of the last change, and a hash of evenly distributed samples of each file. The format is
+/// entries "input 1 bytes 123", separated by commas. Throws Error if a file cannot be read, or can only be read once.
 std::string fingerprintOf(const std::vector<std::string>& paths);
 
 } // namespace gnomon::pipeline

@@ -11,17 +11,18 @@ constexpr Bytes kBuilding = mebibytes(3);       // code and small tables that on
 constexpr std::uint64_t kMostSampled = 540'000; // triangles
 constexpr std::uint64_t kSampleBytesPerTriangle = 96;
 constexpr std::uint64_t kSampleBytesPerVertex = 24;
-constexpr std::uint64_t kReadingBytes = std::uint64_t{5} << 20U; // a window over the file, rows of a block
+constexpr std::uint64_t kReadingBytes = std::uint64_t{5} << 20U; // a window over the file, and the rows of a block
 constexpr std::uint64_t kLeastReadingBytes = std::uint64_t{256} << 10U;
 constexpr std::uint64_t kTableBytes = std::uint64_t{4} << 20U;
 constexpr std::uint64_t kTableBytesPerVertex = 8;
-constexpr std::uint64_t kBytesPerCell = 12; // of the first table of an octree
+constexpr std::uint64_t kBytesPerCell = 12; // first table of an octree
 constexpr std::uint64_t kBorderBytesPerVertex = 108;
 constexpr std::uint64_t kBorderBytesPerTriangle = 64;
-constexpr std::uint64_t kRoutingBytesPerVertex = 64;   // beside the records and their copies
-constexpr std::uint64_t kScratchBytesPerTriangle = 44; // where temporary files are in memory
-constexpr std::uint64_t kTrianglesPerPageRowByte = 16; // rows of the page table: 0.036 to 0.048 bytes measured
-constexpr std::uint32_t kLeastFullChunk = 1U << 16U;   // triangles; smaller ones leave most of their pages empty
+constexpr std::uint64_t kRoutingBytesPerVertex = 64;   // in addition to the records and their copies
+constexpr std::uint64_t kScratchBytesPerTriangle = 44; // if temporary files are in memory
+// Rows of the page table; measured: 0.036 to 0.048 bytes per triangle.
+constexpr std::uint64_t kTrianglesPerPageRowByte = 16;
+constexpr std::uint32_t kLeastFullChunk = 1U << 16U; // triangles; the pages of smaller chunks are mostly empty
 constexpr std::uint64_t kFullPageTriangles = 1U << 20U;
 constexpr std::size_t kLeastBlock = 512;
 constexpr std::size_t kLargestBlock = std::size_t{64} << 10U;
@@ -30,8 +31,8 @@ std::uint64_t trianglesOf(const read::MeshSummary& source) {
     return std::max(source.faceCount, source.likelyTriangles);
 }
 
-/// Rows of the page table and records of nodes: a byte a triangle where chunks are small, and of the first chunk,
-/// whose coarse levels have pages of their own.
+/// Returns the size of the page table rows and node records. Small chunks need one byte per triangle. The first chunk
+/// also needs this, because its coarse levels have their own pages.
 std::uint64_t pageRowBytes(std::uint64_t triangles, std::uint32_t chunkTriangles) {
     if (chunkTriangles < kLeastFullChunk) return triangles;
     return std::min(triangles, kFullPageTriangles) + triangles / kTrianglesPerPageRowByte;
@@ -44,9 +45,9 @@ Bytes MemoryNeeds::base() const {
     return {kProcess.count + source.heldBytes + pageRowBytes(trianglesOf(source), chunkTriangles) + scratch};
 }
 
-// Measured by the byte over scans, plants, LEGO, coloured scans and soups of triangles: loading a chunk takes up to
-// 20 bytes a triangle and 130 a vertex, forming its first clusters 109 a triangle, and simplifying them 60 a triangle,
-// 62 a vertex and 8 a vertex in each thread.
+// The factors were measured over scans, plants, LEGO models, coloured scans and triangle soups. Loading a chunk needs
+// up to 20 bytes per triangle and 130 per vertex. Forming its first clusters needs 109 per triangle. Simplifying them
+// needs 60 per triangle, 62 per vertex, and 8 per vertex and thread.
 Bytes MemoryNeeds::node(const chunk::PartSize& size, std::size_t threads) {
     const std::uint64_t loading = 20 * size.triangles + 130 * size.vertices;
     const std::uint64_t clustering = 109 * size.triangles;
@@ -77,7 +78,7 @@ std::uint64_t cellBytes(const read::MeshSummary& source) {
     return kBytesPerCell << static_cast<unsigned>(3 * chunk::rootBitsFor(source.vertexCount));
 }
 
-/// Triangles that are drawn to measure edges, and the positions of their corners.
+/// Returns the size of the edge sample: its triangles and the positions of their corners.
 std::uint64_t sampleBytes(const read::MeshSummary& source) {
     const std::uint64_t triangles = std::min(trianglesOf(source), kMostSampled);
     return kSampleBytesPerTriangle * triangles + kSampleBytesPerVertex * std::min(source.vertexCount, 3 * triangles);
@@ -101,7 +102,7 @@ Bytes MemoryNeeds::survey() const {
 
 Bytes MemoryNeeds::binning() const {
     if (source.hasRanges && !isSerial) return survey();
-    // A chunk is at least seven eighths full, but for those that close before a heavy point.
+    // A chunk is at least seven eighths full, unless it ends before a heavy point.
     const std::uint64_t mostChunks = 2 * (trianglesOf(source) / chunkTriangles + 1);
     return {base().count + readingBytes(source) + source.vertexCount * (mostChunks > chunk::kNarrowChunks ? 5 : 3)};
 }
@@ -118,7 +119,7 @@ Bytes MemoryNeeds::building(const chunk::PartSize& largest) const {
 Bytes MemoryNeeds::most() const {
     chunk::PartSize most;
     most.triangles = std::min<std::uint64_t>(chunkTriangles, trianglesOf(source));
-    // A chunk may have more of them than the whole has on the average.
+    // A chunk can have more vertices per triangle than the average of the source.
     most.vertices = std::min(
         {3 * most.triangles,
          source.vertexCount,

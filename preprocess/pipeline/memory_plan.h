@@ -1,4 +1,4 @@
-// How a build divides the memory that it was promised.
+// Divides the memory limit of a build between its phases and tasks.
 #pragma once
 
 #include "core/units.h"
@@ -10,55 +10,57 @@
 
 namespace gnomon::pipeline {
 
-/// What the parts of a build take at their peak: estimates from above, within a quarter of the
-/// peak of ordinary models (tests/cli/memory_test.py).
+/// Upper estimates of the peak memory of the parts of a build. They are within a quarter of the measured peak for
+/// ordinary models (tests/cli/memory_test.py).
 struct MemoryNeeds {
     const read::MeshSummary& source;
     std::uint32_t chunkTriangles = 0;
-    bool isInMemory = false; // temporary files in memory, too
-    bool isSerial = false;   // sorted in whole passes, though the source has ranges
+    bool isInMemory = false; // temporary files also in memory
+    bool isSerial = false;   // sorted in whole passes, although the source supports ranges
     std::size_t threads = 1;
 
-    /// What the process takes before it works, and what the source itself holds.
+    /// Returns the memory of the idle process and of the source itself.
     Bytes base() const;
 
-    /// What working on a node takes.
+    /// Returns the memory of a task that builds a node.
     static Bytes node(const chunk::PartSize& size, std::size_t threads = 1);
 
-    /// What finding the answers of a chunk for others takes; at most what a node of its size does.
+    /// Returns the memory of a task that computes the border answers of a chunk. It is at most the memory of a node of
+    /// this size.
     static Bytes borders(const chunk::PartSize& size);
 
-    /// What handing on the clusters that a node left takes: `bytes` of them, with `vertices`; less than a node of their
-    /// size.
+    /// Returns the memory of a task that routes `bytes` of clusters with `vertices` vertices. It is less than the
+    /// memory of a node of this size.
     static Bytes routing(std::uint64_t bytes, std::uint64_t vertices);
 
-    /// What a task of a range of rows takes at least, and how much of that for tables and the blocks of streams.
+    /// Return the min memory of a task over a range of rows, and the part of it for tables and stream blocks.
     static Bytes rangeTask(const read::MeshSummary& source);
     static Bytes leastRangeTables(const read::MeshSummary& source);
 
-    /// What sorting by ranges takes beside its tasks.
+    /// Returns the memory for sorting by ranges, without its tasks.
     Bytes ranges() const;
 
-    /// The first look at the source.
+    /// Returns the memory of the survey.
     Bytes survey() const;
 
-    /// Sorting the source into chunks, without the streams' blocks.
+    /// Returns the memory for binning the source, without stream blocks.
     Bytes binning() const;
 
-    /// What all takes until the source is in chunks: the header tells it.
+    /// Returns the memory of all phases until the source is in chunks. It depends only on the header.
     Bytes sorting() const;
 
-    /// What all takes from there on, once the largest chunk is known.
+    /// Returns the memory of all later phases, given the largest chunk.
     Bytes building(const chunk::PartSize& largest) const;
 
-    /// The memory that builds the source in any case, as far as its header tells: chunks may turn out to need less.
+    /// Returns a memory that is always sufficient, computed from the header. The chunks may need less.
     Bytes most() const;
 };
 
-/// The size of the streams' blocks when `streams` are written side by side in `room`.
+/// Returns the block size for `streams` streams that are written at the same time in `room`.
 std::size_t blockBytes(Bytes room, std::uint64_t streams);
 
-/// How many pieces of work that take `each` fit into `room` at once; 0 if none does. At most one more than `threads`.
+/// Returns the number of tasks of size `each` that fit into `room` at once, at most `threads` + 1. Returns 0 if none
+/// fits.
 std::size_t countAtOnce(Bytes room, Bytes each, std::size_t threads);
 
 } // namespace gnomon::pipeline

@@ -62,7 +62,7 @@ void RecordWriter::write(std::vector<Entry> entries) {
     scratch_.sync(parts);
     for (const Entry& entry : entries)
         log_.append(entry.record);
-    log_.sync(); // a power cut must not free data of which no record says that they are no longer needed
+    log_.sync(); // a power cut must not free data whose successor record is not on the device
     for (const Entry& entry : entries)
         for (const scratch::Block& block : entry.freed)
             scratch_.release(block);

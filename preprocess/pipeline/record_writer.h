@@ -1,4 +1,4 @@
-// Writes the checkpoint log beside the build: a record follows once the data that it names are on the device.
+// Writes the checkpoint log in a separate thread. A record is written after its data are on the device.
 #pragma once
 
 #include "preprocess/scratch/record_log.h"
@@ -12,30 +12,31 @@
 
 namespace gnomon::pipeline {
 
-/// One thread writes all records that came while it wrote the records before, so a slow disk delays records, not the
-/// build. A power cut loses the records that are not written, and nothing that a written record names.
+/// A writer with one thread. The thread writes all records that arrived during the previous write. A slow disk
+/// therefore delays records, not the build. A power cut loses only unwritten records, never the data of a written
+/// record.
 class RecordWriter {
 public:
     struct Entry {
         std::vector<std::byte> record;
-        std::vector<std::uint32_t> parts; // of the scratch file, with the data that the record names
-        scratch::Blocks freed;            // that nobody needs once the record is on the device
+        std::vector<std::uint32_t> parts; // parts of the scratch file with the data of the record
+        scratch::Blocks freed;            // blocks that are unused after the record is on the device
     };
 
-    /// `scratch` must outlive this.
+    /// Creates a writer. `scratch` must outlive it.
     RecordWriter(scratch::RecordLog log, scratch::ScratchFile& scratch);
 
-    /// Drops the records that are not written.
+    /// Discards unwritten records.
     ~RecordWriter();
     RecordWriter(const RecordWriter&) = delete;
     RecordWriter& operator=(const RecordWriter&) = delete;
     RecordWriter(RecordWriter&&) = delete;
     RecordWriter& operator=(RecordWriter&&) = delete;
 
-    /// Throws the error of an entry before, if there was one.
+    /// Adds an entry. Throws the error of an earlier entry if there was one.
     void add(Entry entry);
 
-    /// Waits until all entries are written, or one has failed.
+    /// Waits until all entries are written or one has failed.
     void finish();
 
 private:
@@ -50,7 +51,7 @@ private:
     std::exception_ptr error_;
     bool isWriting_ = false;
     bool isStopped_ = false;
-    std::thread thread_; // last
+    std::thread thread_; // must be the last member
 };
 
 } // namespace gnomon::pipeline

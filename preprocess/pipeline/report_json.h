@@ -1,4 +1,4 @@
-// What `gnomon build --json` prints.
+// The JSON report of `gnomon build --json`.
 #pragma once
 
 #include "preprocess/pipeline/build_model.h"
@@ -7,7 +7,7 @@
 
 namespace gnomon::pipeline {
 
-/// `report` of a build from `source` by a process of this peak resident size, in bytes.
+/// Returns the report of a build from `source` as JSON. `peakResidentBytes` is the peak resident size of the process.
 nlohmann::ordered_json reportJson(
     const BuildReport& report, const read::MeshSummary& source, std::uint64_t peakResidentBytes);
 

@@ -52,7 +52,7 @@ std::string reportText(
 }
 
 std::string warningOfCoarsest(const BuildReport& report) {
-    constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh ends in less, whatever its size
+    constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh of any size has fewer triangles at its root
     constexpr double kManyStuckPercent = 1;
     const std::uint64_t source = report.summary.sourceTriangles;
     const double stuckPercent = 100 * static_cast<double>(report.stuckTriangles) / static_cast<double>(source);
@@ -72,7 +72,7 @@ std::string warningOfStrays(const BuildReport& report) {
 }
 
 std::string warningOfStep(const BuildReport& report) {
-    constexpr double kMaxStep = 0.1; // of the median edge
+    constexpr double kMaxStep = 0.1; // in median edges
     const double step = report.summary.grid.step();
     if (report.medianEdge == 0 || step <= kMaxStep * report.medianEdge) return "";
     return "small details collapse: the grid's step is " + formatted("%.3g", step) +

@@ -1,4 +1,4 @@
-// What `gnomon build` says of a build, for people.
+// The text report of `gnomon build`.
 #pragma once
 
 #include "preprocess/pipeline/build_model.h"
@@ -21,13 +21,13 @@ std::string reportText(
     std::uint64_t peakResidentBytes,
     const std::string& howToTurn);
 
-/// What is wrong where a model does not get coarse enough to be drawn from far away; empty if nothing is.
+/// Returns a warning if the coarsest level is too fine to be drawn from far away, or an empty text.
 std::string warningOfCoarsest(const BuildReport& report);
 
-/// Returns how many triangles lie beyond the grid's range and where; empty if none does.
+/// Returns the number and the bounds of the triangles outside the grid's range, or an empty text if there are none.
 std::string warningOfStrays(const BuildReport& report);
 
-/// Returns what is wrong with a grid whose step is more than a tenth of the median edge; empty if it is finer.
+/// Returns a warning if the grid step exceeds a tenth of the median edge, or an empty text.
 std::string warningOfStep(const BuildReport& report);
 
 } // namespace gnomon::pipeline

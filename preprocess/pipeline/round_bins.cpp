@@ -9,8 +9,8 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// How many streams what nodes share is parted into, where these left `bytes`: each old node has a block in each of
-/// them, and one is in memory at a time.
+/// Returns the number of streams for shared borders, given the `bytes` of all remaining clusters. Each old node writes
+/// one block into each stream. One stream at a time is in memory.
 std::uint32_t borderStreamsFor(std::uint64_t bytes, std::uint32_t nodeCount) {
     constexpr std::uint64_t kLeast = 16;
     constexpr std::uint64_t kMost = 256;
@@ -77,7 +77,7 @@ RoundRecord RoundBins::bin(const Round& round, const BinningMeans& means) {
 void RoundBins::routeAll(const Round& round, const BinningMeans& means, const ClusterPlan& plan, LockCounts& locks) {
     const std::vector<NodeRecord>& nodes = log().nodes(round.number);
     const auto nodeCount = static_cast<std::uint32_t>(plan.nodes.size());
-    std::vector<std::size_t> firstCluster(1, 0); // of each old node
+    std::vector<std::size_t> firstCluster(1, 0); // per old node
     Bytes most;
     std::uint64_t leftBytes = 0;
     TaskPhase phase;
@@ -108,7 +108,7 @@ void RoundBins::routeAll(const Round& round, const BinningMeans& means, const Cl
     };
     means.runner.run(phase, means.perform);
     bins_.emplace(workDirectory_.scratch(), nodeCount * static_cast<std::uint32_t>(Stream::Count), 1);
-    for (const RoutedMail& routed : mail) { // in the order of the old nodes, whichever was routed first
+    for (const RoutedMail& routed : mail) { // in the order of the old nodes, independent of the routing order
         deliver(Stream::Records, routed.records);
         deliver(Stream::Locks, routed.locks);
         deliver(Stream::Borders, routed.borders);

@@ -1,4 +1,4 @@
-// What rounds leave to each other: the clusters of finished nodes, binned anew for the nodes of the next round.
+// The data between rounds: the clusters of finished nodes, binned for the nodes of the next round.
 #pragma once
 
 #include "preprocess/levels/pending_level.h"
@@ -9,28 +9,29 @@
 
 namespace gnomon::pipeline {
 
-/// What binning may use.
+/// The resources of the binning.
 struct BinningMeans {
-    Bytes room; // of memory
+    Bytes room; // memory
     std::size_t threads = 1;
     std::uint32_t chunkTriangles = 0;
     TaskRunner& runner;
     const Perform& perform;
 };
 
+/// Bins the remaining clusters of each round for the next round.
 class RoundBins {
 public:
-    /// All must outlive this.
+    /// Creates the bins. Both arguments must outlive the object.
     RoundBins(WorkDirectory& workDirectory, Progress& progress) : workDirectory_(workDirectory), progress_(progress) {}
 
-    /// The round after `round`, whose nodes are all finished: bins their clusters, or takes up what the checkpoint log
-    /// has as binned. What the nodes left is gone afterwards.
+    /// Returns the round after `round`. All nodes of `round` must be finished. The function bins their clusters, or
+    /// restores the bins from the checkpoint log, and then frees the old clusters.
     Round next(const Round& round, const BinningMeans& means);
 
-    /// What builds a node of `round`, which `next` returned; safe from many threads.
+    /// Returns the input that builds a node of `round`, a result of `next`. Many threads can call it at once.
     NodeInput input(const Round& round, std::uint32_t node) const;
 
-    /// Returns the blocks of a finished node's clusters, which nobody reads again.
+    /// Returns the blocks of a finished node's clusters. No later phase reads them.
     Blocks takeBlocks(std::uint32_t node);
 
 private:
@@ -49,7 +50,7 @@ private:
 
     WorkDirectory& workDirectory_;
     Progress& progress_;
-    std::optional<scratch::StreamStore> bins_; // of the round that is under way
+    std::optional<scratch::StreamStore> bins_; // bins of the current round
 };
 
 } // namespace gnomon::pipeline

@@ -7,7 +7,7 @@ namespace gnomon::pipeline {
 namespace {
 
 constexpr std::uint64_t kAlwaysAffordable = 8192;
-constexpr double kLeastProgress = 0.8; // of a round's triangles may be left for it to be worth another
+constexpr double kLeastProgress = 0.8; // max share of a round's triangles that may remain if another round follows
 
 } // namespace
 

@@ -1,4 +1,5 @@
-// Sorting a source into chunks: by ranges of its rows in tasks where it has them, else in whole passes of one process.
+// Sorts a source into chunks: by ranges of its rows in tasks if the source supports them, otherwise in whole passes of
+// one process.
 #pragma once
 
 #include "preprocess/pipeline/build_options.h"
@@ -12,7 +13,7 @@
 
 namespace gnomon::pipeline {
 
-/// What it may use. All must outlive it.
+/// The resources of the sorting. All must outlive it.
 struct SortingMeans {
     read::MeshSource& source;
     const BuildOptions& options;
@@ -22,16 +23,17 @@ struct SortingMeans {
     Progress& progress;
     std::size_t threads = 1;
     std::uint32_t processes = 1;
-    std::function<void(const std::string&, std::uint64_t)> endPhase; // gets its name, and what it read of the source
+    // Receives the phase's name and the number of bytes read from the source.
+    std::function<void(const std::string&, std::uint64_t)> endPhase;
 };
 
-/// Throws LimitError if `needed` is more than `options` allow, for `source`.
+/// Throws LimitError if `needed` exceeds the memory limit of `options`.
 void requireMemory(const read::MeshSummary& source, const BuildOptions& options, Bytes needed);
 
-/// What of the memory is left beside `taken`.
+/// Returns the memory limit minus `taken`.
 Bytes roomBeside(const BuildOptions& options, Bytes taken);
 
-/// The record of it; what is in chunks is in `bins`.
+/// Sorts the source into chunks. Returns the record of the phase, and stores the chunks in `bins`.
 BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::StreamStore>& bins);
 
 } // namespace gnomon::pipeline

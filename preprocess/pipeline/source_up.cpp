@@ -14,7 +14,7 @@ namespace {
 
 using hierarchy::UpAxis;
 
-constexpr std::size_t kMostHeader = 64U << 10U; // bytes that are looked at
+constexpr std::size_t kMostHeader = 64U << 10U; // bytes of a file that are searched
 
 bool isLetter(char c) {
     return c >= 'a' && c <= 'z';
@@ -24,7 +24,7 @@ bool isWordEnd(std::string_view text, std::size_t at) {
     return at >= text.size() || !isLetter(text[at]);
 }
 
-/// The axis named by the letter at `at`, and the sign before it, if nothing else is joined to them.
+/// Returns the axis named by the letter at `at`, with its sign, if the letter is a separate word.
 std::optional<UpAxis> axisAt(std::string_view text, std::size_t at) {
     if (at >= text.size() || text[at] < 'x' || text[at] > 'z') return std::nullopt;
     if (at + 1 < text.size() && isLetter(text[at + 1])) return std::nullopt;
@@ -33,13 +33,13 @@ std::optional<UpAxis> axisAt(std::string_view text, std::size_t at) {
     return hierarchy::upAxisNamed(isDown ? text.substr(at - 1, 2) : text.substr(at, 1));
 }
 
-/// The axis of "z up", "z-up" or "z_up" whose second word begins at `up`.
+/// Returns the axis of "z up", "z-up" or "z_up", where the second word begins at `up`.
 std::optional<UpAxis> axisBefore(std::string_view text, std::size_t up) {
     const bool isApart = up >= 2 && (text[up - 1] == ' ' || text[up - 1] == '-' || text[up - 1] == '_');
     return isApart ? axisAt(text, up - 2) : std::nullopt;
 }
 
-/// The axis of "up: z", "up axis = z" or "up_axis:-z" whose first word begins at `up`.
+/// Returns the axis of "up: z", "up axis = z" or "up_axis:-z", where the first word begins at `up`.
 std::optional<UpAxis> axisBehind(std::string_view text, std::size_t up) {
     std::string_view rest = text.substr(up + 2);
     if (rest.size() > 5 && (rest[0] == ' ' || rest[0] == '_' || rest[0] == '-') && rest.substr(1, 4) == "axis")
@@ -57,18 +57,18 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// What two sayings come to: `isOne` is false from where they contradict each other on.
+/// Combines two statements about the axis. Sets `isOne` to false if they contradict each other.
 void agree(std::optional<UpAxis>& said, const std::optional<UpAxis>& more, bool& isOne) {
     if (!more) return;
     if (said && !(*said == *more)) isOne = false;
     said = more;
 }
 
-/// What a program that writes meshes has up unless its user asks for something else.
+/// The default up axis of a program that exports meshes.
 struct Exporter {
-    std::string_view name;   // as comments have it, in small letters
-    std::string_view up;     // in any file
-    std::string_view ofObjs; // in an OBJ
+    std::string_view name;   // name in comments, in lower case
+    std::string_view up;     // up axis in any file
+    std::string_view ofObjs; // up axis in an OBJ file
 };
 
 constexpr std::array kExporters = {
@@ -81,12 +81,13 @@ constexpr std::array kExporters = {
     Exporter{"revit", "z", "z"},          Exporter{"autocad", "z", "z"},        Exporter{"qgis", "z", "z"},
 };
 
-// Of hierarchy::kSureVotes: a program nearly suffices, and a kind of file changes close calls.
+// Vote counts relative to hierarchy::kSureVotes. A known program is almost sufficient. A kind of file decides only
+// close results.
 constexpr int kExporterVotes = 2000;
 constexpr int kKindVotes = 1000;
 
-/// The comments at the begin of a file, a line each: after "comment" or "obj_info" in the header of a PLY, after # in
-/// an OBJ or OFF, the whole header of an STL.
+/// Returns the comments at the start of a file, one per line: "comment" or "obj_info" lines of a PLY header, "#" lines
+/// of an OBJ or OFF file, or the header of an STL file.
 std::string commentsOf(const std::string& path, const std::string& suffix) {
     constexpr std::size_t kStlHeader = 80;
     const File file(path, File::Mode::Read);
@@ -112,7 +113,7 @@ void addVotes(hierarchy::UpVotes& votes, std::string_view axis, int count) {
     votes[axis == "y" ? kY : kZ] += count;
 }
 
-/// What usually is up in a file with this ending and these comments.
+/// Returns votes for the usual up axis of a file with this suffix and these comments.
 hierarchy::UpVotes votesOf(const std::string& suffix, const std::string& comments) {
     hierarchy::UpVotes votes{};
     const std::string text = lowered(comments);

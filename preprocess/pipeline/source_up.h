@@ -1,4 +1,4 @@
-// Which way is up as a source's own words and its kind have it.
+// Finds the up axis of a source from its comments, names and file format.
 #pragma once
 
 #include "hierarchy/up_guess.h"
@@ -11,22 +11,22 @@
 
 namespace gnomon::pipeline {
 
-/// The axis that a comment calls up: "Z up", "-y-up", "zup", "up axis: z", in any case; nothing where it calls none or
-/// several.
+/// Returns the up axis that a comment names, for example "Z up", "-y-up", "zup" or "up axis: z", ignoring case. Returns
+/// nothing if it names no axis or several.
 std::optional<hierarchy::UpAxis> upOfComment(std::string_view comment);
 
-/// What sources say of the axis that is up.
+/// The up axis according to the files of a source.
 struct SourceUp {
-    std::optional<hierarchy::UpAxis> told; // by a specification or by words
-    hierarchy::UpVotes votes{};            // of a guess, by what usually is up in files of this kind and program
+    std::optional<hierarchy::UpAxis> told; // from the format or from comments
+    hierarchy::UpVotes votes{};            // votes for a guess, from the usual axis of this kind of file and program
 };
 
-/// Reads the names and the beginnings of the files `paths`: y is up in glTF; comments of PLY, OBJ and OFF files, the
-/// name or the header of an STL and names of files may say what is up, and which program wrote the file. Nothing is
-/// told where two contradict each other. Throws Error for a file that cannot be read.
+/// Reads the names and the first bytes of the files `paths`. In glTF, y is up. Comments of PLY, OBJ and OFF files, the
+/// name or header of an STL file, and file names can name the up axis or the exporting program. `told` is empty if two
+/// statements contradict each other. Throws Error if a file cannot be read.
 SourceUp upOfSources(const std::vector<std::string>& paths);
 
-/// Asks for what is told, or else for a guess with these votes.
+/// Sets the up axis of `options` from the files, or the votes for a guess.
 void askForUpOfSources(BuildOptions& options, const std::vector<std::string>& paths);
 
 } // namespace gnomon::pipeline

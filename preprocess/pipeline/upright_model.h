@@ -1,4 +1,4 @@
-// What a build says of its model's world: which way is up, why, and how long the unit is.
+// Determines the up axis, its reason, and the unit of a model.
 #pragma once
 
 #include "hierarchy/coarse_cut.h"
@@ -14,7 +14,7 @@
 
 namespace gnomon::pipeline {
 
-/// What was asked for, else what the shape of the model's coarse pages lets guess.
+/// The up axis of a model: the given axis, or a guess from the shape of the model's coarse pages.
 class UprightModel {
 public:
     UprightModel(
@@ -25,14 +25,14 @@ public:
           error_(options.up ? 0 : hierarchy::upError(pages, glm::length(hierarchy::mainPartOf(summary).extent()))),
           survey_(summary.grid, hierarchy::mainPartOf(summary)) {}
 
-    /// Whether it has to see the page.
+    /// Returns true if the guess needs this page.
     bool isSeen(const hierarchy::PageInfo& page) const { return !options_.up && hierarchy::isDrawnOf(page, error_); }
 
     void see(const hierarchy::EncodedPage& page) {
         survey_.add(hierarchy::decodePageBytes(page.bytes, page.info), error_);
     }
 
-    /// Enters the axis, why it is up and how sure that is into `summary`.
+    /// Writes the axis, its reason and its confidence into `summary`.
     void tell(hierarchy::ModelSummary& summary) const {
         summary.unit = options_.unit;
         const hierarchy::UpGuess up =

@@ -1,4 +1,4 @@
-// The work directory of a build: a folder of scratch files and a checkpoint log, or memory alone.
+// The work directory of a build: a folder with scratch files and a checkpoint log, or only memory.
 #pragma once
 
 #include "core/temporary_name.h"
@@ -15,30 +15,31 @@
 
 namespace gnomon::pipeline {
 
+/// The options of a work directory.
 struct WorkDirectoryOptions {
-    std::string output;      // whose model is built
-    std::string folder;      // for temporary files; empty: beside the output
-    std::string key;         // what is built from what, as "name value, name value": a resumed build must have the same
+    std::string output;      // path of the model to build
+    std::string folder;      // folder for temporary files; empty: next to the output
+    std::string key;         // key of the build ("name value, name value"); a resumed build must have the same key
     bool isInMemory = false; // no files at all
-    bool isResumed = false;  // go on with what is there, if anything
-    std::function<void(const std::string&)> onKept = {}; // told which folder stays and why, if it cannot be removed
-    std::uint64_t bytesPerSecond = 0;                    // read and written at most; 0: no limit
+    bool isResumed = false;  // continue from existing records, if any
+    std::function<void(const std::string&)> onKept = {}; // receives the folder and the reason if it cannot be removed
+    std::uint64_t bytesPerSecond = 0;                    // max rate of reading and writing; 0: no limit
 };
 
-/// Where a build's scratch files are.
+/// The place of a build's scratch files.
 struct ScratchPlace {
-    std::string stem;            // of their names
-    std::uint32_t firstPart = 0; // of this run
+    std::string stem;            // start of their names
+    std::uint32_t firstPart = 0; // first part of this run
 };
 
-/// What builds write is removed with the object, unless the process is killed, and nothing else. Only one process at a
-/// time can work for one output in one folder; of several with folders of their own, each puts a whole model in the
-/// output's place.
+/// A work directory. Its destructor removes all files that builds wrote, and no others. A killed process leaves them.
+/// Only one process at a time can build an output in one folder. If several processes build the same output in
+/// different folders, each of them replaces the whole output.
 class WorkDirectory {
 public:
-    /// Throws Error where another process is at work, where the folder is another user's or a link, or if a resumed
-    /// build has another key, naming the entries that differ; then nothing is touched. Throws DamageError if a resumed
-    /// build finds records or scratch files that cannot be right.
+    /// Opens the directory. Throws Error if another process uses it, if the folder belongs to another user or is a
+    /// link, or if a resumed build has another key. The message names the differing entries, and no file is changed.
+    /// Throws DamageError if a resumed build finds damaged records or scratch files.
     WorkDirectory(const WorkDirectoryOptions& options, Progress& progress);
     ~WorkDirectory() = default;
     WorkDirectory(const WorkDirectory&) = delete;
@@ -52,21 +53,21 @@ public:
 
     scratch::TemporarySpace& space() { return space_; }
 
-    /// All temporary bytes but the log's: those that the log tells of and new ones.
+    /// Returns the scratch file with all temporary bytes except the log.
     scratch::ScratchFile& scratch() { return *scratch_; }
 
-    /// Where the parts of `scratch` are, for other processes; only on disk.
+    /// Returns the place of the parts of `scratch` for other processes. There is none in memory.
     const ScratchPlace& scratchPlace() const { return place_; }
 
-    /// From now on the scratch files of `count` processes go with this; their parts follow each other, this one's
-    /// first.
+    /// Reserves parts for the scratch files of `count` processes. The parts are consecutive, starting with this
+    /// process.
     void expectProcesses(std::uint32_t count);
 
-    /// Writes all records. Lets everything stay where it is when the object goes, for another process to go on with.
+    /// Writes all records and leaves all files for another process. The destructor then removes nothing.
     void leave();
 
-    /// Adds `record` to the checkpoint log; the data that it names must have been appended. Gives the space of `freed`
-    /// back once the record is written. Throws the error of a record before that could not be written.
+    /// Adds `record` to the checkpoint log. Its data must already be in the scratch file. The blocks `freed` are freed
+    /// after the record is written. Throws the error of an earlier record that could not be written.
     template <class Record>
     void finish(Record record, scratch::Blocks freed = {}) {
         if (writer_)
@@ -76,12 +77,13 @@ public:
         log_.add(std::move(record));
     }
 
-    /// Gives the space of `blocks` back.
+    /// Frees the space of `blocks`.
     void release(const scratch::Blocks& blocks);
 
 private:
-    /// The folder and the files that builds write into it; they go with it unless it leaves them. The checkpoint log
-    /// goes first: while it is there, so is all that it tells of, and a build that is killed can be resumed.
+    /// The folder and the files of builds. The destructor removes them unless `leave` was called. It removes the
+    /// checkpoint log first. As long as the log exists, all files that it names exist, so that a killed build can be
+    /// resumed.
     class Names {
     public:
         explicit Names(std::function<void(const std::string&)> onKept) : onKept_(std::move(onKept)) {}
@@ -92,39 +94,39 @@ private:
         Names(Names&&) = delete;
         Names& operator=(Names&&) = delete;
 
-        /// Makes the folder and takes it over; one that is there already is left to `takeOver`.
+        /// Creates the folder and takes it over. An existing folder requires `takeOver`.
         void make(const std::string& folder);
 
-        /// From now on what builds write into the folder goes with this.
+        /// Takes over the existing files of builds in the folder.
         void takeOver(const std::string& folder);
 
-        /// So does the file at `path`.
+        /// Takes over the file at `path`.
         void take(const std::string& path);
 
         void leave();
 
     private:
         std::function<void(const std::string&)> onKept_;
-        std::vector<std::unique_ptr<TemporaryName>> held_; // the folder first
-        std::unique_ptr<TemporaryName> log_;               // newer than all others
+        std::vector<std::unique_ptr<TemporaryName>> held_; // the folder is first
+        std::unique_ptr<TemporaryName> log_;               // newer than all other files
     };
 
-    /// Resumes from the checkpoint log that is there; returns it, or nothing if there is none. Throws Error if it is of
-    /// another build.
+    /// Resumes from the existing checkpoint log. Returns the log, or nothing if there is none. Throws Error if the log
+    /// is of another build.
     std::optional<scratch::RecordLog> resumed(const std::string& key);
 
-    /// Makes the scratch file of this process after those that the log tells of, and removes all others.
+    /// Creates the scratch file of this process as a new part after the parts in the log, and removes all other files.
     void makeScratch();
 
     scratch::TemporarySpace space_;
     std::string folder_; // empty: in memory
     ScratchPlace place_;
-    std::uint32_t expected_ = 0; // processes
+    std::uint32_t expected_ = 0; // number of processes
     std::optional<File> lock_;
     CheckpointLog log_;
     std::unique_ptr<scratch::ScratchFile> scratch_;
-    Names names_;                        // after the lock, so that all is removed before the lock is free
-    std::optional<RecordWriter> writer_; // last, so that it writes no file whose name is gone
+    Names names_;                        // after the lock, so that all files are removed before the lock is released
+    std::optional<RecordWriter> writer_; // last, so that it does not write a file whose name is gone
 };
 
 } // namespace gnomon::pipeline

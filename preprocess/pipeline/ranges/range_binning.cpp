@@ -10,14 +10,14 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// So many for each thread that they end together.
+/// The number of ranges per thread, so that all threads end at about the same time.
 constexpr std::uint64_t kRangesPerThread = 4;
 
 constexpr std::uint64_t kLeastRows = std::uint64_t{1} << 16U;
 constexpr std::uint64_t kMostRows = std::uint64_t{1} << 22U;
-constexpr std::uint64_t kBytesPerCorner = 64; // of a polygon: its number twice while sorted, its position
+constexpr std::uint64_t kBytesPerCorner = 64; // per polygon corner: its number twice during sorting, and its position
 
-/// Whole pages.
+/// Returns the number of rows of a range, a multiple of the page size.
 std::uint64_t rowsOfRange(std::uint64_t rows, std::uint64_t threads, std::uint64_t most) {
     const std::uint64_t wanted = std::clamp(rows / (threads * kRangesPerThread) + 1, kLeastRows, kMostRows);
     return std::max(std::min(wanted, most) / kPageVertices, std::uint64_t{1}) * kPageVertices;
@@ -245,7 +245,7 @@ chunk::BinnedSize RangeBinning::bin(
         },
         [&](std::uint32_t task, std::span<const std::byte> result) { ofVertices[task] = decodedBinnedRange(result); });
     Blocks numbers;
-    for (const BinnedRange& range : ofVertices) { // in order, whichever ended first
+    for (const BinnedRange& range : ofVertices) { // in order, independent of the order of completion
         deliver(range);
         numbers.insert(numbers.end(), range.chunks.begin(), range.chunks.end());
     }

@@ -1,5 +1,5 @@
-// Sorting a source into chunks by ranges of its rows, in tasks: what chunk/survey and chunk/binning do in one process
-// where a source has no ranges.
+// Sorts a source into chunks by ranges of its rows, in parallel tasks. For sources without ranges, chunk/survey and
+// chunk/binning do this in one process.
 #pragma once
 
 #include "preprocess/chunk/binning.h"
@@ -10,36 +10,37 @@
 
 namespace gnomon::pipeline {
 
-/// What it may use. All must outlive it.
+/// The resources of the range binning. All must outlive it.
 struct RangeMeans {
     read::MeshSource& source;
     scratch::ScratchFile& scratch;
     TaskRunner& runner;
     const Perform& perform;
     Progress& progress;
-    Bytes room;                  // of memory for tasks, in each process
-    std::size_t threads = 1;     // of this process
-    std::uint32_t processes = 1; // all with about as many
+    Bytes room;                  // memory for tasks in each process
+    std::size_t threads = 1;     // threads of this process
+    std::uint32_t processes = 1; // number of processes with about as many threads
     chunk::Strays strays = chunk::Strays::Leave;
 };
 
-/// What is known of each vertex lies in the scratch file, by ranges of vertices: first how many corners are there, then
-/// the number of its chunk.
+/// A binning by ranges of rows. It stores the data of each vertex in the scratch file, one block per range of vertices:
+/// first the number of corners at the vertex, later its chunk.
 class RangeBinning {
 public:
     explicit RangeBinning(const RangeMeans& means);
 
-    /// As chunk::surveySource, but for the valence. Nothing where the source has a defect or is not what its size told:
-    /// then only whole passes will do.
+    /// Returns the result of chunk::surveySource without the valence. Returns nothing if the source has a defect or
+    /// does not match its header. The caller must then use whole passes.
     std::optional<chunk::SourceSurvey> survey();
 
-    /// As chunk::planChunks.
+    /// Returns the result of chunk::planChunks.
     chunk::ChunkTree plan(const chunk::SourceSurvey& survey, std::uint32_t chunkTriangles);
 
-    /// As chunk::binSource, for a tree without heavy points.
+    /// Returns the result of chunk::binSource, for a tree without heavy points.
     chunk::BinnedSize bin(const chunk::SourceSurvey& survey, const chunk::ChunkTree& tree, scratch::StreamStore& bins);
 
-    /// What chunk::binSource needs instead, where there are heavy points; nothing is left in the scratch file.
+    /// Returns the valence for chunk::binSource, which handles trees with heavy points. Frees the blocks in the scratch
+    /// file.
     chunk::VertexTable<std::uint8_t> takeValence();
 
 private:
@@ -49,7 +50,8 @@ private:
     RowRange rangeOf(std::uint32_t task, bool isOfFaces) const;
     std::uint32_t rangeCount(bool isOfFaces) const;
 
-    /// The edges of all parts, and what was told of pages of vertices, by range. False where it is irregular.
+    /// Collects the edge samples of all parts and the corner counts of vertex pages, by range. Returns false if the
+    /// source is irregular.
     bool countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sample, std::vector<Mail>& pages);
     Box measure(
         const std::vector<Mail>& pages,
@@ -62,12 +64,12 @@ private:
 
     RangeMeans means_;
     std::size_t atOnce_ = 1;
-    std::uint64_t tableBytes_ = 0; // of a task
+    std::uint64_t tableBytes_ = 0; // per task
     std::uint64_t verticesOfRange_ = 0;
     std::uint64_t facesOfRange_ = 0;
-    Blocks index_; // of the source's rows
+    Blocks index_; // index of the source's rows
     bool hasPolygons_ = false;
-    std::vector<Blocks> valence_; // by range of vertices
+    std::vector<Blocks> valence_; // per range of vertices
 };
 
 } // namespace gnomon::pipeline

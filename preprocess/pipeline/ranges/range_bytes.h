@@ -1,4 +1,4 @@
-// The inputs and results of tasks that sort a source by ranges of its rows, and as bytes.
+// The inputs and results of tasks that sort a source by ranges of its rows, with their encoding as bytes.
 #pragma once
 
 #include "core/box.h"
@@ -10,55 +10,57 @@
 
 namespace gnomon::pipeline {
 
-/// Rows of a source.
+/// A range of rows of a source.
 struct RowRange {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
-    Blocks index; // of the whole source
+    Blocks index; // index of the whole source
 };
 
 /// The input of CountFaces.
 struct CountInput {
     RowRange faces;
-    std::uint64_t mostPages = 1; // of corners at vertices, to hold at once
+    std::uint64_t mostPages = 1; // max number of vertex pages in memory
 };
 
+/// The result of CountFaces.
 struct FaceCount {
-    bool isRegular = false; // they could be read; else nothing else counts
+    bool isRegular = false; // whether all faces were readable; if false, all following members are invalid
     std::uint64_t triangles = 0;
-    std::uint64_t notAPolygon = 0; // faces
+    std::uint64_t notAPolygon = 0; // faces that are not polygons
     bool hasPolygons = false;
-    Mail pages;    // by page of vertices: corners at each, at most 255; a page may come several times
-    Blocks sample; // of edges: entries of an EdgeSample
+    Mail pages;    // per page of vertices: number of corners at each vertex, max 255; a page can occur several times
+    Blocks sample; // entries of an EdgeSample
 };
 
 /// The input of MeasureVertices.
 struct MeasureInput {
     RowRange vertices;
-    Mail pages;     // of these
-    Blocks sampled; // numbers of vertices whose positions are asked for, ascending
+    Mail pages;     // corner counts of these vertices
+    Blocks sampled; // ascending vertex numbers whose positions are needed
 };
 
+/// The result of MeasureVertices.
 struct VertexMeasure {
-    Box box; // of those that triangles use
+    Box box; // bounds of the used vertices
     std::vector<std::array<double, 2>> fields;
     std::uint64_t badNormals = 0; // of all vertices of the range
     Blocks valence;               // a byte for each vertex of the range
     Blocks positions;             // that were asked for
 };
 
-/// What is known of a source once it is measured.
+/// The facts about a source after its measurement.
 struct SortFacts {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest;
 };
 
-/// The input of CountCells; the result are the weights of CellCounts, in a block.
+/// The input of CountCells. The result is a block with the weights of CellCounts.
 struct CellsInput {
     RowRange vertices;
     SortFacts facts;
     Blocks valence;
-    Blocks shape; // of the cells
+    Blocks shape; // shape of the cells
 };
 
 /// The input of BinVertices.
@@ -75,20 +77,21 @@ struct BinVerticesInput {
 struct BinFacesInput {
     RowRange faces;
     std::uint32_t chunkCount = 0;
-    Blocks chunks;               // one for each page of vertices: the number of each vertex's chunk, in 2 bytes or in 4
-    std::uint64_t mostPages = 1; // of these, to hold at once
-    std::uint64_t mostCorners = 0; // of polygons in several chunks, likewise; 0 where there are no polygons
+    Blocks chunks;                 // one block per page of vertices: the chunk of each vertex, in 2 or 4 bytes
+    std::uint64_t mostPages = 1;   // max number of these pages in memory
+    std::uint64_t mostCorners = 0; // max number of corners of polygons in several chunks in memory; 0 without polygons
     std::uint64_t blockBytes = 0;
 };
 
-/// The result of both.
+/// The result of BinVertices and BinFaces.
 struct BinnedRange {
-    Mail streams; // of chunks
+    Mail streams; // blocks for the streams of chunks
     std::vector<std::pair<std::uint32_t, chunk::PartSize>> sizes;
-    chunk::Strayed strayed; // of BinVertices only the corners, of BinFaces only the triangles
-    Blocks chunks;          // of BinVertices: as in BinFacesInput, of the range's vertices
+    chunk::Strayed strayed; // BinVertices sets only the corners, BinFaces only the triangles
+    Blocks chunks;          // of BinVertices: chunks of the range's vertices, as in BinFacesInput
 };
 
+/// Encodes inputs and results as bytes.
 std::vector<std::byte> encoded(const read::RowIndex& index);
 std::vector<std::byte> encoded(const CountInput& input);
 std::vector<std::byte> encoded(const FaceCount& count);
@@ -99,7 +102,7 @@ std::vector<std::byte> encoded(const BinVerticesInput& input);
 std::vector<std::byte> encoded(const BinFacesInput& input);
 std::vector<std::byte> encoded(const BinnedRange& range);
 
-/// What `encoded` made. Throw hierarchy::Damage.
+/// Decode the results of `encoded`. They throw hierarchy::Damage if the bytes are malformed.
 read::RowIndex decodedRowIndex(std::span<const std::byte> bytes);
 CountInput takeCountInput(hierarchy::ByteReader& in);
 FaceCount decodedFaceCount(std::span<const std::byte> bytes);

@@ -16,9 +16,10 @@ using Corners = chunk::VertexTable<std::uint8_t>;
 
 static_assert(kPageVertices == Corners::kPageVertices);
 
-constexpr std::uint64_t kSparseBytes = 3; // of a vertex in a page of which few have corners
+constexpr std::uint64_t kSparseBytes = 3; // bytes per used vertex in a page with few used vertices
 
-/// The corners at the vertices of a page: a byte each, or each that has any with its number.
+/// Packs the corner counts of a page of vertices: one byte per vertex, or the index and the count of each used vertex
+/// if that is smaller.
 std::vector<std::byte> packedPage(std::span<const std::uint8_t> corners) {
     const auto used = static_cast<std::uint64_t>(
         std::count_if(corners.begin(), corners.end(), [](std::uint8_t count) { return count > 0; }));
@@ -32,7 +33,7 @@ std::vector<std::byte> packedPage(std::span<const std::uint8_t> corners) {
     return packed;
 }
 
-/// Adds what `packedPage` made, up to 255 a vertex.
+/// Adds the counts of `packedPage`. The sum is at most 255 per vertex.
 void addPage(std::span<std::uint8_t> corners, std::span<const std::byte> packed) {
     const auto add = [&](std::size_t vertex, std::byte count) {
         corners[vertex] = static_cast<std::uint8_t>(std::min(255U, corners[vertex] + std::to_integer<unsigned>(count)));
@@ -53,7 +54,7 @@ std::vector<T> valuesOf(std::span<const std::byte> bytes) {
     return values;
 }
 
-/// What a task wrote for the streams of chunks.
+/// Moves the blocks that a task wrote for the streams of chunks into its result.
 void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer, BinnedRange& range) {
     for (std::uint32_t stream = 0; stream < store.streamCount(); ++stream)
         for (const scratch::Block& block : store.blocks(stream))
@@ -66,7 +67,7 @@ void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer
 
 } // namespace
 
-/// Counts the bytes of tables that a task holds.
+/// Counts the table bytes that a task holds.
 class RangeWork::Held {
 public:
     explicit Held(const RangeWork& work) : work_(work) {}
@@ -228,7 +229,7 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
 
 namespace {
 
-/// The numbers of vertices' chunks, read where they are asked for.
+/// The chunk numbers of vertices. Pages are read at their first use.
 template <class Number>
 class ChunkNumbers {
 public:
@@ -242,7 +243,7 @@ public:
         return number == static_cast<Number>(chunk::kBeyondGrid) ? chunk::kBeyondGrid : number;
     }
 
-    /// That were held at once.
+    /// Returns the peak size of the tables in bytes.
     std::uint64_t mostBytes() const { return mostHeld_ * kPageVertices * sizeof(Number); }
 
 private:
@@ -258,10 +259,10 @@ private:
     std::uint64_t vertices_;
     scratch::ScratchFile& scratch_;
     chunk::VertexTable<Number> numbers_;
-    std::size_t mostHeld_ = 0; // pages
+    std::size_t mostHeld_ = 0; // peak number of pages
 };
 
-/// Bins faces as long as the positions that their polygons need fit in memory at once.
+/// Bins faces. One step processes as many faces as the positions of their polygons fit in memory.
 template <class Number>
 class FaceBins {
 public:
@@ -278,7 +279,7 @@ public:
           progress_(progress),
           refiner_(progress) {}
 
-    /// From face `begin` on; the face before which it ended.
+    /// Bins faces from `begin` on. Returns the first face that it did not process.
     std::uint64_t bin(std::uint64_t begin) {
         std::uint64_t end = input_.faces.end;
         std::vector<std::uint64_t> corners;
@@ -298,7 +299,7 @@ public:
         return end;
     }
 
-    /// Of tables that it held at once.
+    /// Returns the peak size of its tables in bytes.
     std::uint64_t mostBytes() const { return chunkOf_.mostBytes(); }
 
 private:
@@ -317,7 +318,7 @@ private:
         return chunk::isInOneChunk(fan, [&](std::uint64_t vertex) { return chunkOf_(vertex); });
     }
 
-    /// The corners of polygons in several chunks, up to a face before which it ends.
+    /// Collects the corners of polygons in several chunks. Returns the first face that it did not process.
     std::uint64_t findCorners(std::uint64_t begin, std::vector<std::uint64_t>& corners) {
         std::uint64_t end = begin;
         readFaces(begin, input_.faces.end, [&](const read::TriangleBlock& block) {

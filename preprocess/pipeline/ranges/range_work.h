@@ -1,4 +1,4 @@
-// How the tasks that sort a source by ranges of its rows are done, in whichever process.
+// The implementation of the tasks that sort a source by ranges of its rows. Each process can run them.
 #pragma once
 
 #include "core/progress.h"
@@ -10,10 +10,11 @@
 
 namespace gnomon::pipeline {
 
-/// Vertices of a page of corners: ranges of vertices are whole pages, but for the last.
+/// The number of vertices per page of corner counts. A range of vertices consists of whole pages, except the last
+/// range.
 constexpr std::uint64_t kPageVertices = std::uint64_t{1} << 16U;
 
-/// Does tasks; safe from many threads. All must outlive it.
+/// Runs range tasks. Many threads can call it at once. All arguments must outlive it.
 class RangeWork {
 public:
     RangeWork(read::MeshSource& source, scratch::ScratchFile& scratch, Progress& progress)
@@ -25,13 +26,13 @@ public:
     BinnedRange binVertices(const BinVerticesInput& input) const;
     BinnedRange binFaces(const BinFacesInput& input) const;
 
-    /// The most bytes that tasks together held of what is known of each vertex.
+    /// Returns the peak size of the per-vertex tables of all concurrent tasks, in bytes.
     std::uint64_t mostTableBytes() const { return mostTableBytes_; }
 
 private:
     class Held;
 
-    /// So that rows of the source can be read.
+    /// Loads the row index, so that rows of the source can be read.
     void useIndex(const Blocks& index) const;
 
     Blocks posted(std::span<const std::byte> bytes) const;

@@ -1,4 +1,4 @@
-// The processes that build one model together, as the one that leads them sees them.
+// The interface of the leading process to the processes that build one model together.
 #pragma once
 
 #include "core/progress.h"
@@ -10,46 +10,47 @@
 
 namespace gnomon::pipeline {
 
-/// How the processes shared a phase.
+/// The distribution of a phase over the processes.
 struct TeamShare {
-    double idle = 0;             // of the time of all their threads, the share in which these had no task; 0 to 1
-    std::uint32_t slowest = 0;   // the process whose tasks took longest
-    std::uint64_t tasks = 0;     // of all processes; 0: the leading one worked alone
-    std::uint64_t bytesRead = 0; // of scratch files, by the others
+    double idle = 0;             // idle share of the time of all threads; 0 to 1
+    std::uint32_t slowest = 0;   // the process with the longest task time
+    std::uint64_t tasks = 0;     // tasks of all processes; 0: the leader worked alone
+    std::uint64_t bytesRead = 0; // bytes of scratch files read by the other processes
     std::uint64_t bytesWritten = 0;
 };
 
-/// What one process did in a build.
+/// The work of one process in a build.
 struct ProcessReport {
     std::uint32_t rank = 0;
     std::string host;
     std::uint32_t threads = 0;
     std::uint64_t tasks = 0;
-    double busySeconds = 0; // of all its tasks
+    double busySeconds = 0; // time of all its tasks
     std::uint64_t peakResidentBytes = 0;
-    std::uint64_t tableBytes = 0; // at most, of what is known of each vertex of the source
-    std::uint64_t bytesSent = 0;  // in messages
-    std::uint64_t bytesRead = 0;  // of scratch files
+    std::uint64_t tableBytes = 0; // peak size of its per-vertex tables
+    std::uint64_t bytesSent = 0;  // bytes of messages
+    std::uint64_t bytesRead = 0;  // bytes of scratch files
     std::uint64_t bytesWritten = 0;
 };
 
-/// Runs tasks once `begin` has told the others what they work on.
+/// A team of processes that runs tasks after `begin`.
 class ProcessTeam : public TaskRunner {
 public:
-    /// How many there are, the leading one included.
+    /// Returns the number of processes, including the leader.
     virtual std::uint32_t processCount() const = 0;
 
-    /// Waits until all are there with the same input and options; this process has `threads`. Throws Error.
+    /// Waits until all processes are ready with the same input and options. This process has `threads` threads. Throws
+    /// Error.
     virtual void gather(const BuildOptions& options, std::size_t threads, Progress& progress) = 0;
 
-    /// `place` is where this process's part of the scratch files is; each other has one of its own after it. What the
-    /// others do advances `progress`, which must outlive all runs.
+    /// Starts the work. `place` is this process's part of the scratch files. Each other process uses one of the
+    /// following parts. The work of other processes advances `progress`, which must outlive all runs.
     virtual void begin(const ScratchPlace& place, Progress& progress) = 0;
 
-    /// Tells all what tasks of chunks and nodes need.
+    /// Sends the facts that tasks of chunks and nodes need to all processes.
     virtual void tell(const TaskFacts& facts) = 0;
 
-    /// How what ran since the last call was shared.
+    /// Returns the distribution of the work since the last call.
     virtual TeamShare endPhase() = 0;
 };
 

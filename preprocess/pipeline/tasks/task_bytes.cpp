@@ -27,7 +27,7 @@ void putNumbers(ByteWriter& out, const std::vector<std::uint32_t>& numbers) {
 
 std::vector<std::uint32_t> takeNumbers(ByteReader& in) {
     const std::uint64_t count = in.takeVarint();
-    if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"}; // each has a byte or more
+    if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"}; // each number has at least one byte
     std::vector<std::uint32_t> numbers(count);
     for (std::uint32_t& number : numbers)
         number = taken<std::uint32_t>(in);

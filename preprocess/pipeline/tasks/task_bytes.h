@@ -1,4 +1,4 @@
-// The inputs and results of tasks, and as bytes, in which they travel between processes.
+// The inputs and results of tasks, with the encoding that transports them between processes.
 #pragma once
 
 #include "preprocess/pipeline/cluster_routing.h"
@@ -10,13 +10,13 @@
 
 namespace gnomon::pipeline {
 
-/// What all tasks of a build have in common.
+/// The facts that all tasks of a build share.
 struct TaskFacts {
     hierarchy::Grid grid;
     chunk::VertexFormat format;
 };
 
-/// As bytes, for other processes, and back. Throws hierarchy::Damage.
+/// Encodes and decodes the facts. Decoding throws hierarchy::Damage if the bytes are malformed.
 std::vector<std::byte> encoded(const TaskFacts& facts);
 TaskFacts decodedFacts(std::span<const std::byte> bytes);
 
@@ -26,29 +26,29 @@ struct ChunkStreams {
     std::array<Blocks, static_cast<std::size_t>(chunk::BorderStream::Count)> borders;
 };
 
-/// Those of `chunk` in the stores of all chunks; without `borders` where there are none yet.
+/// Returns the streams of `chunk`. `borders` is null before the border exchange.
 ChunkStreams streamsOfChunk(const scratch::StreamStore& bins, const scratch::StreamStore* borders, std::uint32_t chunk);
 
-/// The input of AnswerVertices and of AnswerNormals, whose result is Mail to the streams of chunks.
+/// Returns the input of AnswerVertices and AnswerNormals. Their result is Mail to the streams of chunks.
 std::vector<std::byte> chunkInput(const ChunkStreams& streams);
 
-/// The input of BuildNode, whose result is the encoded NodeRecord.
+/// The input of BuildNode. Its result is the encoded NodeRecord.
 struct NodeInput {
     std::uint32_t round = 0;
     std::uint32_t node = 0;
     std::uint32_t firstLevel = 0;
-    bool isLast = false; // up to the roots
+    bool isLast = false; // builds up to the roots
     ChunkStreams chunk;  // in round 0
-    ClusterSums sums;    // in later rounds, and ...
-    Blocks records;      // ... the clusters ...
-    Blocks locks;        // ... and the locked positions
+    ClusterSums sums;    // in later rounds
+    Blocks records;      // clusters, in later rounds
+    Blocks locks;        // locked positions, in later rounds
 };
 
 std::vector<std::byte> encoded(const NodeInput& input);
 
 /// The input of RouteClusters.
 struct RouteInput {
-    Blocks left; // by the node: the places of its clusters, and the clusters
+    Blocks left; // remaining clusters of the node and their places
     std::uint32_t firstLevel = 0;
     std::uint32_t borderStreams = 0;
     std::vector<std::uint32_t> firstPages;
@@ -57,7 +57,7 @@ struct RouteInput {
 
 std::vector<std::byte> encoded(const RouteInput& input);
 
-/// The result of RouteClusters, and of ShareLocks, which has no more than locks and counts.
+/// The result of RouteClusters and ShareLocks. ShareLocks sets only locks and counts.
 struct RoutedMail {
     Mail records;
     Mail locks;
@@ -67,21 +67,21 @@ struct RoutedMail {
 
 RoutedMail decodedRoutedMail(std::span<const std::byte> bytes);
 
-/// The input of ShareLocks.
+/// Returns the input of ShareLocks.
 std::vector<std::byte> locksInput(const Blocks& borders);
 
-/// The input of WritePages, whose result is empty.
+/// The input of WritePages. Its result is empty.
 struct PageRange {
-    std::string path;         // of the unfinished model, and ...
-    std::string toldPath;     // ... how messages name it
-    std::uint64_t offset = 0; // there, of the first page
-    Blocks pages;             // in the scratch file
+    std::string path;         // path of the unfinished model
+    std::string toldPath;     // path that messages use
+    std::uint64_t offset = 0; // offset of the first page in the file
+    Blocks pages;             // blocks of the scratch file
 };
 
 std::vector<std::byte> encoded(const PageRange& input);
 
-/// What `chunkInput` and `encoded` made, taken from `in`, which must end there but for a chunk. Throws
-/// hierarchy::Damage.
+/// Decode the results of `chunkInput` and `encoded`. Except after a chunk, `in` must end there. They throw
+/// hierarchy::Damage if the bytes are malformed.
 ChunkStreams takeChunk(hierarchy::ByteReader& in);
 NodeInput takeNode(hierarchy::ByteReader& in);
 RouteInput takeRoute(hierarchy::ByteReader& in);

@@ -1,4 +1,4 @@
-// How the tasks of a build are done, in whichever process.
+// The implementation of the tasks of a build. Each process can run them.
 #pragma once
 
 #include "core/progress.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::pipeline {
 
-/// Does tasks; safe from many threads. All must outlive it.
+/// Runs tasks. Many threads can call it at once. All arguments must outlive it.
 class TaskWork {
 public:
     TaskWork(
@@ -18,13 +18,13 @@ public:
         Progress& progress)
         : ranges_(source, scratch, progress), options_(options), scratch_(scratch), progress_(progress) {}
 
-    /// Before tasks of chunks and nodes, while none runs.
+    /// Sets the facts for tasks of chunks and nodes. No task may run at the same time.
     void tell(const TaskFacts& facts) { facts_ = facts; }
 
-    /// The most bytes that tasks together held of what is known of each vertex of the source.
+    /// Returns the peak size of the per-vertex tables of all concurrent tasks, in bytes.
     std::uint64_t mostTableBytes() const { return ranges_.mostTableBytes(); }
 
-    /// The result of a task. Its bulk is appended to the scratch file, and handed over.
+    /// Runs a task and returns its result. Large data are appended to the scratch file and published.
     std::vector<std::byte> perform(TaskKind kind, std::span<const std::byte> input) const;
 
 private:

@@ -24,7 +24,8 @@ EncodedPage readPage(const PagesToWrite& pages, const PageInfo& info, std::uint6
     return page;
 }
 
-/// Several for each process, so that they end together; large enough that to sync each costs little.
+/// Returns the size of a range of pages. Each process gets several ranges, so that all end at about the same time. A
+/// range is large enough to make the cost of its sync small.
 std::uint64_t bytesOfRange(const CheckpointLog& log, std::uint32_t processes) {
     constexpr std::uint64_t kLeast = std::uint64_t{64} << 10U;
     constexpr std::uint64_t kMost = std::uint64_t{16} << 20U;

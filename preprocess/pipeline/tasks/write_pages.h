@@ -1,4 +1,4 @@
-// The pages of a model, from scratch files to their places: by this process, or by all that build it.
+// Writes the pages of a model from scratch files to their places in the file, by this process or by all processes.
 #pragma once
 
 #include "core/progress.h"
@@ -11,21 +11,21 @@
 
 namespace gnomon::pipeline {
 
-/// Where pages come from and go to.
+/// The source and the destination of the pages.
 struct PagesToWrite {
     const CheckpointLog& log;
     const scratch::ScratchFile& scratch;
     hierarchy::ModelWriter& writer;
     Progress& progress;
-    std::function<bool(const hierarchy::PageInfo&)> isSeen; // whether `see` wants a page
+    std::function<bool(const hierarchy::PageInfo&)> isSeen; // whether `see` needs a page
     std::function<void(const hierarchy::EncodedPage&)> see;
 };
 
-/// Appends all to the writer.
+/// Appends all pages to the writer.
 void appendPages(const PagesToWrite& pages);
 
-/// Has them written by tasks of `runner`, a range of the file each, some for each of `processes`; the writer must have
-/// an unfinished file, which messages call `toldPath`.
+/// Writes all pages with tasks of `runner`, one per range of the file, several per process. The writer must have an
+/// unfinished file. Messages call it `toldPath`.
 void writePagesInTasks(
     const PagesToWrite& pages,
     const std::string& toldPath,

@@ -1,4 +1,4 @@
-// A block: bytes of a scratch file that were appended at once, known by place and checksum.
+// The blocks of scratch files.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,10 +8,11 @@
 
 namespace gnomon::scratch {
 
+/// A block of a scratch file: bytes that were appended at once, identified by offset and checksum.
 struct Block {
-    std::uint64_t offset = 0; // of its first byte in the scratch file
+    std::uint64_t offset = 0; // offset of the first byte in the scratch file
     std::uint64_t bytes = 0;
-    std::uint64_t checksum = 0; // xxh3-64 of its bytes
+    std::uint64_t checksum = 0; // xxh3-64 of the bytes
 };
 
 using Blocks = std::vector<Block>;
@@ -19,7 +20,7 @@ using Blocks = std::vector<Block>;
 /// Appends `block` to `out`.
 void putBlock(hierarchy::ByteWriter& out, const Block& block);
 
-/// Returns the block that `putBlock` put. Throws hierarchy::Damage.
+/// Reads a block that `putBlock` wrote. Throws hierarchy::Damage if the bytes are malformed.
 Block takeBlock(hierarchy::ByteReader& in);
 
 } // namespace gnomon::scratch

@@ -1,11 +1,11 @@
-// The error of temporary data that differ from the data that were written.
+// The error of damaged temporary data.
 #pragma once
 
 #include "core/error.h"
 
 namespace gnomon::scratch {
 
-/// Temporary data are lost, cut off or changed. A resumed build starts anew.
+/// An error: temporary data are missing, cut off or changed. A resumed build then starts from the beginning.
 class DamageError : public Error {
 public:
     using Error::Error;

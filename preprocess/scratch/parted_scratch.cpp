@@ -54,7 +54,7 @@ void PartedScratch::handOver() const {
 
 void PartedScratch::reopenOthers() {
     const std::scoped_lock lock(mutex_);
-    others_.clear(); // who reads one now keeps it until that is done
+    others_.clear(); // a thread that reads an open file keeps it alive until the end of the read
 }
 
 std::shared_ptr<File> PartedScratch::other(std::uint32_t part) const {

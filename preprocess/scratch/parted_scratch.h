@@ -1,4 +1,4 @@
-// The scratch files of all processes that work, or have worked, for one build: each appends to its own and reads all.
+// The scratch files of all processes of one build. Each process appends to its own file (its part) and reads all files.
 #pragma once
 
 #include "preprocess/scratch/scratch_file.h"
@@ -9,13 +9,14 @@
 
 namespace gnomon::scratch {
 
-/// A place in a PartedScratch is a part, in its upper 16 bits, and an offset in that part's file.
+/// The number of offset bits in a place. A place is a part number in the upper 16 bits and an offset in the file of
+/// this part in the lower 48 bits.
 constexpr unsigned kPartShift = 48;
 
-/// The most parts of one build, over all processes that ever worked for it.
+/// The max number of parts of one build, over all processes that ever worked for it.
 constexpr std::uint32_t kMostParts = 1U << (64U - kPartShift);
 
-/// The max size of a part.
+/// The max size of a part, in bytes.
 constexpr std::uint64_t kMostPartBytes = std::uint64_t{1} << kPartShift;
 
 constexpr std::uint32_t partOf(std::uint64_t place) {
@@ -26,18 +27,19 @@ constexpr std::uint64_t placeOf(std::uint32_t part, std::uint64_t offset) {
     return (std::uint64_t{part} << kPartShift) + offset;
 }
 
-/// The file of part `part` of those whose names begin with `stem`.
+/// Returns the path of part `part`: `stem` followed by the part number.
 std::string partPath(const std::string& stem, std::uint32_t part);
 
-/// What others have appended may be read once they have called `handOver` and this process `reopenOthers`: so hosts
-/// that share a network file system by its rule of close-to-open agree on what is there. Sizes are never asked of it.
+/// A scratch file with one part per process. A process can read bytes of another process in two steps: the writer calls
+/// `handOver`, then the reader calls `reopenOthers`. This satisfies the close-to-open consistency of network file
+/// systems. The class never queries the size of a file of another process.
 class PartedScratch final : public ScratchFile {
 public:
-    /// Makes the file of `ownPart`.
+    /// Creates the file of `ownPart`.
     PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space);
 
-    /// Counts the first `bytes` of a part that an earlier process left, and cuts off what it wrote after them. Throws
-    /// DamageError if the file is shorter or missing.
+    /// Counts the first `bytes` of a part that an earlier process left, and cuts off the rest. Throws DamageError if
+    /// the file is shorter or missing.
     void resume(std::uint32_t part, std::uint64_t bytes);
 
     void sync(std::span<const std::uint32_t> parts) override;
@@ -56,7 +58,7 @@ private:
     std::uint32_t ownPart_;
     File own_;
     mutable std::mutex mutex_;
-    mutable std::map<std::uint32_t, std::shared_ptr<File>> others_; // that are open
+    mutable std::map<std::uint32_t, std::shared_ptr<File>> others_; // the open files of other processes
 };
 
 } // namespace gnomon::scratch

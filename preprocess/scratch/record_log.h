@@ -1,4 +1,4 @@
-// A log of checksummed records, appended to by long work: its file may end anywhere when the process is killed.
+// A log of checksummed records for long work. The log remains readable if the process is killed during a write.
 #pragma once
 
 #include "core/file.h"
@@ -10,23 +10,26 @@
 
 namespace gnomon::scratch {
 
-/// An append-only file of records, each with its length and checksum. A record counts once it is whole.
+/// An append-only file of records with lengths and checksums. A reader ignores an incomplete last record.
 class RecordLog {
 public:
-    /// An empty log at `path`.
+    /// Creates an empty log at `path`.
     static RecordLog create(const std::string& path);
 
-    /// The log that an earlier process left at `path`, cut after its last whole record; nothing if there is none.
+    /// Opens the log that an earlier process left at `path` and cuts it after its last complete record. Returns nothing
+    /// if there is no file.
     static std::optional<RecordLog> reopen(const std::string& path);
 
-    /// The records that `reopen` found, in order.
+    /// Returns the records that `reopen` found, in order.
     const std::vector<std::vector<std::byte>>& records() const { return records_; }
 
+    /// Appends one record at the end of the file.
     void append(std::span<const std::byte> record);
 
     /// Flushes the records to the device.
     void sync() { file_.sync(); }
 
+    /// Returns the size of the file in bytes.
     std::uint64_t bytes() const { return end_; }
 
 private:

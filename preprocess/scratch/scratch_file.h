@@ -1,4 +1,4 @@
-// Temporary bytes: a file that grows at its end and gives space back piece by piece, or the same in memory.
+// A scratch file for temporary data: an append-only file, on disk or in memory, that can free single blocks.
 #pragma once
 
 #include "core/file.h"
@@ -17,7 +17,7 @@
 
 namespace gnomon::scratch {
 
-/// How much temporary space is in use, over all scratch files of a build; every change is told to `progress`.
+/// A counter of the temporary space of all scratch files of a build. It reports each change to `progress`.
 class TemporarySpace {
 public:
     explicit TemporarySpace(Progress& progress) : progress_(progress) {}
@@ -25,7 +25,8 @@ public:
     void take(std::uint64_t bytes);
     void giveBack(std::uint64_t bytes);
 
-    /// What other processes took in the same space: theirs may have been given back here before.
+    /// Counts bytes that other processes wrote in the same space. This process may have freed such bytes before, so
+    /// that the sum can be negative for a while.
     void takeOfOthers(std::uint64_t bytes);
 
     std::uint64_t bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(bytes_, 0)); }
@@ -34,16 +35,16 @@ public:
 
     void countRead(std::uint64_t bytes) { read_ += bytes; }
 
-    /// From now on no more bytes a second are read and written, all files and threads together: what a slower disk or
-    /// network would do, for those who want to know.
+    /// Limits the rate of reads and writes to `bytesPerSecond`, over all files and threads. The limit simulates a
+    /// slower disk or network.
     void limitRate(std::uint64_t bytesPerSecond) { bytesPerSecond_ = bytesPerSecond; }
 
-    /// Waits until the limit, if there is one, lets `bytes` more through.
+    /// Waits until the rate limit permits `bytes` more bytes. Returns at once if there is no limit.
     void pace(std::uint64_t bytes);
 
     std::uint64_t bytesRead() const { return read_; }
 
-    /// All that was ever taken.
+    /// Returns the number of bytes that this process ever wrote.
     std::uint64_t bytesWritten() const { return written_; }
 
 private:
@@ -54,13 +55,13 @@ private:
     std::atomic<std::uint64_t> written_{0};
     std::uint64_t bytesPerSecond_ = 0;
     std::mutex paceMutex_;
-    std::chrono::steady_clock::time_point free_; // when what was let through is through
+    std::chrono::steady_clock::time_point free_; // time at which the last permitted transfer ends
 };
 
-/// Appended to and read by any number of threads at once.
+/// A scratch file that any number of threads can append to and read at once.
 class ScratchFile {
 public:
-    /// The first byte that is appended lies at `begin`.
+    /// Creates a scratch file whose first byte has the offset `begin`.
     explicit ScratchFile(TemporarySpace& space, std::uint64_t begin = 0) : space_(space), end_(begin) {}
 
     virtual ~ScratchFile() = default;
@@ -72,38 +73,38 @@ public:
     /// Appends `bytes` as one block. Throws Error if the disk is full.
     Block append(std::span<const std::byte> bytes);
 
-    /// Fills `out`, which has the size of `block`, with its bytes. Throws DamageError if they are not those that were
-    /// appended.
+    /// Reads `block` into `out`, which has the size of the block. Throws DamageError if the bytes differ from the
+    /// appended bytes.
     void read(const Block& block, std::span<std::byte> out) const;
 
     /// Returns the bytes of `blocks`, one block after the other. Throws DamageError.
     std::vector<std::byte> read(std::span<const Block> blocks) const;
 
-    /// Lets processes on other hosts read what this one has appended, where there are any.
+    /// Publishes the appended bytes to processes on other hosts. A file of one process does nothing.
     virtual void handOver() const {}
 
-    /// Lets this process read what others have handed over.
+    /// Makes the bytes that other processes published readable in this process.
     virtual void reopenOthers() {}
 
     /// Flushes the data of `parts` to the device, so that a power cut does not lose them. A file of one part ignores
     /// this.
     virtual void sync(std::span<const std::uint32_t> /*parts*/) {}
 
-    /// Gives the space of `block` back; its bytes are lost.
+    /// Frees the space of `block`. Its bytes are lost.
     void release(const Block& block);
 
-    /// Where the next bytes go.
+    /// Returns the offset of the next appended byte.
     std::uint64_t end() const { return end_; }
 
 protected:
-    /// Reads from a file of this machine. Throws DamageError if the file is too short.
+    /// Reads from `file`. Throws DamageError if the file is too short.
     static void loadFrom(const File& file, std::uint64_t offset, std::span<std::byte> out);
 
     virtual void load(std::uint64_t offset, std::span<std::byte> out) const = 0;
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
     virtual void forget(std::uint64_t offset, std::uint64_t bytes) = 0;
 
-    /// Returns the text that errors use for the byte at `offset`.
+    /// Returns the description of the byte at `offset` for error messages.
     virtual std::string placeText(std::uint64_t offset) const = 0;
 
     TemporarySpace& space() { return space_; }
@@ -113,9 +114,10 @@ private:
     std::atomic<std::uint64_t> end_;
 };
 
-/// A new file at `path`.
+/// Creates a scratch file at `path`.
 std::unique_ptr<ScratchFile> scratchOnDisk(const std::string& path, TemporarySpace& space);
 
+/// Creates a scratch file in memory.
 std::unique_ptr<ScratchFile> scratchInMemory(TemporarySpace& space);
 
 } // namespace gnomon::scratch

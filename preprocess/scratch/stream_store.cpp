@@ -21,7 +21,8 @@ std::vector<Blocks> StreamStore::blocksOf(std::span<const std::byte> directory) 
     hierarchy::ByteReader in(directory);
     const auto count = [&in] {
         const std::uint64_t values = in.takeVarint();
-        if (values > in.remaining()) throw hierarchy::Damage{"the bytes end too early"}; // each has a byte or more
+        // Each value has at least one byte.
+        if (values > in.remaining()) throw hierarchy::Damage{"the bytes end too early"};
         return values;
     };
     std::vector<Blocks> streams(count());
@@ -38,7 +39,7 @@ void StreamStore::append(std::uint32_t stream, std::span<const std::byte> bytes)
     std::vector<std::byte>& open = streams_[stream].open;
     if (open.size() + bytes.size() > blockBytes_) writeOpen(streams_[stream]);
     if (bytes.size() > blockBytes_) return write(streams_[stream], bytes);
-    // Streams that stay short must not hold a whole block.
+    // A short stream must not allocate a whole block.
     if (open.capacity() < open.size() + bytes.size())
         open.reserve(std::max(open.size() + bytes.size(), std::min(blockBytes_, 2 * open.capacity() + 256)));
     open.insert(open.end(), bytes.begin(), bytes.end());

@@ -1,4 +1,4 @@
-// Many streams of bytes that grow side by side and are read one by one, kept in blocks of one scratch file.
+// Many byte streams that grow at the same time and are read one by one, stored in blocks of one scratch file.
 #pragma once
 
 #include "preprocess/scratch/scratch_file.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::scratch {
 
-/// Calls `take` for one value of `bytes`, which has a whole number of them, after the other.
+/// Calls `take` for each value of type T in `bytes`, in order. The size of `bytes` must be a multiple of sizeof(T).
 template <class T, class Take>
 void forEachRecord(std::span<const std::byte> bytes, const Take& take) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -21,15 +21,18 @@ void forEachRecord(std::span<const std::byte> bytes, const Take& take) {
     }
 }
 
-/// Streams count from 0. What comes out of a stream is what went in, in order, whatever the size of the blocks.
+/// A set of append-only streams, numbered from 0. A stream returns its bytes in the order in which they were appended.
+/// This order does not depend on the block size.
 class StreamStore {
 public:
-    /// Each stream that is in use holds up to `blockBytes` in memory until the next `flush`.
+    /// Creates `streamCount` empty streams. Each stream in use buffers up to `blockBytes` in memory until the next
+    /// `flush`.
     StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size_t blockBytes);
 
-    /// As left by an earlier process, from its `directory`.
+    /// Restores the streams of an earlier process from its `directory`.
     StreamStore(ScratchFile& file, std::span<const std::byte> directory);
 
+    /// Appends `bytes` to a stream.
     void append(std::uint32_t stream, std::span<const std::byte> bytes);
 
     template <class T>
@@ -38,10 +41,11 @@ public:
         append(stream, std::as_bytes(std::span(&value, 1)));
     }
 
-    /// Writes what is in memory and frees it.
+    /// Writes the buffered bytes to the scratch file and frees the buffers.
     void flush();
 
-    /// Appends what somebody else has written to the scratch file; what was appended before must be flushed.
+    /// Appends a block that another process wrote to the scratch file. The caller must call `flush` first if the stream
+    /// has buffered bytes.
     void adopt(std::uint32_t stream, const Block& block) { streams_[stream].blocks.push_back(block); }
 
     const Blocks& blocks(std::uint32_t stream) const { return streams_[stream].blocks; }
@@ -50,10 +54,10 @@ public:
 
     std::uint64_t bytes(std::uint32_t stream) const;
 
-    /// All of a stream; safe from many threads once flushed.
+    /// Returns all bytes of a stream. After `flush`, many threads can call this at once.
     std::vector<std::byte> read(std::uint32_t stream) const;
 
-    /// All of a stream as values of one type.
+    /// Returns all values of a stream of values of type T.
     template <class T>
     std::vector<T> readAs(std::uint32_t stream) const {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -62,8 +66,8 @@ public:
         return values;
     }
 
-    /// Calls `take(bytes)` for one block of a stream after the other; what was appended at once is in one block. Safe
-    /// from many threads once flushed.
+    /// Calls `take(bytes)` for each block of a stream, in order. Bytes of one `append` are in one block. After `flush`,
+    /// many threads can call this at once.
     template <class Take>
     void readBlocks(std::uint32_t stream, const Take& take) const {
         std::vector<std::byte> bytes;
@@ -74,14 +78,14 @@ public:
         }
     }
 
-    /// Reads a stream from its start in the memory of a block, while others may be appended to.
+    /// A sequential reader of a stream with one block in memory. Other streams may grow during the reading.
     class Reader {
     public:
         Reader(const StreamStore& store, std::uint32_t stream) : store_(store), stream_(stream) {}
 
         bool isAtEnd();
 
-        /// The next value; a check fails at the end.
+        /// Returns the next value. A check fails at the end of the stream.
         template <class T>
         T take() {
             T value{};
@@ -99,16 +103,16 @@ public:
         std::size_t place_ = 0;
     };
 
-    /// Empties a stream and returns its blocks, whose space the caller gives back.
+    /// Empties a stream and returns its blocks. The caller must free their space.
     Blocks takeBlocks(std::uint32_t stream) { return std::exchange(streams_[stream].blocks, {}); }
 
-    /// Gives a stream's space back.
+    /// Frees the space of a stream.
     void release(std::uint32_t stream);
 
-    /// Where everything lies, for another process; after `flush`.
+    /// Returns the blocks of all streams as bytes for another process. The caller must call `flush` before.
     std::vector<std::byte> directory() const;
 
-    /// The blocks of each stream of a `directory`. Throws hierarchy::Damage.
+    /// Returns the blocks of each stream of a `directory`. Throws hierarchy::Damage if the bytes are malformed.
     static std::vector<Blocks> blocksOf(std::span<const std::byte> directory);
 
 private:

@@ -1,4 +1,4 @@
-// A tree of boxes with labels, for those that meet another one and have another label.
+// A bounding volume hierarchy of labelled boxes that finds the boxes that overlap a given box and have another label.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,7 +12,7 @@
 
 namespace gnomon::proximity {
 
-/// A closed box; empty to begin with.
+/// A closed axis-aligned box. A new box is empty.
 struct TreeBox {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
@@ -33,10 +33,11 @@ struct TreeBox {
     }
 };
 
-/// Boxes are in the order of the Morton codes of their middles, and halved by their number.
+/// A binary tree of boxes. The boxes are sorted by the Morton codes of their centres, and each inner node splits its
+/// boxes into two halves of equal count.
 class BoxTree {
 public:
-    /// Of `boxes` and a label each, which must outlive the tree.
+    /// Builds the tree over `boxes`, where box i has the label `labels[i]`. Both arrays must outlive the tree.
     BoxTree(std::span<const TreeBox> boxes, std::span<const std::uint32_t> labels)
         : boxes_(boxes), labels_(labels), order_(boxes.size()) {
         if (order_.empty()) return;
@@ -45,7 +46,8 @@ public:
         build(0, static_cast<std::uint32_t>(order_.size()));
     }
 
-    /// Calls `visit(index)` for each of the boxes that meet `box` and have another label, always in the same order.
+    /// Calls `visit(index)` for each box that overlaps `box` and has a label other than `label`. The order of the calls
+    /// is always the same.
     template <class Visit>
     void forEachOther(const TreeBox& box, std::uint32_t label, Visit visit) const {
         std::array<std::uint32_t, 64> stack{};
@@ -69,8 +71,8 @@ private:
         TreeBox box;
         std::uint32_t begin;
         std::uint32_t end;
-        std::uint32_t right; // the second child; the first follows its parent; 0 for a leaf
-        std::uint32_t label; // of the first box
+        std::uint32_t right; // index of the second child; the first child follows its parent; 0 for a leaf
+        std::uint32_t label; // label of the first box
         bool hasOneLabel;
     };
 
@@ -91,7 +93,7 @@ private:
             order_[i] = static_cast<std::uint32_t>(keys[i]);
     }
 
-    /// The ten bits of a cell, two zeros between each and the next.
+    /// Returns the lowest ten bits of `cell` with two zero bits after each bit, for a Morton code.
     static std::uint32_t spread(double cell) {
         auto bits = static_cast<std::uint32_t>(cell);
         bits = (bits | bits << 16U) & 0x030000FFU;

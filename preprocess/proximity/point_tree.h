@@ -1,4 +1,4 @@
-// A kd-tree of points in components, for the nearest one of another component.
+// A kd-tree of points that belong to components. It finds the nearest point of another component.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,15 +10,16 @@
 
 namespace gnomon::proximity {
 
-/// Boxes are halved across their widest side down to a few points; Bentley, "Multidimensional binary search trees",
-/// 1975, with the planes in the middle of the space instead of the points, which is quicker to build.
+/// A kd-tree that splits each box at the centre of its longest side until a leaf has at most 12 points (Bentley,
+/// "Multidimensional binary search trees", 1975). Bentley splits at the median point. A split at the centre is faster
+/// to build.
 class PointTree {
 public:
-    /// Of `points`, finite, each in the component of that place in `components`.
+    /// Builds the tree over finite `points`, where point i belongs to component `components[i]`.
     PointTree(std::span<const glm::dvec3> points, std::span<const std::uint32_t> components);
 
-    /// The index of the point nearest to `place` that is not in `component`, the least of those equally near; kNone if
-    /// all are.
+    /// Returns the index of the point nearest to `place` that is outside `component`. Among points at equal distance it
+    /// returns the smallest index. Returns kNone if all points are in `component`.
     std::uint32_t nearest(const glm::dvec3& place, std::uint32_t component) const;
 
 private:
@@ -31,11 +32,12 @@ private:
     };
 
     struct Node {
-        std::uint32_t begin = 0; // of its points
+        std::uint32_t begin = 0; // index of the first point
         std::uint32_t end = 0;
         double plane = 0;
         std::uint32_t axis = 0;
-        std::uint32_t right = 0; // the child of what is not below the plane, the other follows its parent; 0 for a leaf
+        // Index of the child on or above the plane; the child below it follows its parent; 0 for a leaf.
+        std::uint32_t right = 0;
     };
 
     struct Query {

@@ -45,26 +45,27 @@ HWY_INLINE Doubles squareOf(const Vector& v) {
     return dot(v, v);
 }
 
-/// a * b - c * d
+/// Returns a * b - c * d.
 HWY_INLINE Doubles crossed(Doubles a, Doubles b, Doubles c, Doubles d) {
     return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// The square of what is left of `offset` once the share that `part` is of `whole` of `edge` is taken off; all of
-/// `offset` where `isSome` is not.
+/// Returns the squared length of `offset - edge * (part / whole)`. Lanes where `isSome` is false return the squared
+/// length of `offset`.
 template <class Mask>
 HWY_INLINE Doubles squareBeside(const Vector& offset, const Vector& edge, Doubles part, Doubles whole, Mask isSome) {
     const Doubles along = hn::IfThenElseZero(isSome, hn::Div(part, whole));
     return squareOf(minus(offset, times(edge, along)));
 }
 
-/// As std::clamp has it.
+/// Clamps `v` to 0 to `most`, with the result of std::clamp in each lane.
 HWY_INLINE Doubles clamped(Doubles v, Doubles most) {
     const Doubles zero = hn::Zero(kDoubles);
     return hn::IfThenElse(hn::Lt(v, zero), zero, hn::IfThenElse(hn::Lt(most, v), most, v));
 }
 
-/// The cases of `squaredDistance` from the last to the first, each before those that it yields to.
+/// Returns the squared distance from `p` to the triangle in each lane. The code evaluates the cases of
+/// `squaredDistance` in reverse order, so that an earlier case overwrites a later one.
 HWY_INLINE Doubles nearestSquaresOf(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
     const Doubles zero = hn::Zero(kDoubles);
     const Doubles one = hn::Set(kDoubles, 1.0);

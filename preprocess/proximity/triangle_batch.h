@@ -1,4 +1,4 @@
-// The distances of one point from several triangles at once, in vector lanes.
+// Squared distances from one point to up to 16 triangles at once, in vector lanes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,7 +8,7 @@
 
 namespace gnomon::proximity {
 
-/// Up to kCapacity triangles, by corner and coordinate.
+/// A batch of up to kCapacity triangles, stored as one row per corner and coordinate.
 class TriangleBatch {
 public:
     static constexpr std::size_t kCapacity = 16;
@@ -20,7 +20,7 @@ public:
 
     void clear() { count_ = 0; }
 
-    /// There must be room.
+    /// Adds a triangle. The batch must not be full.
     void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         put(corners_[0], a);
         put(corners_[1], b);
@@ -28,8 +28,8 @@ public:
         ++count_;
     }
 
-    /// The squared distance of `point` from each triangle in turn, to the bit that of `squaredDistance`
-    /// (triangle_distance.h); behind the last there is anything.
+    /// Writes the squared distance from `point` to triangle i into `squares[i]`. The result is identical to the bit
+    /// with `squaredDistance` (triangle_distance.h). The values behind the last triangle are undefined.
     void squaredDistances(const glm::dvec3& point, Row& squares) const;
 
 private:

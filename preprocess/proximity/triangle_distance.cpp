@@ -30,7 +30,7 @@ TriangleDistance PreparedTriangle::distanceToEdge(const glm::dvec3& p, std::uint
 }
 
 TriangleDistance PreparedTriangle::distanceTo(const glm::dvec3& p) const {
-    // What is nearest to a point beside the triangle lies on an edge that it is beyond of.
+    // The nearest point to a point outside the triangle lies on an edge whose outer side contains the point.
     TriangleDistance best{std::numeric_limits<double>::infinity()};
     bool isInside = area_ > 0;
     for (std::uint32_t i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// The distance from a point to a triangle, and which part of the triangle is nearest.
+// Distances from a point to a triangle, with the nearest feature of the triangle.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,11 +8,12 @@
 
 namespace gnomon::proximity {
 
+/// Returns the squared length of `v`.
 inline double squaredLength(const glm::dvec3& v) {
     return glm::dot(v, v);
 }
 
-/// The feature of a triangle on which its point nearest to another one lies.
+/// The feature of a triangle that contains the point nearest to a query point: the face, an edge or a corner.
 enum class TriangleFeature : std::uint8_t {
     Face,
     Edge0,
@@ -21,14 +22,15 @@ enum class TriangleFeature : std::uint8_t {
     Corner0,
     Corner1,
     Corner2
-}; // edge i: i to i + 1
+}; // edge i goes from corner i to corner (i + 1) % 3
 
+/// The squared distance of a point from a triangle, and the nearest feature.
 struct TriangleDistance {
-    double square = 0; // of the distance
+    double square = 0; // squared distance
     TriangleFeature feature = TriangleFeature::Face;
 };
 
-/// A triangle, which may be degenerate, for the distances of many points.
+/// A triangle with precomputed edges and normals for distances from many points. The triangle may be degenerate.
 class PreparedTriangle {
 public:
     PreparedTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
@@ -36,25 +38,29 @@ public:
     TriangleDistance distanceTo(const glm::dvec3& p) const;
 
 private:
-    /// From the edge from corner `i` to the next.
+    /// Returns the distance from `p` to the edge between corner `i` and the next corner.
     TriangleDistance distanceToEdge(const glm::dvec3& p, std::uint32_t i) const;
 
     std::array<glm::dvec3, 3> corners_;
-    std::array<glm::dvec3, 3> edges_;   // from each corner to the next
-    std::array<glm::dvec3, 3> inwards_; // of each edge, at right angles to it, in the plane; 0 if there is none
+    std::array<glm::dvec3, 3> edges_; // from each corner to the next
+    // Inward normal of each edge in the plane of the triangle; 0 for a degenerate triangle.
+    std::array<glm::dvec3, 3> inwards_;
     glm::dvec3 normal_;
-    double area_ = 0; // the square of twice that
+    double area_ = 0; // square of twice the triangle's area
 };
 
-/// The squared distance of `p` from the triangle `a`, `b`, `c`, which may be degenerate.
+/// Returns the squared distance from `p` to the triangle `a`, `b`, `c`, and the nearest feature. The triangle may be
+/// degenerate.
 TriangleDistance distanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// An upper bound of the squared distance of `p` from the triangle that is its exact value but for rounding: the
-/// distance from a point of the triangle that is computed explicitly. Ericson, "Real-Time Collision Detection", 2005,
-/// 5.1.5. Of a triangle without area perhaps that of one of its edges alone.
+/// Returns the squared distance from `p` to a computed point of the triangle `a`, `b`, `c` (Ericson, "Real-Time
+/// Collision Detection", 2005, section 5.1.5). The result is an upper bound of the exact squared distance. It differs
+/// from the exact value only by rounding. For a triangle without area the result may be the distance to only one of its
+/// edges.
 double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// The same for the segment from `a` to `b`.
+/// Returns an upper bound of the squared distance from `p` to the segment from `a` to `b`. The bound differs from the
+/// exact value only by rounding.
 double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b);
 
 } // namespace gnomon::proximity

@@ -18,7 +18,7 @@ namespace gnomon::distributed {
 
 namespace {
 
-/// Counts what tasks tell of their progress, and ends them once it is told to.
+/// A progress sink of a helper. It counts the progress of tasks and interrupts them after `stop`.
 class CountedProgress final : public Progress {
 public:
     void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
@@ -30,7 +30,7 @@ public:
 
     void stop() { isStopped_ = true; }
 
-    /// What was done since the last call.
+    /// Returns the progress since the last call.
     std::uint64_t take() { return done_.exchange(0); }
 
 private:
@@ -54,7 +54,7 @@ std::string textOf(const std::exception_ptr& error) {
 
 } // namespace
 
-/// What the tasks of a helper need.
+/// The state of a helper that runs tasks: source, options, scratch files and threads.
 class Helper::Work {
 public:
     Work(read::MeshSource& source, const pipeline::BuildOptions& options, std::size_t threads)
@@ -111,7 +111,7 @@ private:
     std::optional<pipeline::TaskWork> tasks_;
     std::uint64_t bytesRead_ = 0;
     std::uint64_t bytesWritten_ = 0;
-    TaskPool pool_; // last, so that it ends first
+    TaskPool pool_; // the last member, so that its threads end first
 };
 
 void Helper::fail(const std::string& why) {

@@ -1,4 +1,4 @@
-// A process of another rank than 0: it does the tasks that the leader sends, and knows nothing else of the build.
+// The helper processes of a distributed build.
 #pragma once
 
 #include "preprocess/distributed/mailbox.h"
@@ -6,27 +6,29 @@
 
 namespace gnomon::distributed {
 
+/// A helper: a process of a rank other than 0 that runs the tasks of the leader.
 class Helper {
 public:
     explicit Helper(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-    /// Says that it is there, and does tasks of `source` until the leader says Stop. `progress` is polled for
-    /// interruptions. What fails is told to the leader, who tells the user.
+    /// Reports this process to the leader and runs tasks of `source` until the leader sends Stop. The function polls
+    /// `progress` for interruptions. The helper sends errors to the leader, and the leader reports them to the user.
     void serve(read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress);
 
-    /// Tells the leader why this process cannot go on, once.
+    /// Sends the leader the reason why this process cannot continue. Only the first call has an effect.
     void fail(const std::string& why);
 
-    /// Somebody else has received Stop.
+    /// Records that another receiver of this process received Stop.
     void noteStop() { isStopped_ = true; }
 
-    /// Waits for Stop, if it has not come, and says Bye.
+    /// Waits for Stop if it has not arrived, and sends Bye.
     void leave();
 
 private:
     class Work;
 
-    /// Takes a letter or what a task came to; false if there was neither. Throws what failed.
+    /// Processes one message or the result of one task. Returns false if there was none. Throws the error of a failed
+    /// task.
     bool isBusy(Work& work);
 
     Mailbox& mailbox_;

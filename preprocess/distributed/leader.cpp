@@ -11,7 +11,7 @@ namespace gnomon::distributed {
 
 namespace {
 
-/// Leaves no task behind that refers to what goes.
+/// A guard that waits for all tasks of a pool at the end of a scope, because the tasks refer to local objects.
 struct DrainAtEnd {
     explicit DrainAtEnd(TaskPool& drained) : pool(drained) {}
 
@@ -106,7 +106,7 @@ Leader::Member* Leader::freeMember(std::size_t atOnce) {
     Member* best = nullptr;
     for (Member& member : members_) {
         if (member.running >= std::min<std::size_t>(member.report.threads, atOnce)) continue;
-        // The last of equals: the leader has other things to do, too.
+        // Among equally loaded members the last one wins, because the leader (the first) also sends messages.
         if (best == nullptr || member.running <= best->running) best = &member;
     }
     return best;
@@ -199,7 +199,8 @@ pipeline::TeamShare Leader::endPhase() {
         available += phaseSeconds_ * member.report.threads;
         if (member.busySeconds > members_[share_.slowest].busySeconds) share_.slowest = member.report.rank;
     }
-    // Tasks share the threads of their process, so their times may overlap and come to more than there is.
+    // Tasks share the threads of their process. Their times can therefore overlap and sum up to more than the available
+    // time.
     share_.idle = available > 0 ? std::clamp(1 - busy / available, 0.0, 1.0) : 0;
     for (Member& member : members_)
         member.busySeconds = 0;
@@ -219,7 +220,7 @@ void Leader::dismiss() {
         const std::optional<Letter> letter = mailbox_.receive();
         if (letter && letter->subject == Subject::Bye)
             take(*letter);
-        else if (!letter) // what else is still on its way no longer matters
+        else if (!letter) // other messages no longer matter
             patience.wait();
     }
     members_.front().report.peakResidentBytes = telemetry::peakResident().count;

@@ -1,4 +1,4 @@
-// The process of rank 0, which knows the state of a build and hands its tasks out.
+// The leader of a distributed build: the process of rank 0, which stores the state of the build and assigns tasks.
 #pragma once
 
 #include "preprocess/distributed/mailbox.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::distributed {
 
-/// Tasks go to whoever has a thread without one, the largest first; the leader does its share.
+/// A team that assigns each task to a process with a free thread, the largest task first. The leader also runs tasks.
 class Leader final : public pipeline::ProcessTeam {
 public:
     explicit Leader(Mailbox& mailbox);
@@ -23,35 +23,37 @@ public:
     void run(const pipeline::TaskPhase& phase, const pipeline::Perform& perform) override;
     pipeline::TeamShare endPhase() override;
 
-    /// Ends the work of all others and waits for them, a minute at most: then all processes are ended.
+    /// Stops all other processes and waits up to one minute for them. After this minute it ends all processes of the
+    /// job.
     void dismiss();
 
-    /// What each did; complete after `dismiss`, but for the bytes that the leader itself read and wrote.
+    /// Returns one report per process. The reports are complete after `dismiss`, except for the bytes that the leader
+    /// itself read and wrote.
     std::vector<pipeline::ProcessReport> reports() const;
 
 private:
     struct Member {
         pipeline::ProcessReport report;
-        bool isThere = false; // it has said Hello
+        bool isThere = false; // whether the process sent Hello
         bool isReady = false;
         bool isGone = false;
         std::size_t running = 0;
         double busySeconds = 0; // in this phase
     };
 
-    /// Whether it has handed out any.
+    /// Assigns tasks of `queue` to free threads. Returns true if it assigned at least one task.
     bool handOut(std::deque<std::uint32_t>& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
 
     Member* freeMember(std::size_t atOnce);
 
     void count(Member& member, double seconds);
 
-    /// Receives letters until one is a result or there is none; throws what a helper failed of.
+    /// Receives messages until one contains a result or no message is left. Throws the error of a failed helper.
     std::optional<Outcome> receiveOutcome();
 
     void take(const Letter& letter);
 
-    /// Waits until `isDone` holds of all members.
+    /// Waits until `isDone` is true for all members.
     template <class IsDone>
     void waitForAll(const IsDone& isDone, Progress& progress);
 
@@ -62,7 +64,7 @@ private:
     std::optional<TaskPool> pool_;
     Progress* progress_ = nullptr;
     std::string key_;
-    double phaseSeconds_ = 0; // of runs since the last endPhase
+    double phaseSeconds_ = 0; // time of all runs since the last endPhase
     pipeline::TeamShare share_;
 };
 

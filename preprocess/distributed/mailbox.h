@@ -1,4 +1,4 @@
-// Letters between the processes of one MPI job: sent and received without waiting.
+// Non-blocking messages between the processes of one MPI job.
 #pragma once
 
 #include <cstddef>
@@ -10,31 +10,33 @@
 
 namespace gnomon::distributed {
 
-/// What a letter is about.
+/// The subject of a message: its MPI tag and the type of its content.
 enum class Subject : std::uint8_t {
-    Hello,  // helper to leader: Hello
-    Begin,  // leader to helper: Beginning
-    Facts,  // leader to helper: TaskFacts
-    Ready,  // helper to leader: nothing
-    Task,   // leader to helper: Assignment
-    Result, // helper to leader: Outcome
-    Failed, // helper to leader: a text
-    Stop,   // leader to helper: nothing
-    Bye,    // helper to leader, its last: Farewell
+    Hello,  // helper to leader; content: Hello
+    Begin,  // leader to helper; content: Beginning
+    Facts,  // leader to helper; content: TaskFacts
+    Ready,  // helper to leader; no content
+    Task,   // leader to helper; content: Assignment
+    Result, // helper to leader; content: Outcome
+    Failed, // helper to leader; content: a text
+    Stop,   // leader to helper; no content
+    Bye,    // last message of a helper to the leader; content: Farewell
 };
 
+/// A received message with the rank of its sender.
 struct Letter {
     std::uint32_t from = 0;
     Subject subject = Subject::Stop;
     std::vector<std::byte> bytes;
 };
 
-/// This process's part in an MPI job, from MPI_Init to MPI_Finalize; one in a process, used by one thread.
+/// The connection of this process to its MPI job, from MPI_Init to MPI_Finalize. A process has one mailbox, and one
+/// thread uses it.
 class Mailbox {
 public:
     Mailbox(int* argc, char*** argv);
 
-    /// Ends MPI's part in this process, in all processes together.
+    /// Calls MPI_Finalize. All processes of the job must do this.
     ~Mailbox();
     Mailbox(const Mailbox&) = delete;
     Mailbox& operator=(const Mailbox&) = delete;
@@ -45,22 +47,23 @@ public:
 
     std::uint32_t count() const { return count_; }
 
-    /// The host's name.
+    /// Returns the host name of this process.
     const std::string& host() const { return host_; }
 
-    /// Begins to send; letters to one receiver arrive in order. Throws Error for more than 2 GiB.
+    /// Starts to send a message and returns without waiting. Messages to one receiver arrive in order. Throws Error if
+    /// `bytes` exceeds 2 GiB.
     void send(std::uint32_t to, Subject subject, std::vector<std::byte> bytes);
 
-    /// A letter, if one is there.
+    /// Returns a message if one has arrived.
     std::optional<Letter> receive();
 
-    /// Whether all letters are on their way.
+    /// Returns true if MPI has finished all sends.
     bool hasSentAll();
 
-    /// Bytes of all letters that were sent.
+    /// Returns the number of bytes of all messages that were sent.
     std::uint64_t bytesSent() const { return bytesSent_; }
 
-    /// Ends all processes at once.
+    /// Ends all processes of the job at once.
     [[noreturn]] void abort();
 
 private:
@@ -73,8 +76,8 @@ private:
     std::uint64_t bytesSent_ = 0;
 };
 
-/// Sleeps a little longer each time, up to a millisecond, until something has come: a waiting process leaves its
-/// processor to others.
+/// A backoff for a process that polls for messages. The sleep doubles from 20 microseconds up to 1000, so that a
+/// waiting process leaves its core to other processes.
 class Patience {
 public:
     void wait();

@@ -1,4 +1,4 @@
-// What letters between the processes of a build say, and how as bytes.
+// The contents of the messages between the processes of a build, with their encoding as bytes.
 #pragma once
 
 #include "preprocess/pipeline/tasks/process_team.h"
@@ -8,41 +8,43 @@
 
 namespace gnomon::distributed {
 
-/// What a helper says first.
+/// The first message of a helper.
 struct Hello {
     std::string host;
     std::uint32_t threads = 1;
-    std::string key; // of input and options: all processes must have the same
+    std::string key; // key of input and options; it must be the same in all processes
 };
 
-/// What all tasks need.
+/// The data that all tasks of a helper need.
 struct Beginning {
-    pipeline::ScratchPlace place; // the leader's; helper i has the i-th part after it
+    pipeline::ScratchPlace place; // part of the leader; helper i uses the i-th part after it
 };
 
+/// A task with its input.
 struct Assignment {
     pipeline::TaskKind kind = pipeline::TaskKind::BuildNode;
     std::uint32_t task = 0;
     std::vector<std::byte> input;
 };
 
-/// What came of an assignment.
+/// The result of an assignment.
 struct Outcome {
     std::uint32_t task = 0;
     double seconds = 0;
-    std::uint64_t progress = 0;  // since the outcome before
-    std::uint64_t bytesRead = 0; // likewise
+    std::uint64_t progress = 0;  // progress since the previous outcome
+    std::uint64_t bytesRead = 0; // bytes read since the previous outcome
     std::uint64_t bytesWritten = 0;
     std::vector<std::byte> result;
 };
 
-/// What a helper says last.
+/// The last message of a helper.
 struct Farewell {
     std::uint64_t peakResidentBytes = 0;
-    std::uint64_t tableBytes = 0; // as in ProcessReport
+    std::uint64_t tableBytes = 0; // see ProcessReport
     std::uint64_t bytesSent = 0;
 };
 
+/// Encodes the content of a message as bytes.
 std::vector<std::byte> encoded(const Hello& hello);
 std::vector<std::byte> encoded(const Beginning& beginning);
 std::vector<std::byte> encoded(const Assignment& assignment);
@@ -50,7 +52,7 @@ std::vector<std::byte> encoded(const Outcome& outcome);
 std::vector<std::byte> encoded(const Farewell& farewell);
 std::vector<std::byte> encoded(const std::string& text);
 
-/// What `encoded` made. Throw hierarchy::Damage.
+/// Decodes the bytes of `encoded`. The functions throw hierarchy::Damage if the bytes are malformed.
 Hello decodedHello(std::span<const std::byte> bytes);
 Beginning decodedBeginning(std::span<const std::byte> bytes);
 Assignment decodedAssignment(std::span<const std::byte> bytes);

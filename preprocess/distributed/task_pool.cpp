@@ -17,8 +17,8 @@ struct TaskPool::State {
         arena.initialize();
     }
 
-    tbb::global_control limit; // one more for the thread that talks
-    tbb::task_arena arena;     // without a place for the thread that talks
+    tbb::global_control limit; // one more thread, for the thread that handles messages
+    tbb::task_arena arena;     // no slot for the thread that handles messages
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<Finished> finished;

@@ -1,4 +1,4 @@
-// The tasks of this process, in threads beside the one that talks to the other processes.
+// Runs the tasks of this process in threads, while the main thread exchanges messages.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace gnomon::distributed {
 
-/// What came of a task: a result, or what it has thrown.
+/// A finished task with its result or its exception.
 struct Finished {
     std::uint32_t task = 0;
     std::vector<std::byte> result;
@@ -19,29 +19,30 @@ struct Finished {
     std::exception_ptr error;
 };
 
+/// A thread pool for tasks.
 class TaskPool {
 public:
-    /// Runs tasks in `threads` threads. TBB has no more threads in this process while this object exists, beside the
-    /// thread that makes it.
+    /// Creates a pool of `threads` threads. While the pool exists, TBB is limited to these threads and the thread that
+    /// created the pool.
     explicit TaskPool(std::size_t threads);
 
-    /// Waits for the tasks that run.
+    /// Waits for the running tasks.
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
     TaskPool& operator=(const TaskPool&) = delete;
     TaskPool(TaskPool&&) = delete;
     TaskPool& operator=(TaskPool&&) = delete;
 
-    /// How many tasks were started whose outcome was not taken.
+    /// Returns the number of started tasks whose result `finished` has not returned yet.
     std::size_t running() const { return running_; }
 
-    /// Runs `work` soon.
+    /// Queues `work` for a thread of the pool.
     void start(std::uint32_t task, std::function<std::vector<std::byte>()> work);
 
-    /// An outcome, if there is one.
+    /// Returns a finished task if there is one.
     std::optional<Finished> finished();
 
-    /// Waits for all that runs, and forgets what comes of it.
+    /// Waits for all started tasks and discards their results.
     void drain();
 
 private:

@@ -1,4 +1,4 @@
-// The program `gnomon-mpi`: commands of `gnomon` by the processes of an MPI job, as one.
+// The program `gnomon-mpi`, which runs commands of `gnomon` on all processes of an MPI job together.
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -53,7 +53,8 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
     return code;
 }
 
-/// Its exit code is 0 in any case: the leader tells what fails, and fails once.
+/// Runs a process of a rank other than 0. Returns 0 in any case, because the leader (rank 0) reports all errors and
+/// returns the exit code of the job.
 int help(distributed::Mailbox& mailbox, int argc, char** argv) {
     distributed::Helper helper(mailbox);
     const auto build = [&](read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress) {
@@ -84,8 +85,8 @@ int run(int argc, char** argv) {
             app::endCleanlyOnSignals();
             code = lead(mailbox, argc, argv);
         } else {
-            app::onlyNoteSignals(); // of them, too, the leader tells; mpirun sends one once the leader ends with an
-                                    // error
+            // The leader also reports signals; mpirun sends one if the leader ends with an error.
+            app::onlyNoteSignals();
             code = help(mailbox, argc, argv);
         }
     });

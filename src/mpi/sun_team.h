@@ -1,4 +1,4 @@
-// The ranks of an MPI job that count hours of sun: each decides a fixed share of the directions.
+// The ranks of an MPI job that compute hours of sun. Each rank computes a fixed share of the light directions.
 #pragma once
 
 #include "measure/sun_hours_team.h"
@@ -9,10 +9,11 @@
 
 namespace gnomon::mpi {
 
-/// Letters tell who fails and who is ready. One reduce adds the results of all ranks.
+/// A team of MPI ranks for hours of sun. Messages report failed and ready ranks. One reduction adds the results of all
+/// ranks.
 class SunTeam final : public measure::SunHoursTeam {
 public:
-    /// `noteStop` is called in a rank other than 0 when rank 0 says Stop.
+    /// Joins the team. In a rank other than 0, the team calls `noteStop` if rank 0 sends Stop.
     explicit SunTeam(distributed::Mailbox& mailbox, std::function<void()> noteStop = {});
 
     daylight::LightShare share() const override { return {mailbox_.rank(), mailbox_.count()}; }
@@ -24,22 +25,22 @@ public:
 private:
     struct Member {
         std::string host;
-        bool hasArrived = false; // at the next meeting
+        bool hasArrived = false; // whether the rank has reached the next barrier
     };
 
     std::string nameOf(std::uint32_t rank) const;
     void takeAsLeader(const distributed::Letter& letter);
     void takeFromLeader(const distributed::Letter& letter);
 
-    /// Waits until all ranks call this. A rank other than 0 sends a letter first. `progress` is polled for
-    /// interruptions.
+    /// Waits until all ranks call this function. A rank other than 0 first sends a message with `subject` and `bytes`.
+    /// The function polls `progress` for interruptions.
     void meet(distributed::Subject subject, std::vector<std::byte> bytes, Progress& progress);
 
     distributed::Mailbox& mailbox_;
     std::function<void()> noteStop_;
     std::string key_;
-    std::vector<Member> members_; // in rank 0
-    bool haveAllArrived_ = false; // in other ranks: rank 0 said so
+    std::vector<Member> members_; // used in rank 0
+    bool haveAllArrived_ = false; // in other ranks: whether rank 0 reported the arrival of all ranks
 };
 
 } // namespace gnomon::mpi

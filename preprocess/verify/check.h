@@ -1,4 +1,4 @@
-// What a verification finds: one row a check.
+// The result of a verification: one entry per check.
 #pragma once
 
 #include <algorithm>
@@ -9,25 +9,25 @@
 
 namespace gnomon::verify {
 
-/// A uniform cut as far as it was sampled against the source; errors in world units.
+/// A uniform cut and its sampled distances to the source. Errors are in world units.
 struct SampledCut {
     std::uint64_t triangles = 0;
-    double stored = 0;         // the largest stored error that it allows
-    double sampledRms = 0;     // of the distances from points of the source to the cut
-    double sampledLargest = 0; // of the distances both ways
+    double stored = 0;         // largest stored error in the cut
+    double sampledRms = 0;     // RMS of the distances from sampled source points to the cut
+    double sampledLargest = 0; // largest sampled distance in both directions
 };
 
-/// One check: how much was tested, how much of it failed, the worst value met and the first failure in words.
+/// A check: the number of tests, the number of failures, the worst value and a description of the first failure.
 struct Check {
     std::string name;
     std::uint64_t tested = 0;
     std::uint64_t failed = 0;
     double worst = 0;
     std::string detail = {};
-    std::optional<double> tightness = {}; // of error_bound: the median of stored / sampled error
-    std::vector<SampledCut> cuts = {};    // of error_bound: those that it compared, finest first
+    std::optional<double> tightness = {}; // of error_bound: median of stored error / sampled error
+    std::vector<SampledCut> cuts = {};    // of error_bound: the compared cuts, finest first
 
-    /// Counts one test; `words` is called for the first failure only.
+    /// Counts one test. The function calls `words` only for the first failure.
     template <class Words>
     void test(bool holds, const Words& words) {
         ++tested;
@@ -35,7 +35,7 @@ struct Check {
         if (failed++ == 0) detail = words();
     }
 
-    /// Counts the tests of a part, which comes after those before it.
+    /// Adds the tests of a part. Parts must be added in order, so that `detail` describes the first failure.
     void add(const Check& part) {
         if (failed == 0 && part.failed > 0) detail = part.detail;
         tested += part.tested;
@@ -44,6 +44,7 @@ struct Check {
     }
 };
 
+/// The checks of a model.
 struct Verification {
     std::vector<Check> checks;
 

@@ -1,4 +1,4 @@
-// A model cut into cells of space, of which each fits into memory with all pages that meet it.
+// Divides a model into cells of space. Each cell fits into memory with all pages that overlap it.
 #pragma once
 
 #include "core/units.h"
@@ -10,14 +10,15 @@
 
 namespace gnomon::verify {
 
+/// A cell with its pages.
 struct CrackCell {
-    hierarchy::GridBox box;           // closed; cells do not overlap and fill the grid
-    std::vector<std::uint32_t> pages; // whose boxes meet it, ascending
-    std::uint64_t bytes = 0;          // looking for cracks in it takes at most
+    hierarchy::GridBox box;           // closed; the cells are disjoint and fill the grid
+    std::vector<std::uint32_t> pages; // ascending pages whose boxes overlap the cell
+    std::uint64_t bytes = 0;          // max memory of the crack search in this cell
 };
 
-/// Cells in which `threads` look for cracks in `memory`; cells take more where pages lie over one another so that no
-/// cut parts them.
+/// Returns cells in which `threads` threads can search for cracks within `memory`. A cell needs more memory if its
+/// pages overlap so much that no cut separates them.
 std::vector<CrackCell> crackCells(std::span<const hierarchy::PageInfo> pages, Bytes memory, std::size_t threads = 1);
 
 } // namespace gnomon::verify

@@ -18,7 +18,8 @@ using namespace hierarchy;
 
 namespace {
 
-/// Refines what looks larger than `threshold` (world units of error a unit of distance) from `eye`.
+/// A view that refines a group if its error exceeds `threshold` times the distance from `eye`. The threshold is in
+/// world units of error per unit of distance.
 struct View {
     glm::dvec3 eye{0}; // local space
     double threshold = 0;
@@ -26,17 +27,17 @@ struct View {
     bool operator()(double error, const Sphere& bounds) const { return error > threshold * distance(bounds, eye); }
 };
 
-/// Draws views that differ: near, on, inside and far from the model, with thresholds at which a group chosen at random
-/// from a level chosen at random just flips.
+/// Draws various random views: near, on, inside and far from the model. The threshold is the exact limit of a random
+/// group of a random level.
 class ViewSource {
 public:
-    /// `surfacePoint(random)` draws a vertex of the model.
+    /// Creates a source of views. `surfacePoint(random)` returns a random vertex of the model.
     ViewSource(const ModelSummary& summary, std::function<GridPoint(Random&)> surfacePoint)
         : grid_(summary.grid), surfacePoint_(std::move(surfacePoint)), groups_(summary.levels.size()) {
         bounds_ = {summary.bounds.min - grid_.origin, summary.bounds.max - grid_.origin};
     }
 
-    /// Groups of a page; all before the first view.
+    /// Adds the groups of a page. All groups must be added before the first view.
     void add(std::uint32_t level, std::span<const Group> groups) {
         for (const Group& group : groups)
             if (std::isfinite(group.error)) groups_[level].push_back(&group);
@@ -82,13 +83,13 @@ private:
     Grid grid_;
     std::function<GridPoint(Random&)> surfacePoint_;
     Box bounds_;
-    std::vector<std::vector<const Group*>> groups_; // with a finite error, by level
+    std::vector<std::vector<const Group*>> groups_; // groups with finite errors, by level
 };
 
-/// What one cut has at the locked edges; kept between cuts, so that only what was touched is cleared.
+/// The triangles of one cut at the locked edges. The object is reused, and only its touched entries are cleared.
 struct CutEdges {
     std::vector<std::uint32_t> triangles;
-    std::vector<std::uint64_t> levels; // bit l: a triangle of the surface of level l lies there
+    std::vector<std::uint64_t> levels; // bit l: a triangle of the surface of level l is at the edge
     std::vector<std::uint32_t> touched;
 };
 
@@ -139,8 +140,8 @@ CutResult judge(const LockedEdges& edges, CutEdges& cut) {
     return result;
 }
 
-/// Looks at the locked edges of `cell` in all views; `model` has all pages that meet it. Returns how many edges those
-/// are.
+/// Tests the locked edges of `cell` in all views. `model` must contain all pages that overlap the cell. Returns the
+/// number of these edges.
 std::size_t lookAt(
     const LoadedModel& model,
     const GridBox& cell,
@@ -156,7 +157,7 @@ std::size_t lookAt(
         if (results[i].cracks == 0) results[i].detail = found.detail;
         results[i].tested += found.tested;
         results[i].cracks += found.cracks;
-        progress.advance(0); // a chance to stop
+        progress.advance(0); // polls for interruption
     });
     return edges.count();
 }

@@ -1,4 +1,4 @@
-// Cracks of random view-dependent cuts: edges locked between groups that do not fit together.
+// Finds cracks in random view-dependent cuts: locked edges between groups that do not match.
 #pragma once
 
 #include "preprocess/verify/check.h"
@@ -8,14 +8,15 @@
 
 namespace gnomon::verify {
 
-/// Draws `cuts` random view-dependent cuts (a group is refined if its error exceeds threshold times distance to the
-/// eye) and looks at every edge that was locked at a level (locked_edges.h), in each cut that draws a triangle of the
-/// surface of that level or the next coarser one at it: the number of triangles at the edge, compared by position, must
-/// be that of the level. Worst: the most cracks in one cut.
+/// Draws `cuts` random view-dependent cuts and tests each locked edge (locked_edges.h) in them. A cut refines a group
+/// if its error exceeds the threshold times the distance to the eye. An edge locked at a level is tested in each cut
+/// that has a triangle there of the surface of that level or the next coarser one. The number of triangles at the edge,
+/// compared by position, must be equal to the number at the locked level. The worst value is the max number of cracks
+/// in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
 
-/// The same of a file, `facts` of which are given, one of `cells`, which crackCells returns, after the other. The
-/// result is the same, but perhaps for which of several cracks of a cut is told.
+/// Runs the same check on a file and loads one cell of `cells` (from crackCells) at a time. `facts` are the facts of
+/// the file. The result is identical, except that the text may describe another crack of a cut.
 Check checkCracks(
     const hierarchy::ModelFile& file,
     const ModelFacts& facts,
@@ -24,7 +25,7 @@ Check checkCracks(
     std::span<const CrackCell> cells,
     Progress& progress);
 
-/// What `cuts` cuts take beside the cells, in bytes.
+/// Returns the memory in bytes that `cuts` cuts need in addition to the cells.
 std::uint64_t cutBytes(std::uint64_t cuts);
 
 } // namespace gnomon::verify

@@ -18,13 +18,12 @@ using namespace hierarchy;
 namespace {
 
 constexpr std::size_t kMostCuts = 8;
-constexpr std::size_t kPointSamples = 60'000; // each way and cut, by area; as many corners
-constexpr std::size_t kDenseGroups = 150;     // a cut
-constexpr std::uint32_t kDensePoints = 4;     // a triangle, besides its corners
-constexpr std::size_t kDenseCorners =
-    150'000; // of the finest level, below the groups of a cut that are sampled densely
+constexpr std::size_t kPointSamples = 60'000;  // samples by area per direction and cut, and the same number of corners
+constexpr std::size_t kDenseGroups = 150;      // groups per cut
+constexpr std::uint32_t kDensePoints = 4;      // points per triangle, in addition to its corners
+constexpr std::size_t kDenseCorners = 150'000; // corners of level 0 below the densely sampled groups of a cut
 
-/// Distances that differ by rounding are the same: coordinates are below 2^31 steps.
+/// The tolerance of comparisons. Coordinates are below 2^31 steps, so smaller differences are rounding.
 constexpr double kRounding = 1e-9;
 
 /// A point on a triangle of a soup.
@@ -33,7 +32,7 @@ struct Sample {
     glm::dvec3 point{0};
 };
 
-/// A point of a triangle, uniform by area.
+/// Returns a random point of a triangle, uniform by area.
 Sample onTriangle(const TriangleSoup& soup, std::uint32_t triangle, Random& random) {
     double u = random.unit();
     double v = random.unit();
@@ -44,7 +43,7 @@ Sample onTriangle(const TriangleSoup& soup, std::uint32_t triangle, Random& rand
     return {triangle, soup.point(triangle, u, v)};
 }
 
-/// `kPointSamples` points by area and as many corners, in the order of their triangles.
+/// Returns `kPointSamples` points, uniform by area, and as many random corners, sorted by triangle.
 std::vector<Sample> drawSamples(const TriangleSoup& soup, Random& random) {
     std::vector<Sample> samples;
     if (soup.triangles.empty()) return samples;
@@ -63,7 +62,7 @@ std::vector<Sample> drawSamples(const TriangleSoup& soup, Random& random) {
     return samples;
 }
 
-/// The nearest triangles of `tree` to all samples.
+/// Returns the nearest triangle of `tree` for each sample.
 std::vector<TriangleTree::Nearest> nearestTo(const std::vector<Sample>& samples, const TriangleTree& tree) {
     std::vector<TriangleTree::Nearest> found(samples.size());
     constexpr std::size_t kRun = 256;
@@ -77,7 +76,8 @@ std::vector<TriangleTree::Nearest> nearestTo(const std::vector<Sample>& samples,
     return found;
 }
 
-/// Errors at which to cut: each level's largest, thinned to a few, the finest and the coarsest among them.
+/// Returns the errors of the tested cuts: a selection of the max errors of the levels, including the finest and the
+/// coarsest.
 std::vector<double> cutErrors(const ModelSummary& summary) {
     std::set<double> errors;
     for (const LevelInfo& level : summary.levels)
@@ -127,7 +127,7 @@ public:
     }
 
 private:
-    /// What a cluster of a cut was simplified from, as a number across pages; none at level 0.
+    /// Returns the group that a cluster of a cut was simplified from, numbered across pages, or kNone at level 0.
     std::uint32_t refinedGroup(const UniformCut::Part& part) {
         const Page& page = model_.pages[part.page];
         const std::uint32_t refinement = page.clusters[part.cluster].refinement;
@@ -177,9 +177,9 @@ private:
         if (!nearest.empty()) check_.cuts.back().sampledRms = std::sqrt(squares / static_cast<double>(nearest.size()));
     }
 
-    /// The triangles of the finest level that stand below the densely sampled groups, as parts of the soup of that cut.
+    /// Returns the triangles of level 0 below the densely sampled groups, as ranges of triangles in the finest cut.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> partsBelow() const {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> parts; // first triangle and how many
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> parts; // first triangle and count
         std::vector<std::uint32_t> open = dense_;
         std::vector<bool> isKnown(model_.firstGroup.back());
         while (!open.empty()) {
@@ -203,8 +203,8 @@ private:
         return parts;
     }
 
-    /// What of the source, whose vertices the finest level has, is how far from the cut, where groups are sampled
-    /// densely: a part that vanished is no point of the cut, and points of the source at random seldom meet it.
+    /// Measures the distance of level 0 from the cut below the densely sampled groups. The vertices of level 0 are
+    /// source vertices. A removed part has no points in the cut, and random source points seldom hit it.
     void compareBelow(const UniformCut& cut) {
         std::size_t corners = 0;
         const auto parts = partsBelow();
@@ -228,7 +228,7 @@ private:
         largest = std::max(largest, distance);
     }
 
-    /// Corners and several points of every triangle that stands for a few groups chosen at random.
+    /// Returns the corners and several points of each triangle that replaces one of a few random groups.
     std::vector<Sample> denseSamples(const UniformCut& cut) {
         std::map<std::uint32_t, std::vector<const UniformCut::Part*>> byGroup;
         for (const UniformCut::Part& part : cut.parts)
@@ -265,11 +265,11 @@ private:
     UniformCut finest_;
     Random random_;
     std::map<std::uint32_t, std::uint32_t> finestPart_; // by cluster across pages: its first triangle in `finest_`
-    std::vector<std::uint32_t> groupOfCluster_;         // across pages
+    std::vector<std::uint32_t> groupOfCluster_;         // per cluster across pages
     std::vector<Sample> sourceSamples_;
-    std::vector<TriangleTree::Nearest> finestNearest_; // of the source's samples
-    std::map<std::uint32_t, double> errorOf_;          // stored, by group
-    std::map<std::uint32_t, double> largest_;          // sampled in the cut under work, by group
+    std::vector<TriangleTree::Nearest> finestNearest_; // for the source's samples
+    std::map<std::uint32_t, double> errorOf_;          // stored error per group
+    std::map<std::uint32_t, double> largest_;          // largest sampled distance per group in the current cut
     std::vector<std::uint32_t> dense_;
     std::vector<double> ratios_;
     Check check_{"error_bound"};

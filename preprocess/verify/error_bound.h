@@ -1,4 +1,4 @@
-// Stored errors against the source: distances sampled both ways between whole uniform cuts and what they stand for.
+// Checks stored errors against the source by sampled distances in both directions between uniform cuts and the source.
 #pragma once
 
 #include "preprocess/verify/check.h"
@@ -7,15 +7,16 @@
 
 namespace gnomon::verify {
 
-/// For uniform cuts at errors from the finest to the coarsest, samples points of the cut and of `source` (corners, and
-/// points at random by area) and measures their distance to the other surface.
-///  - A point of the cut must not be further from the source than the stored error of its cluster.
-///  - A point of the source must not be further from the cut than the stored errors of the coarser groups that stand
-///    for the level-0 group it belongs to (that of the nearest level-0 triangle, whose distance is added).
-///  - For the tightness alone, corners of the finest level below densely sampled groups are measured to the cut, too.
-/// Worst: the largest sampled distance as a share of its bound; at most 1 if all holds. Tightness: the median, over
-/// groups of each cut sampled densely, of stored error / largest sampled distance. The points of the source are the
-/// same for the same seed whatever the model, so that `cuts` of models of one source can be compared.
+/// Checks the stored errors of uniform cuts from the finest to the coarsest. The function samples points of the cut and
+/// of `source` (corners, and random points by area) and measures their distances to the other surface.
+/// - The distance of a cut point from the source must not exceed the stored error of its cluster.
+/// - The distance of a source point from the cut must not exceed a bound. The bound is the max stored error of the
+///   coarser groups that replace its level-0 group, plus its distance from the nearest level-0 triangle. This triangle
+///   determines the level-0 group.
+/// - Corners of level 0 below densely sampled groups are also measured, only for the tightness.
+/// The worst value is the max ratio of a sampled distance to its bound. It is at most 1 if all tests pass. The
+/// tightness is the median over densely sampled groups of stored error / largest sampled distance. The source samples
+/// depend only on the seed, so that the `cuts` of different models of one source are comparable.
 Check checkErrorBound(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed, Progress& progress);
 
 } // namespace gnomon::verify

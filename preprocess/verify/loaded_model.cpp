@@ -8,8 +8,8 @@
 
 namespace gnomon::verify {
 
-/// So that a few bytes that say the same again and again cannot ask for all memory. The pages of a flat sheet, which
-/// repeats itself as nothing else does, decode to 255 times their stored bytes.
+/// Prevents a small malicious file from allocating all memory. For comparison, the pages of a flat sheet, the most
+/// repetitive valid model, decode to 255 times their stored bytes.
 void requireBelievable(const hierarchy::ModelFile& file) {
     constexpr std::uint64_t kMostTimes = 1024;
     const Bytes most{mebibytes(64).count + kMostTimes * file.fileBytes()};

@@ -1,4 +1,4 @@
-// A model in memory, or some of its pages, with numbers for its groups and clusters across all of them.
+// A model in memory, or some of its pages, with numbers of groups and clusters across all pages.
 #pragma once
 
 #include "core/progress.h"
@@ -9,17 +9,18 @@
 
 namespace gnomon::verify {
 
+/// The loaded pages of a model.
 struct LoadedModel {
     hierarchy::ModelSummary summary;
-    std::vector<hierarchy::Page> pages;      // empty where one is not there
-    std::vector<std::uint32_t> firstGroup;   // by page, one more at the end
-    std::vector<std::uint32_t> firstCluster; // by page, one more at the end
-    std::vector<std::uint32_t> levels;       // by page, also of those that are not there
+    std::vector<hierarchy::Page> pages;      // empty if the page is not loaded
+    std::vector<std::uint32_t> firstGroup;   // per page, plus one entry at the end
+    std::vector<std::uint32_t> firstCluster; // per page, plus one entry at the end
+    std::vector<std::uint32_t> levels;       // level of each page, loaded or not
 
     std::uint32_t groupNumber(const hierarchy::GroupRef& ref) const { return firstGroup[ref.page] + ref.group; }
 
-    /// The level whose groups `cluster` of `page` was simplified to: it is part of the surface of each level from there
-    /// up to its page's own, whose groups replace it.
+    /// Returns the first level whose surface contains `cluster` of `page`: the level after the group that the cluster
+    /// was simplified from. The cluster is part of the surfaces from this level up to the level of its page.
     std::uint32_t firstLevelOf(const hierarchy::Page& page, const hierarchy::Cluster& cluster) const {
         if (cluster.refinement == hierarchy::kNone) return 0;
         return levels[page.refinements[cluster.refinement].group.page] + 1;
@@ -28,14 +29,14 @@ struct LoadedModel {
     const hierarchy::Group& group(const hierarchy::GroupRef& ref) const { return pages[ref.page].groups[ref.group]; }
 };
 
-/// Reads `pages` of `file` on all threads. Throws Error if one cannot be read, damaged or not.
+/// Reads `pages` of `file` on all threads. Throws Error if a page is damaged or unreadable.
 LoadedModel loadPages(const hierarchy::ModelFile& file, std::span<const std::uint32_t> pages, Progress& progress);
 
-/// The same with all of them.
+/// Reads all pages of `file`. Throws Error if a page is damaged or unreadable.
 LoadedModel loadModel(const hierarchy::ModelFile& file, Progress& progress);
 
-/// Throws Error where the pages of `file` would take more memory once decoded than a thousand times the file and
-/// 64 MiB, which no model comes near to.
+/// Throws Error if the decoded pages of `file` need more than 1024 times the file size plus 64 MiB. No valid model
+/// needs that much.
 void requireBelievable(const hierarchy::ModelFile& file);
 
 } // namespace gnomon::verify

@@ -15,7 +15,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// A use of an edge or a vertex by what stays or goes as one: a group of the level under work, or a deferred cluster.
+/// A use of an edge or a vertex by its owner: a group of the current level, or a deferred cluster.
 struct Use {
     std::uint64_t what = 0;
     std::uint64_t owner = 0;
@@ -27,8 +27,8 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
 }
 
-/// Calls `take(a, b)` with the positions' numbers at both ends of each edge of each triangle of `cluster`. Edges
-/// without length are passed over.
+/// Calls `take(a, b)` with the position numbers of both ends of each triangle edge of `cluster`. Edges of zero length
+/// are skipped.
 template <class OfVertex, class Take>
 void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVertex, const Take& take) {
     for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
@@ -42,8 +42,8 @@ void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVer
     }
 }
 
-/// Calls `take(page, cluster, owner)` for all clusters of the surface of a level: those of its groups, which are their
-/// owners, and deferred ones, each its own.
+/// Calls `take(page, cluster, owner)` for each cluster of the surface of a level. The owner is the group of the
+/// cluster, or the cluster itself if it is deferred.
 template <class Take>
 void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uint32_t level, const Take& take) {
     for (std::size_t p = 0; p < model.pages.size(); ++p) {
@@ -60,7 +60,7 @@ void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uin
     }
 }
 
-/// Calls `take(run)` for each run of entries of the same thing that belongs to more than one owner.
+/// Calls `take(run)` for each run of entries of the same edge or vertex with more than one owner.
 template <class Take>
 void forEachShared(std::vector<Use>& uses, const Take& take) {
     tbb::parallel_sort(uses.begin(), uses.end());
@@ -131,7 +131,7 @@ void LockedEdges::findLocks(const LoadedModel& model) {
     std::vector<FoundLock> found;
     for (std::uint32_t level = 0; level < model.summary.levels.size(); ++level)
         findLocksOfLevel(model, level, found);
-    // Stable, so that the locks of an edge stay in the order of their levels.
+    // The sort is stable, so that the locks of an edge remain in level order.
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [edge, lock] : found) {
         if (edges_.empty() || edges_.back() != edge) {

@@ -1,6 +1,6 @@
-// The edges that are locked at some level, and which triangles of which clusters lie at them. The surface of a level is
-// its groups and the clusters that it defers to a coarser one; an edge that several of these share stays as
-// it is from this surface to the next coarser one.
+// The locked edges of each level, and the triangles of clusters at these edges. The surface of a level consists of its
+// groups and of the clusters that it defers to a coarser level. An edge is locked if several of them share it. A locked
+// edge does not change from this surface to the next coarser one.
 #pragma once
 
 #include "preprocess/verify/loaded_model.h"
@@ -11,40 +11,40 @@
 
 namespace gnomon::verify {
 
-/// A level at which an edge is locked, and the triangles that lie at it there.
+/// A level at which an edge is locked, and the number of triangles at the edge in this level.
 struct EdgeLock {
     std::uint32_t level = 0;
     std::uint32_t triangles = 0;
 };
 
-/// All of the grid.
+/// The box of the whole grid.
 inline constexpr hierarchy::GridBox kWholeGrid{
     {0, 0, 0}, {hierarchy::kMaxGridCoordinate, hierarchy::kMaxGridCoordinate, hierarchy::kMaxGridCoordinate}};
 
-/// The locked edges of a model whose lesser end, by coordinates in turn, lies in a cell of the grid. Positions, not
-/// vertices, make an edge: its ends are numbers of distinct positions. All pages whose box meets the cell must be
-/// there.
+/// The locked edges of a model whose lower end (compared by x, y, z) is in a cell of the grid. An edge is defined by
+/// positions, not vertices: its ends are numbers of distinct positions. All pages whose box overlaps the cell must be
+/// loaded.
 class LockedEdges {
 public:
     explicit LockedEdges(const LoadedModel& model, const hierarchy::GridBox& cell = kWholeGrid);
 
     std::size_t count() const { return edges_.size(); }
 
-    /// The locks of an edge, by level.
+    /// Returns the locks of an edge, by level.
     std::span<const EdgeLock> locks(std::uint32_t edge) const {
         return std::span(locks_).subspan(firstLock_[edge], firstLock_[edge + 1] - firstLock_[edge]);
     }
 
-    /// Of which levels' surfaces a cluster (numbered across pages) is part: bit l for level l.
+    /// Returns a bit set of the levels whose surface contains a cluster (numbered across pages).
     std::uint64_t levelsOf(std::uint32_t cluster) const { return levelsOf_[cluster]; }
 
-    /// The edges at the triangles of a cluster (numbered across pages), one entry for each triangle at each edge.
+    /// Returns the edges at the triangles of a cluster (numbered across pages), with one entry per triangle and edge.
     std::span<const std::uint32_t> edgesOf(std::uint32_t cluster) const {
         return std::span(incidences_)
             .subspan(firstIncidence_[cluster], firstIncidence_[cluster + 1] - firstIncidence_[cluster]);
     }
 
-    /// An end of an edge.
+    /// Returns an end of an edge.
     hierarchy::GridPoint end(std::uint32_t edge, bool second) const {
         return positions_[second ? static_cast<std::uint32_t>(edges_[edge]) : edges_[edge] >> 32U];
     }
@@ -61,9 +61,9 @@ private:
     std::uint32_t find(std::uint64_t edge) const;
 
     hierarchy::GridBox cell_;
-    std::vector<std::uint64_t> levelsOf_;    // by cluster
-    std::vector<std::uint32_t> firstVertex_; // by page
-    std::vector<std::uint32_t> positionOf_;  // by vertex across pages
+    std::vector<std::uint64_t> levelsOf_;    // per cluster
+    std::vector<std::uint32_t> firstVertex_; // per page
+    std::vector<std::uint32_t> positionOf_;  // per vertex across pages
     std::vector<hierarchy::GridPoint> positions_;
     std::vector<std::uint64_t> edges_;     // lower end << 32 | higher end, ascending
     std::vector<std::uint32_t> firstEdge_; // by lower end

@@ -13,7 +13,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// Makes the words for a failed test of a group.
+/// Builds the text for a failed test of a group.
 class GroupName {
 public:
     GroupName(std::size_t page, std::size_t group) : page_(page), group_(group) {}

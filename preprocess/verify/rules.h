@@ -1,21 +1,22 @@
-// The rules that hold between pages: structure, nested bounds, monotone errors.
+// The rules between pages: structure, nested bounds and monotone errors.
 #pragma once
 
 #include "preprocess/verify/model_facts.h"
 
 namespace gnomon::verify {
 
-/// Whether every refinement names a group of a finer page that is there: without that nothing else can be checked.
+/// Returns true if each refinement names an existing group of a finer page. All other checks need this.
 bool refinementsResolve(const ModelFacts& model);
 
-/// Pages by themselves, references between them, copies that agree, sums that agree with the summary.
+/// Checks each page, the references between pages, copied values, and the sums of the summary.
 Check checkStructure(const ModelFacts& model);
 
-/// Bounds of a group enclose its box and the bounds of all that its clusters refine to. Worst: how far something
-/// sticks out, world units.
+/// Checks that the bounds of each group contain its box and the bounds of all its refinements. The worst value is the
+/// largest excess in world units.
 Check checkNesting(const ModelFacts& model);
 
-/// Errors never decrease towards the root and none is below the grid's own. Worst: the largest decrease, world units.
+/// Checks that errors never decrease towards the root and are at least the snap error of the grid. The worst value is
+/// the largest decrease in world units.
 Check checkMonotoneError(const ModelFacts& model);
 
 } // namespace gnomon::verify

@@ -9,7 +9,7 @@ namespace gnomon::verify {
 
 namespace {
 
-/// The grid point nearest to a local position, as numbers.
+/// Returns the grid point nearest to a local position, as floating-point coordinates.
 glm::dvec3 snapped(const glm::dvec3& local, const hierarchy::Grid& grid) {
     return glm::floor(local / grid.step() + 0.5);
 }
@@ -29,7 +29,7 @@ TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Pro
             throw Error(source.summary().path, "too many vertices to be compared with");
         for (const glm::dvec3& position : block.positions)
             soup.positions.push_back(position - grid.origin);
-        progress.advance(0); // vertices are not counted, but a place to stop
+        progress.advance(0); // polls for interruption; vertices do not count as progress
     });
     read::PolygonRefiner refiner(progress);
     std::vector<read::TriangleCorners> triangles;

@@ -1,4 +1,4 @@
-// The source of a model as triangles in its local space: what stored errors are measured against.
+// Reads the source of a model as triangles in local space, for the check of stored errors.
 #pragma once
 
 #include "core/progress.h"
@@ -8,8 +8,9 @@
 
 namespace gnomon::verify {
 
-/// Reads all of `source`. Triangles that a build drops, because two of their corners are the same grid point or because
-/// a corner is beyond the grid's range, are left out. Progress advances by the triangles read, those left out included.
+/// Reads all triangles of `source`. The function skips triangles that a build drops: two corners have the same grid
+/// point, or a corner is outside the grid's range. `progress` advances by the triangles read, including the skipped
+/// ones.
 TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Progress& progress);
 
 } // namespace gnomon::verify

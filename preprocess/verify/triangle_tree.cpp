@@ -44,7 +44,7 @@ double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec
     const double sum = va + vb + vc;
     double least = std::min(
         {squaredDistanceToSegment(p, a, b), squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)});
-    // Even where rounding makes a sliver's weights wrong, positive ones name a point of it.
+    // Even if rounding makes the weights of a sliver wrong, positive weights describe a point of the triangle.
     if (va > 0 && vb > 0 && vc > 0) least = std::min(least, squaredLength(p - (a + ab * (vb / sum) + ac * (vc / sum))));
     return least;
 }
@@ -114,8 +114,9 @@ TriangleTree::Bounds TriangleTree::build(
     std::nth_element(at(begin), at(middle), at(end), [axis](const Item& a, const Item& b) {
         return a.centre[axis] < b.centre[axis];
     });
-    // Leaves hold at least two triangles once there is more than one leaf, so n triangles take fewer than n nodes: the
-    // right subtree can begin where the left one must have ended, and threads share no counter.
+    // If there is more than one leaf, each leaf has at least two triangles, so that n triangles need fewer than n
+    // nodes. The right subtree therefore starts at a known index behind the left one, and threads need no shared
+    // counter.
     node.next = index + (middle - begin);
     Bounds left;
     Bounds right;
@@ -152,7 +153,7 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, std::uint32
         double square;
     };
 
-    std::array<Entry, 64> stack{}; // deeper than any tree over 2^32 triangles that is halved at every node
+    std::array<Entry, 64> stack{}; // deeper than any tree over 2^32 triangles that is halved at each node
     std::size_t size = 0;
     stack[size++] = {0, nodes_[0].bounds.squaredDistance(point)};
     while (size > 0) {

@@ -1,4 +1,4 @@
-// The nearest triangle to a point, exactly: a tree of boxes over triangles of shared positions.
+// Exact queries for the triangle nearest to a point: a bounding volume hierarchy over indexed triangles.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@
 
 namespace gnomon::verify {
 
-/// Triangles over positions of their own; coordinates near the origin (local space) keep double precision.
+/// A triangle soup with its own positions. Coordinates near the origin (local space) preserve double precision.
 struct TriangleSoup {
     std::vector<glm::dvec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -22,17 +22,17 @@ struct TriangleSoup {
         return 0.5 * glm::length(glm::cross(corner(triangle, 1) - a, corner(triangle, 2) - a));
     }
 
-    /// The point with barycentric coordinates 1 - u - v, u, v.
+    /// Returns the point with barycentric coordinates 1 - u - v, u, v.
     glm::dvec3 point(std::uint32_t triangle, double u, double v) const {
         return corner(triangle, 0) * (1 - u - v) + corner(triangle, 1) * u + corner(triangle, 2) * v;
     }
 };
 
-/// The squared distance of `p` from the triangle a, b, c, which may be a segment or a point. Ericson, "Real-Time
-/// Collision Detection", 2005, section 5.1.5.
+/// Returns the squared distance of `p` from the triangle a, b, c. The triangle may be degenerate (Ericson, "Real-Time
+/// Collision Detection", 2005, section 5.1.5).
 double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// A tree over a soup that outlives it.
+/// A tree over a soup. The soup must outlive it.
 class TriangleTree {
 public:
     explicit TriangleTree(const TriangleSoup& soup);
@@ -42,7 +42,8 @@ public:
         std::uint32_t triangle = 0xFFFFFFFFU;
     };
 
-    /// The nearest triangle; `hint`, if it is one, only saves time where it is near. Infinite for an empty soup.
+    /// Returns the triangle nearest to `point`. A good `hint` only makes the query faster. The distance is infinite for
+    /// an empty soup.
     Nearest nearest(const glm::dvec3& point, std::uint32_t hint = 0xFFFFFFFFU) const;
 
 private:
@@ -55,9 +56,9 @@ private:
 
     struct Node {
         Bounds bounds;
-        std::uint32_t next = 0;  // of a leaf: the first of its triangles in order_; else its right child (the left one
-                                 // follows it)
-        std::uint32_t count = 0; // of a leaf's triangles; 0 for an inner node
+        // Leaf: its first triangle in order_; inner node: its right child (the left child follows the node).
+        std::uint32_t next = 0;
+        std::uint32_t count = 0; // number of triangles of a leaf; 0 for an inner node
     };
 
     struct Item;

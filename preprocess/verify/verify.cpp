@@ -19,7 +19,7 @@ namespace gnomon::verify {
 
 namespace {
 
-constexpr std::size_t kMostLevels = 62; // a cut marks levels in the bits of one word
+constexpr std::size_t kMostLevels = 62; // a cut marks levels as bits of one word
 
 Check checkChecksums(const hierarchy::ModelFile& file, const ModelFacts& model) {
     Check check{"checksums"};
@@ -44,7 +44,7 @@ void leaveOut(Verification& verification, const std::vector<std::string>& names,
         verification.checks.push_back(leftOut(name, why));
 }
 
-/// As many threads as half of the memory beside facts has pages for.
+/// Returns the max number of threads whose pages fit into half of the memory that remains after the facts.
 std::size_t threadsFor(const hierarchy::ModelFile& file, Bytes memory) {
     std::uint64_t page = 1;
     for (const hierarchy::PageInfo& info : file.pages())
@@ -62,7 +62,7 @@ Check checkCracksWithin(
     const VerifyOptions& options,
     std::size_t threads,
     Progress& progress) {
-    constexpr std::uint64_t kOther = std::uint64_t{8} << 20U; // stored pages while they are decoded, tables of pages
+    constexpr std::uint64_t kOther = std::uint64_t{8} << 20U; // stored pages during their decoding, and page tables
     const std::uint64_t others = kOther + cutBytes(options.cuts);
     const std::uint64_t taken = residentSize().count + others;
     const Bytes room{options.memory.count - std::min(options.memory.count, taken)};
@@ -74,10 +74,10 @@ Check checkCracksWithin(
     return checkCracks(file, model, options.cuts, options.seed, cells, progress);
 }
 
-/// What comparing the model with its source takes: both, their trees, and the cuts with theirs.
+/// Returns the memory for the comparison with the source: the model, the source, the cuts and their trees.
 Bytes comparisonBytes(const hierarchy::ModelFile& file, const read::MeshSummary& source) {
     constexpr std::uint64_t kSamples = std::uint64_t{48} << 20U;
-    constexpr std::uint64_t kTreeBytes = 56; // of a triangle: its node, its place in the order, its middle
+    constexpr std::uint64_t kTreeBytes = 56; // per triangle: its node, its entry in the order, its centre
     const auto soup = [](std::uint64_t vertices, std::uint64_t triangles) {
         return vertices * sizeof(glm::dvec3) + triangles * sizeof(std::array<std::uint32_t, 3>);
     };

@@ -21,7 +21,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// How the number of triangles changes where the limit of a uniform cut passes `error`.
+/// The change of the number of triangles if the limit of a uniform cut passes `error`.
 struct Step {
     double error = 0;
     std::int64_t triangles = 0;
@@ -31,7 +31,8 @@ struct Step {
     }
 };
 
-/// A cluster is in the cut from its stored error on, until the limit reaches its group's.
+/// Returns the changes of the cut for all limits. A cluster is in the cut if the limit is at least its stored error and
+/// below the error of its group.
 std::vector<Step> stepsOf(const ModelFile& file, std::optional<Bytes> memory, Progress& progress) {
     std::vector<Step> steps;
     std::uint64_t count = 0;
@@ -54,18 +55,18 @@ std::vector<Step> stepsOf(const ModelFile& file, std::optional<Bytes> memory, Pr
     return steps;
 }
 
-/// Which groups a uniform cut refines: those above an error, and of those at it the first ones. Pages come coarsest
-/// first, so what a group was simplified into stands before it, and the cut is one without cracks.
+/// The groups that a uniform cut refines: groups above an error, and the first groups with exactly this error. Pages
+/// are sorted from coarse to fine. The parents of a group therefore come before it, and the cut has no cracks.
 struct CutLimit {
     double error = 0;
-    GroupRef end{0, 0}; // groups at `error` are refined up to this one
+    GroupRef end{0, 0}; // groups at `error` are refined up to this group
 
     bool isRefined(double groupError, GroupRef group) const {
         return groupError > error || (groupError == error && group < end);
     }
 };
 
-/// By how many triangles the cut grows where each group at `error` is refined.
+/// Returns the number of triangles that the refinement of each group at `error` adds.
 std::map<GroupRef, std::int64_t> growthAt(const ModelFile& file, double error, Progress& progress) {
     std::map<GroupRef, std::int64_t> growth;
     progress.stage("groups", "pages", file.pages().size());
@@ -87,8 +88,8 @@ std::map<GroupRef, std::int64_t> growthAt(const ModelFile& file, double error, P
     return growth;
 }
 
-/// Refines groups at the limit's error, where many may have the same, while at most `most` triangles come of it; there
-/// are `triangles` without them.
+/// Refines groups whose error is equal to the limit, as long as the cut has at most `most` triangles. Many groups may
+/// have this error. `triangles` is the number without these refinements.
 void refineGroups(
     const ModelFile& file, std::int64_t triangles, std::uint64_t most, CutLimit& limit, Progress& progress) {
     std::int64_t best = triangles;
@@ -100,7 +101,8 @@ void refineGroups(
     }
 }
 
-/// The finest cut of at most `most` triangles: the least error at which one is, and groups at it.
+/// Returns the finest cut of at most `most` triangles: the smallest possible error, and the groups refined at this
+/// error.
 CutLimit limitFor(const ModelFile& file, std::uint64_t most, std::optional<Bytes> memory, Progress& progress) {
     const std::vector<Step> steps = stepsOf(file, memory, progress);
     std::int64_t triangles = 0;
@@ -120,7 +122,8 @@ CutLimit limitFor(const ModelFile& file, std::uint64_t most, std::optional<Bytes
         std::to_string(most));
 }
 
-/// The largest limit that promises at most `error`; of 0 one below all errors, so that all groups are refined.
+/// Returns the largest limit whose cut has at most this error. For an error of 0 it returns a negative limit, so that
+/// all groups are refined.
 CutLimit limitOf(const ModelFile& file, double error) {
     if (error == 0) return {-1, {0, 0}};
     const double least = file.summary().grid.snapError();
@@ -132,7 +135,7 @@ CutLimit limitOf(const ModelFile& file, double error) {
         formatted("%g", error));
 }
 
-/// Calls `take(cluster)` for the clusters of `group`, which the cut refines, that the cut draws.
+/// Calls `take(cluster)` for each cluster of the refined group `group` that the cut draws.
 template <class Take>
 void forEachDrawn(const Page& page, const Group& group, const CutLimit& limit, const Take& take) {
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
@@ -145,19 +148,19 @@ void forEachDrawn(const Page& page, const Group& group, const CutLimit& limit, c
     }
 }
 
-/// How much a cut holds.
+/// The size of a cut.
 struct CutSize {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     std::uint64_t clusters = 0;
 };
 
-/// Whether no group of a page is refined.
+/// Returns true if the cut refines no group of the page.
 bool isLeftOut(const PageInfo& info, const CutLimit& limit) {
     return info.maxError < limit.error;
 }
 
-/// The size of the pages of which a cut has groups: the cut itself is smaller.
+/// Returns the total size of the pages with refined groups, which is an upper bound of the cut's size.
 CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
     CutSize size;
     for (const PageInfo& info : file.pages()) {
@@ -169,7 +172,7 @@ CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
     return size;
 }
 
-/// The exact size, which takes a pass over the pages.
+/// Returns the exact size of the cut. This needs a pass over the pages.
 CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progress) {
     CutSize size;
     progress.stage("measure", "pages", file.pages().size());
@@ -189,23 +192,23 @@ CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progre
     return size;
 }
 
-/// What holding and welding a cut takes, and then writing it, which takes `writingBytes` a vertex.
+/// Returns the memory for collecting, welding and writing a cut. Writing needs `writingBytes` per vertex.
 std::uint64_t bytesOf(const CutSize& size, const ModelSummary& summary, std::uint64_t writingBytes) {
-    constexpr std::uint64_t kOther = std::uint64_t{16} << 20U; // a page that is decoded, buffers of the output
-    constexpr std::uint64_t kWeldBytes = 12;                   // of a vertex: order, first and place
+    constexpr std::uint64_t kOther = std::uint64_t{16} << 20U; // a decoded page and output buffers
+    constexpr std::uint64_t kWeldBytes = 12;                   // per vertex: order, first and place
     const std::uint64_t ofVertex =
         sizeof(Vertex) + (summary.fields.empty() ? 0 : sizeof(std::uint32_t)) + std::max(kWeldBytes, writingBytes);
     return kOther + size.vertices * ofVertex + size.triangles * sizeof(CutMesh{}.triangles[0]) +
            size.clusters * sizeof(CutCluster);
 }
 
-/// What holding a cut may take.
+/// The memory limits of a cut.
 struct CutRoom {
-    std::optional<Bytes> memory;    // of the process; nothing: no limit
-    std::uint64_t writingBytes = 0; // of a vertex, while the cut is written
+    std::optional<Bytes> memory;    // max memory of the process; nothing: no limit
+    std::uint64_t writingBytes = 0; // bytes per vertex during the writing
 };
 
-/// Returns a size that the cut does not exceed. Throws Error if the cut does not fit into the memory.
+/// Returns an upper bound of the size of the cut. Throws Error if the cut does not fit into the memory.
 CutSize affordableSize(const ModelFile& file, const CutLimit& limit, const CutRoom& room, Progress& progress) {
     const CutSize ofPages = sizeOfPages(file, limit);
     const auto bytes = [&](const CutSize& size) { return bytesOf(size, file.summary(), room.writingBytes); };
@@ -240,7 +243,8 @@ UniformCut collect(const ModelFile& file, const CutLimit& limit, const CutRoom& 
     return cut;
 }
 
-/// The vertices such that equal ones follow each other, each first one before its copies.
+/// Returns the vertices in an order in which equal vertices are adjacent. The first of equal vertices has the smallest
+/// index.
 std::vector<std::uint32_t> sortedVertices(const CutMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.vertices.size());
     for (std::uint32_t i = 0; i < order.size(); ++i)
@@ -271,7 +275,7 @@ void addCluster(const Page& page, const PageFields& fields, const Cluster& clust
 
 void weld(CutMesh& mesh) {
     const std::vector<std::uint32_t> order = sortedVertices(mesh);
-    std::vector<std::uint32_t> first(order.size()); // the first vertex equal to each
+    std::vector<std::uint32_t> first(order.size()); // the first vertex equal to each vertex
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]] ||
                            mesh.fieldsOf(order[i]) != mesh.fieldsOf(order[i - 1]);

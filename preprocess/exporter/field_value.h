@@ -1,4 +1,4 @@
-// Values of a cut's vertices as numbers that a file can have.
+// Converts the values of a cut's vertices to numbers for files.
 #pragma once
 
 #include "preprocess/exporter/cut_mesh.h"
@@ -7,14 +7,14 @@
 
 namespace gnomon::exporter {
 
-/// The value of field `i`, of a vertex whose fields are packed in `word`.
+/// Returns the value of field `i` of a vertex with the packed fields `word`.
 inline double fieldValue(
     const hierarchy::Field& field, const hierarchy::FieldLayout& layout, std::uint32_t word, std::size_t i) {
     const double part = static_cast<double>(layout.number(word, i)) / layout.greatest(i);
     return field.least + part * (field.greatest - field.least);
 }
 
-/// Whether every position is a float exactly.
+/// Returns true if each position is exactly representable by floats.
 inline bool fitsFloats(const CutMesh& mesh, const hierarchy::Grid& grid) {
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&grid](const hierarchy::Vertex& vertex) {
         const glm::dvec3 p = grid.world(vertex.position);

@@ -22,21 +22,21 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// Numbers of the format: glTF 2.0, sections 3.6.2.2, 3.6.1 and 4.4.
+// Constants of the format: glTF 2.0, sections 3.6.2.2, 3.6.1 and 4.4.
 constexpr int kFloat = 5126;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
 constexpr int kVertices = 34962;
 constexpr int kIndices = 34963;
 
-/// A level of sRGB in 16 bits of linear light, which still tells all levels apart (IEC 61966-2-1).
+/// Converts an 8-bit sRGB level to 16 bits of linear light. Different levels remain different (IEC 61966-2-1).
 std::uint16_t linearOf(std::uint32_t level) {
     const double display = level / 255.0;
     const double linear = display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
     return static_cast<std::uint16_t>(std::lround(linear * 65535));
 }
 
-/// "_QUALITY", as glTF wants names that are not its own.
+/// Returns the glTF name of an application-specific attribute, for example "_QUALITY".
 std::string attributeName(const std::string& field) {
     std::string name = "_";
     for (const char c : field) {
@@ -47,16 +47,16 @@ std::string attributeName(const std::string& field) {
     return name;
 }
 
-/// What a view of the buffer holds.
+/// The content of a buffer view.
 struct Content {
     enum Kind { Indices, Positions, Normals, Colors, OfField };
 
     Kind kind = Indices;
     std::size_t stride = 0; // bytes
-    std::size_t field = 0;  // of OfField
+    std::size_t field = 0;  // for OfField
 };
 
-/// Values in memory.
+/// A writer that appends values to memory.
 struct MemoryWriter {
     std::vector<std::byte> bytes;
 
@@ -141,7 +141,8 @@ private:
         return {{"attributes", attributes}, {"indices", indices}, {"material", 0}};
     }
 
-    /// The node's matrix, column by column: up to +y, the unit to metres, the origin back to where it was.
+    /// Returns the node's matrix in column-major order. It rotates the up axis to +y, converts the unit to metres, and
+    /// adds the origin.
     ordered_json matrix() const {
         const UprightFrame upright = uprightFrame(summary_.up.direction);
         const double metres = rowOf(summary_.unit).metres;
@@ -160,7 +161,7 @@ private:
         return values;
     }
 
-    /// The JSON, padded. Knows how many bytes follow.
+    /// Returns the JSON chunk with padding. It contains the size of the following binary chunk.
     std::string document(const std::string& path) {
         const ordered_json triangles = primitive();
         if (tile_.isPacked) pack();
@@ -179,7 +180,7 @@ private:
             {"bufferViews", views_},
             {"buffers", {{{"byteLength", writtenBytes()}}}}};
         if (tile_.isPacked) {
-            // What a reader that does not know the extension would read is not there.
+            // The fallback buffer of the extension has no data in the file.
             all["buffers"].push_back(
                 {{"byteLength", bytes_}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
             all["extensionsUsed"] = all["extensionsRequired"] = {"EXT_meshopt_compression"};
@@ -196,7 +197,7 @@ private:
         return text;
     }
 
-    /// Puts the bytes of a view into a file or into memory.
+    /// Writes the bytes of a view to a file or to memory.
     template <class Out>
     void putView(Out& out, std::size_t view) const {
         const auto putVector = [&](const glm::vec3& v) {
@@ -241,7 +242,7 @@ private:
                 static_cast<float>(fieldValue(summary_.fields[field], mesh_.fields.layout, mesh_.fieldsOf(v), field)));
     }
 
-    /// Packs all views one after the other, each from a multiple of 4 bytes on.
+    /// Compresses all views into one buffer, each aligned to 4 bytes.
     void pack() {
         for (std::size_t view = 0; view < contents_.size(); ++view) {
             MemoryWriter raw;

@@ -1,4 +1,4 @@
-// A cut as a binary glTF 2.0.
+// Writes a cut as a binary glTF 2.0 file.
 #pragma once
 
 #include "core/progress.h"
@@ -9,17 +9,20 @@
 
 namespace gnomon::exporter {
 
-/// How a .glb of one tile differs from that of a whole cut.
+/// The differences between the .glb of a tile and the .glb of a whole cut.
 struct GlbTile {
-    glm::dvec3 anchor{0};  ///< of world space: it becomes the file's origin, and positions have an origin of their own
-    bool isPacked = false; ///< by EXT_meshopt_compression, without loss; the corners of a triangle may be turned
+    glm::dvec3 anchor{0};  ///< world space; the origin of the file; positions have their own origin
+    bool isPacked = false; ///< lossless compression by EXT_meshopt_compression; may rotate the corners of a triangle
 };
 
-/// Writes `mesh` of the model of `summary` as a .glb: one mesh with positions, normals, colours in linear light, fields
-/// as attributes of their names in capitals (_QUALITY), and a dull material with two sides. Positions are floats from
-/// an origin of the model's own unless all of them are floats as they are; the node turns what is up to +y, makes
-/// metres of the unit and puts the origin back, so that survey coordinates lose no more than 2^-24 of the model's
-/// extent. Throws Error if it would not fit the 4 GiB of a .glb.
+/// Writes `mesh` of the model with this `summary` as a .glb file: one mesh with positions, normals, colours in linear
+/// light, and fields. A field is an attribute with its name in capitals (_QUALITY). The material is rough and
+/// double-sided.
+///
+/// Positions are floats relative to an origin near the model. If all world positions are exact floats, there is no such
+/// origin. The node rotates the up axis to +y, converts units to metres and adds the origin. The error of survey
+/// coordinates is therefore at most 2^-24 of the model's extent. Throws Error if the file would exceed the 4 GiB of a
+/// .glb.
 void writeGlb(
     const CutMesh& mesh,
     const hierarchy::ModelSummary& summary,

@@ -14,13 +14,14 @@ using namespace hierarchy;
 
 namespace {
 
-/// Whether floats tell the numbers of a field apart as well as doubles do.
+/// Returns true if floats distinguish the values of a field as well as doubles do.
 bool fitsFloats(const Field& field) {
     const double step = (field.greatest - field.least) / ((1U << field.bits) - 1U);
     return std::max(std::abs(field.least), std::abs(field.greatest)) * 0x1p-24 <= step / 64;
 }
 
-/// Throws Error for a name that a header of a PLY cannot have, or not again: it is the file's, and may be anything.
+/// Throws Error if a field name is invalid or repeated in a PLY header. The name comes from the model file and can be
+/// any text.
 void requirePlyNames(const std::string& model, const std::vector<Field>& fields, std::span<const VertexValues> values) {
     for (const Field& field : fields) {
         for (const VertexValues& property : values)

@@ -1,4 +1,4 @@
-// A cut as a binary PLY.
+// Writes a cut as a binary PLY file.
 #pragma once
 
 #include "core/progress.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::exporter {
 
-/// A value more of each vertex of a mesh.
+/// An additional value per vertex of a mesh.
 struct VertexValues {
     std::string name;
     std::vector<float> values;

@@ -1,4 +1,4 @@
-// Writes a file value by value, in runs.
+// Writes a file value by value in large blocks.
 #pragma once
 
 #include "core/file.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::exporter {
 
-/// Collects what is put and writes it from the start of the file on; the last run is written by `flush`.
+/// A buffered writer that starts at the beginning of the file. `flush` writes the last block.
 class RunWriter {
 public:
     explicit RunWriter(File& file) : file_(file) {}

@@ -6,8 +6,8 @@ namespace gnomon::exporter {
 
 namespace {
 
-/// The point of an edge where `axis` is `plane`, from the end that comes first by its place, so that it is the same for
-/// both triangles of the edge.
+/// Returns the point of an edge where `axis` is equal to `plane`. The computation starts at the lexicographically lower
+/// end, so that both triangles at the edge get the same point.
 ClippedCorner crossing(ClippedCorner a, ClippedCorner b, std::size_t axis, double plane) {
     if (b.place < a.place) std::swap(a, b);
     const double part = (plane - a.place[axis]) / (b.place[axis] - a.place[axis]);
@@ -23,7 +23,7 @@ ClippedCorner crossing(ClippedCorner a, ClippedCorner b, std::size_t axis, doubl
     return corner;
 }
 
-/// What lies on one side of a plane across `axis`: above it, or below where `sign` is -1.
+/// Returns the part of a polygon on one side of a plane across `axis`: the part above it, or below it if `sign` is -1.
 std::vector<ClippedCorner> cutOff(
     const std::vector<ClippedCorner>& polygon, std::size_t axis, double plane, double sign) {
     std::vector<ClippedCorner> kept;

@@ -1,4 +1,4 @@
-// Triangles cut off at the sides of a box of the grid, with the edges that lie on those sides.
+// Clips triangles at the sides of a grid box and finds the edges on these sides.
 #pragma once
 
 #include "preprocess/exporter/cut_mesh.h"
@@ -10,25 +10,25 @@
 
 namespace gnomon::exporter {
 
-/// A cell of an octree over the grid: [low, low + side] along each axis. What lies in a side that two cells share is
-/// the upper one's.
+/// A cell of an octree over the grid: [low, low + side] along each axis. Geometry in a side between two cells belongs
+/// to the upper cell.
 struct TileCell {
     std::array<std::uint64_t, 3> low{};
     std::uint64_t side = 0;
 };
 
-/// Corners of a convex polygon that a triangle leaves inside a cell.
+/// A corner of the convex polygon that remains of a triangle inside a cell.
 struct ClippedCorner {
     std::array<double, 3> place{}; // grid steps
     std::array<double, 3> normal{};
     std::array<double, 4> color{}; // red, green, blue, alpha as levels
 };
 
-/// What of a triangle lies in `cell`; fewer than three corners where nothing does. Sutherland and Hodgman, "Reentrant
-/// polygon clipping", 1974. Edges that two triangles share are cut at the same place.
+/// Returns the part of a triangle inside `cell`, with fewer than three corners if there is none (Sutherland, Hodgman,
+/// "Reentrant Polygon Clipping", 1974). An edge of two triangles is cut at the same point in both.
 std::vector<ClippedCorner> clipped(std::span<const ClippedCorner> triangle, const TileCell& cell);
 
-/// Whether both ends of an edge lie on one side of `cell`.
+/// Returns true if both ends of an edge are on the same side of `cell`.
 bool liesOnSide(const ClippedCorner& a, const ClippedCorner& b, const TileCell& cell);
 
 } // namespace gnomon::exporter

@@ -1,4 +1,4 @@
-// Uniform cuts of a model, each of about four times the triangles of the one before, as lists of clusters.
+// Uniform cuts of a model as lists of clusters. Each cut has about four times the triangles of the previous one.
 #pragma once
 
 #include "core/progress.h"
@@ -9,30 +9,31 @@
 
 namespace gnomon::exporter {
 
-/// A cluster of a cut.
+/// A cluster with the range of limits of the cuts that contain it.
 struct TileCluster {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     std::uint32_t triangles = 0;
     hierarchy::GridBox box;
-    double drawnFrom = 0;  // the largest limit of a cut that is too fine for it, world units; below 0 for none
-    double drawnUntil = 0; // the limit from which on a coarser one stands for it
+    // Min limit of a cut that contains the cluster, world units; below 0 if no finer cluster exists.
+    double drawnFrom = 0;
+    double drawnUntil = 0; // limit from which on a coarser cluster replaces it
 
     bool isInCut(double limit) const { return limit >= drawnFrom && limit < drawnUntil; }
 
-    /// Nothing finer stands for it in any cut.
+    /// Returns true if no cut has a finer cluster in its place.
     bool isFinest() const { return drawnFrom < 0; }
 };
 
-/// What `clustersOf` and `limitsOf` take, in bytes.
+/// Returns the memory of `clustersOf` and `limitsOf` in bytes.
 std::uint64_t surveyBytes(const hierarchy::ModelFile& file);
 
-/// All clusters of a model, page by page: those that a uniform cut of any limit draws (hierarchy/cut_rule.h) among
-/// them.
+/// Returns all clusters of a model, page by page. Each uniform cut (hierarchy/cut_rule.h) is a subset of them.
 std::vector<TileCluster> clustersOf(const hierarchy::ModelFile& file, Progress& progress);
 
-/// Limits of cuts, coarsest first, in world units: the least for which the cut has at most `triangles`, four times as
-/// many, and so on; the last is 0, the finest cut. No two are equal.
+/// Returns the limits of the cuts in world units, coarsest first, without repeats. The first limit is the smallest one
+/// whose cut has at most `triangles` triangles. The next cuts have at most four times as many, and so on. The last
+/// limit is 0, the finest cut.
 std::vector<double> limitsOf(const std::vector<TileCluster>& clusters, std::uint64_t triangles);
 
 } // namespace gnomon::exporter

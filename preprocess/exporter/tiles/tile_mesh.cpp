@@ -48,7 +48,8 @@ public:
             if (!(length > 0)) continue;
             const glm::dvec3 normal = across / length;
             if (std::all_of(vertices.begin(), vertices.end(), [this](const Vertex* v) { return isWithin(*v); })) {
-                std::array<std::uint32_t, 3> made{}; // in the order of the corners, whatever that of arguments is
+                // In corner order; the evaluation order of arguments is unspecified.
+                std::array<std::uint32_t, 3> made{};
                 for (std::size_t k = 0; k < 3; ++k)
                     made[k] = knownVertex(triangle[k], *vertices[k], normal);
                 addTriangle(made[0], made[1], made[2]);
@@ -67,8 +68,8 @@ public:
     }
 
 private:
-    /// Whether `vertex` lies in the cell and on none of its sides: what has such corners alone is neither cut nor gets
-    /// a skirt.
+    /// Returns true if `vertex` is strictly inside the cell. A triangle with three such vertices is not clipped and
+    /// gets no skirt.
     bool isWithin(const Vertex& vertex) const {
         const GridPoint& p = vertex.position;
         const auto isBetween = [this](std::size_t axis, std::uint32_t value) {
@@ -77,7 +78,8 @@ private:
         return isBetween(0, p.x) && isBetween(1, p.y) && isBetween(2, p.z);
     }
 
-    /// The vertex `number` of the cluster in hand, made once unless it takes its normal from each face.
+    /// Returns the mesh vertex of vertex `number` of the current cluster. It is created once, unless each face gives it
+    /// another normal.
     std::uint32_t knownVertex(std::uint8_t number, const Vertex& vertex, const glm::dvec3& faceNormal) {
         if (known_[number] != kNone) return known_[number];
         const std::uint32_t made = addVertex(cornerOf(vertex, faceNormal), 0);
@@ -129,7 +131,7 @@ private:
     double skirt_;
     bool hasNormals_;
     CutMesh mesh_;
-    std::vector<std::uint32_t> known_; // of the cluster in hand: vertices of the mesh, or kNone
+    std::vector<std::uint32_t> known_; // per vertex of the current cluster: its mesh vertex, or kNone
 };
 
 std::uint64_t bytesOf(const Page& page) {

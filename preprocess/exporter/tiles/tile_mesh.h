@@ -1,4 +1,4 @@
-// The mesh of one tile: what its cell holds of a cut, and skirts along the cell's sides.
+// Builds the mesh of one tile: the part of a cut inside its cell, with skirts along the sides of the cell.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -13,13 +13,13 @@
 
 namespace gnomon::exporter {
 
-/// Decoded pages, those used last, in bounded memory.
+/// A cache of the most recently used decoded pages, in bounded memory.
 class PageCache {
 public:
-    /// Holds at most `limit` of decoded pages, and one more.
+    /// Creates a cache of at most `limit` of decoded pages, plus one page.
     PageCache(const hierarchy::ModelFile& file, Bytes limit) : file_(file), limit_(limit) {}
 
-    /// Valid until the next call.
+    /// Returns a page. The reference is valid until the next call.
     const hierarchy::Page& page(std::uint32_t number);
 
 private:
@@ -32,13 +32,13 @@ private:
     const hierarchy::ModelFile& file_;
     Bytes limit_;
     std::uint64_t bytes_ = 0;
-    std::list<Held> held_; // used last first
+    std::list<Held> held_; // most recently used first
     std::map<std::uint32_t, std::list<Held>::iterator> places_;
 };
 
-/// What `cell` holds of `clusters`, welded. Where `skirt`, in steps of the grid, is above 0, edges on the cell's sides
-/// get a strip of that depth against the normal, which hides what a neighbour of another level leaves open; it ends
-/// where the grid does.
+/// Returns the part of `clusters` inside `cell`, welded. If `skirt` (grid steps) is positive, edges on the sides of the
+/// cell get a strip of this depth in the direction opposite to the normal. The strip hides gaps to neighbouring tiles
+/// of another level. It ends at the border of the grid.
 CutMesh tileMesh(
     std::span<const TileCluster* const> clusters,
     const TileCell& cell,

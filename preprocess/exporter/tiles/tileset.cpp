@@ -32,11 +32,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A cell of the octree: its level and its place there.
+/// The coordinates of a cell in its octree level.
 using CellKey = std::array<std::uint32_t, 3>;
 
 struct Tile {
-    Box box; // upright space about the anchor, metres; empty where nothing is in it
+    Box box; // upright space relative to the anchor, metres; empty if the tile is empty
     bool isFinest = false;
 };
 
@@ -51,7 +51,7 @@ std::string contentOf(std::size_t level, const CellKey& key) {
            std::to_string(key[2]) + ".glb";
 }
 
-/// A cell of a level, what may reach it, and what became of that.
+/// A cell of a level with its candidate clusters and its finished tile.
 struct CellContent {
     CellKey key{};
     std::vector<const TileCluster*> members;
@@ -60,8 +60,8 @@ struct CellContent {
     std::uint64_t bytes = 0;
 };
 
-/// Cells in an order in which neighbours are close, so that they find each other's pages still decoded: along Morton's
-/// curve, whichever axis differs in the highest bit first.
+/// Returns the cells in Morton order. The axis whose coordinates differ in the highest bit comes first. Neighbouring
+/// cells are then close in the order, and reuse the decoded pages.
 std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster*>> cells) {
     std::vector<CellContent> ordered;
     ordered.reserve(cells.size());
@@ -76,8 +76,8 @@ std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster
     return ordered;
 }
 
-/// What making the tile of a cell takes at most: its mesh and its file, some times over, of all triangles that may
-/// reach it.
+/// Returns an upper bound of the memory for one tile: several copies of its mesh and file, with all triangles of its
+/// candidate clusters.
 std::uint64_t tileBytes(const CellContent& cell) {
     constexpr std::uint64_t kFixed = std::uint64_t{1} << 20U;
     constexpr std::uint64_t kBytesPerTriangle = 144;
@@ -87,15 +87,16 @@ std::uint64_t tileBytes(const CellContent& cell) {
     return kFixed + kBytesPerTriangle * triangles;
 }
 
-/// How the memory beside what the process holds is shared by threads that make tiles.
+/// The division of the free memory between the threads that make tiles.
 struct TileRoom {
     int threads = 1;
-    Bytes pages; // decoded, of each thread
+    Bytes pages; // decoded pages per thread
 };
 
-/// As many threads as half of the memory has tiles for; pages get the rest. Throws Error if not even one tile fits.
+/// Returns the number of threads whose tiles fit into half of the memory. Decoded pages use the rest. Throws Error if
+/// not even one tile fits.
 TileRoom roomFor(const std::vector<CellContent>& cells, Bytes memory, const std::string& model) {
-    constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // the one in use and the next
+    constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // the current page and the next one
     constexpr std::uint64_t kLeastPages = kPagesInHand + (std::uint64_t{4} << 20U);
     std::uint64_t tile = 0;
     for (const CellContent& cell : cells)
@@ -144,7 +145,7 @@ public:
 private:
     double metres() const { return rowOf(file_.summary().unit).metres; }
 
-    /// Every cell that a cluster of the cut may reach, without those below a tile that is finest already.
+    /// Returns all cells that clusters of the cut overlap, except cells below a tile of the finest detail.
     std::map<CellKey, std::vector<const TileCluster*>> cellsOf(
         const std::vector<TileCluster>& clusters, std::size_t level, double limit) const {
         std::map<CellKey, std::vector<const TileCluster*>> cells;
@@ -160,7 +161,7 @@ private:
         return cells;
     }
 
-    /// Whether no tile above a cell is finest.
+    /// Returns true if no ancestor tile of a cell has the finest detail.
     bool isBelowCoarser(CellKey key, std::size_t level) const {
         while (level-- > 0) {
             key = parentOf(key);
@@ -172,8 +173,8 @@ private:
 
     void writeLevel(
         const std::vector<TileCluster>& clusters, std::size_t level, double limit, double above, Progress& progress) {
-        // A quarter of what the level above may be off by: stored errors are bounds, some four times what is measured,
-        // and deeper skirts come out on the other side of thin parts.
+        // The skirt depth is at least a quarter of the error of the level above. Stored errors are bounds, about four
+        // times the measured errors, and deeper skirts would be visible on the other side of thin parts.
         const double depth = std::max(limit, above / 4);
         const double skirt = options_.hasSkirts ? depth / file_.summary().grid.step() : 0;
         std::vector<CellContent> cells = inSpace(cellsOf(clusters, level, limit));
@@ -186,7 +187,7 @@ private:
         tbb::task_arena arena(room.threads);
         arena.execute([&] {
             tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
-                progress.advance(0); // asks whether to go on
+                progress.advance(0); // polls for interruption
                 const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
                 writeTile(cells[i], level, limit, skirt, caches[thread]);
             });
@@ -224,11 +225,11 @@ private:
         content.bytes = fs::file_size(path);
     }
 
-    /// Gives every tile those above it, without a content where they had none, and boxes that hold what is below.
+    /// Creates the missing ancestors of each tile, without content, and computes boxes that contain all descendants.
     void closeTree() {
         for (std::size_t level = levels_.size(); level-- > 1;)
             for (const auto& [key, tile] : levels_[level])
-                levels_[level - 1][parentOf(key)]; // made where it is missing
+                levels_[level - 1][parentOf(key)]; // creates the tile if it is missing
         held_.resize(levels_.size());
         for (std::size_t level = levels_.size(); level-- > 0;)
             for (const auto& [key, tile] : levels_[level]) {
@@ -237,14 +238,14 @@ private:
             }
     }
 
-    /// Upright x, y, z is x, -z, y of a tileset, whose z is up.
+    /// Returns the bounding volume of a box. Upright x, y, z becomes x, -z, y of a tileset, whose up axis is z.
     static ordered_json volumeOf(const Box& box) {
         const glm::dvec3 middle = (box.min + box.max) / 2.0;
         const glm::dvec3 half = (box.max - box.min) / 2.0;
         return {{"box", {middle.x, -middle.z, middle.y, half.x, 0, 0, 0, half.z, 0, 0, 0, half.y}}};
     }
 
-    // As deep as the octree, which is at most 31 levels.
+    // Returns the JSON of a tile and its descendants. The recursion is as deep as the octree, at most 31 levels.
     ordered_json nodeOf(std::size_t level, const CellKey& key) const { // NOLINT(misc-no-recursion)
         const Tile& tile = levels_[level].at(key);
         ordered_json node = {
@@ -260,11 +261,12 @@ private:
         return node;
     }
 
-    /// From the tileset, whose origin is the anchor, to the model's own coordinates, or to the earth's.
+    /// Returns the transform from the tileset, whose origin is the anchor, to the coordinates of the model or of the
+    /// earth.
     ordered_json transform() const {
         std::array<glm::dvec3, 4> columns{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0)};
         if (options_.place) {
-            // East, north and up at the place; WGS84, NIMA TR8350.2.
+            // East, north and up at the place (WGS84, NIMA TR8350.2).
             constexpr double kA = 6378137;
             constexpr double kE2 = 6.69437999014e-3;
             const double latitude = radiansFromDegrees(options_.place->x);
@@ -297,7 +299,7 @@ private:
         const Box& all = held_[0].at({0, 0, 0});
         const ordered_json document = {
             {"asset", {{"version", "1.1"}, {"generator", "gnomon"}}},
-            {"geometricError", glm::length(all.max - all.min)}, // of drawing nothing
+            {"geometricError", glm::length(all.max - all.min)}, // the error if nothing is drawn
             {"root", root}};
         writeTextFile(folder_ + "/tileset.json", document.dump() + "\n");
     }
@@ -307,10 +309,10 @@ private:
     const std::string& folder_;
     UprightFrame upright_;
     glm::dvec3 anchor_{0};       // world space
-    std::uint64_t side_ = 1;     // of the root cell, grid steps: a power of two
-    std::vector<double> errors_; // of levels, world units
+    std::uint64_t side_ = 1;     // side of the root cell in grid steps, a power of two
+    std::vector<double> errors_; // per level, world units
     std::vector<TileLevel> levels_;
-    std::vector<std::map<CellKey, Box>> held_; // of a tile and all below it
+    std::vector<std::map<CellKey, Box>> held_; // box of a tile and all its descendants
     ExportedTileset done_;
 };
 
@@ -332,7 +334,7 @@ ExportedTileset exportTileset(
     const bool isNew = !fs::exists(folder, missing);
     try {
         return TilesetWriter(file, options, folder).write(progress);
-    } catch (...) { // without its tileset.json nothing finds a tile, and the folder has to be empty for another try
+    } catch (...) { // tiles are useless without tileset.json, and a retry requires an empty folder
         fs::remove_all(folder + "/tiles", missing);
         if (isNew) fs::remove(folder, missing);
         throw;

@@ -1,4 +1,4 @@
-// The shape of the statue before its stone: a bearded, draped bust on a plinth, as a signed distance field.
+// The shape of the statue without its stone grain: a bearded, draped bust on a plinth, as a signed distance field.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,14 +7,15 @@
 
 namespace gnomon::make {
 
-/// A bust of 0.8 m, y up from a flat base at 0, facing +z. Seeds vary its proportions, hair and folds.
+/// A bust of 0.8 m height. The y axis points up, the flat base is at y = 0, and the bust faces +z. The seed varies its
+/// proportions, hair and folds.
 class BustShape {
 public:
     explicit BustShape(std::uint64_t seed);
 
-    /// Roughly the distance of `p` from the surface, negative inside; in metres. Near the surface its slope is below
-    /// 1.6 at 95 of 100 places, so a march towards it in steps of 0.6 of it does not jump over but in the sharpest
-    /// folds.
+    /// Returns the approximate distance of `p` from the surface in metres, negative inside. Near the surface the slope
+    /// is below 1.6 at 95% of all points. A ray march with steps of 0.6 times the distance therefore skips only the
+    /// sharpest folds.
     double distance(const glm::dvec3& p) const;
 
 private:

@@ -1,4 +1,4 @@
-// A procedural model as a sequence of blocks, so that it can be written in order, in parallel and in bounded memory.
+// A procedural model as a sequence of blocks, which can be written in order, in parallel and in bounded memory.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,10 +10,10 @@
 
 namespace gnomon::make {
 
-/// The corners of a triangle as indices of vertices of the whole model, counter-clockwise seen from outside.
+/// The corners of a triangle as vertex indices of the whole model, counter-clockwise seen from outside.
 using MadeTriangle = std::array<std::uint64_t, 3>;
 
-/// Where a block puts its vertices and triangles, both in order.
+/// The receiver of a block's vertices and triangles, both in order.
 class MeshSink {
 public:
     MeshSink() = default;
@@ -27,7 +27,7 @@ public:
     virtual void addTriangles(std::span<const MadeTriangle> triangles) = 0;
 };
 
-/// How much a block (or a model) holds.
+/// The number of vertices and triangles of a block or a model.
 struct MeshSize {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
@@ -41,7 +41,8 @@ struct MeshSize {
     auto operator<=>(const MeshSize&) const = default;
 };
 
-/// A model that can be made block by block. Blocks are pure functions of the model: any order, any thread, same bytes.
+/// A model that is made block by block. Blocks are pure functions of the model: any order and any thread give the same
+/// bytes.
 class MadeModel {
 public:
     MadeModel() = default;
@@ -53,14 +54,16 @@ public:
 
     virtual std::size_t blockCount() const = 0;
 
-    /// Cheap: the file's layout is computed from this before anything is made.
+    /// Returns the size of a block. The function is cheap, because it determines the file layout before any block is
+    /// made.
     virtual MeshSize blockSize(std::size_t block) const = 0;
 
-    /// Puts exactly `blockSize(block)` into `sink`. `firstVertex` is the sum of the vertices of the blocks before.
+    /// Writes exactly `blockSize(block)` vertices and triangles to `sink`. `firstVertex` is the number of vertices in
+    /// all earlier blocks.
     virtual void makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& sink) const = 0;
 };
 
-/// The sum over all blocks.
+/// Returns the sum over all blocks.
 MeshSize modelSize(const MadeModel& model);
 
 } // namespace gnomon::make

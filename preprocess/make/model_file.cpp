@@ -23,14 +23,14 @@ static_assert(sizeof(glm::vec3) == 12);
 constexpr std::uint64_t kVertexBytes = sizeof(glm::vec3);
 constexpr std::uint64_t kTriangleBytes = 1 + 3 * sizeof(std::uint32_t);
 
-/// Bytes on their way to one region of a file, written whenever the buffer is full.
+/// A buffered writer of one region of a file.
 class RegionWriter {
 public:
     RegionWriter(File& file, std::uint64_t offset) : file_(file), offset_(offset) {
         buffer_.reserve(kWriteBuffer.count);
     }
 
-    /// Room for `size` bytes (at most kWriteBuffer), to be filled before the next call.
+    /// Returns memory for `size` bytes (at most kWriteBuffer). The caller must fill it before the next call.
     std::byte* room(std::size_t size) {
         if (buffer_.size() + size > kWriteBuffer.count) flush();
         const std::size_t at = buffer_.size();
@@ -109,7 +109,7 @@ MeshSize modelSize(const MadeModel& model) {
 
 MeshSize writeMadeModel(
     const MadeModel& model, const std::string& path, const std::string& comment, int threads, Progress& progress) {
-    std::vector<MeshSize> before(model.blockCount()); // what all earlier blocks hold
+    std::vector<MeshSize> before(model.blockCount()); // size of all earlier blocks
     MeshSize size;
     for (std::size_t block = 0; block < before.size(); ++block) {
         before[block] = size;
@@ -141,7 +141,8 @@ MeshSize writeMadeModel(
         progress.advance(made.triangles);
     };
     const int cores = tbb::this_task_arena::max_concurrency();
-    tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores); // TBB warns of more than there are
+    // TBB warns if there are more threads than cores.
+    tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, before.size(), writeBlock); });
     output.commit();
     return size;

@@ -1,4 +1,4 @@
-// The kinds of model that `gnomon make` knows, by name.
+// The kinds of models of `gnomon make`, by name.
 #pragma once
 
 #include "preprocess/make/made_model.h"
@@ -9,13 +9,13 @@
 
 namespace gnomon::make {
 
-/// In the order of the help.
+/// Returns the names in the order of the help text.
 std::vector<std::string> modelNames();
 
-/// What the kind is made with when nobody says.
+/// Returns the default number of triangles of a kind.
 std::uint64_t defaultTriangles(const std::string& kind);
 
-/// A model of `triangles` within 2%. Throws Error if that is fewer than the kind can be made of.
+/// Returns a model with `triangles` triangles, within 2%. Throws Error if the kind needs more triangles.
 std::unique_ptr<MadeModel> makeNamedModel(const std::string& kind, std::uint64_t triangles, std::uint64_t seed);
 
 } // namespace gnomon::make

@@ -1,4 +1,4 @@
-// Solid noise and circles made of additions and multiplications alone, so that every machine makes the same model.
+// Noise, sine and cosine from additions and multiplications only, so that each machine makes the same model.
 #pragma once
 
 #include "core/random.h"
@@ -10,7 +10,8 @@
 
 namespace gnomon::make {
 
-/// The sine of `turns` full turns, within 1e-9. Unlike libm's, the same on every CPU.
+/// Returns the sine of `turns` full turns, with an error below 1e-9. Unlike the result of libm, it is identical on all
+/// CPUs.
 inline double sinTurns(double turns) {
     double x = turns - std::floor(turns + 0.5); // in [-1/2, 1/2)
     if (x > 0.25) x = 0.5 - x;
@@ -20,13 +21,13 @@ inline double sinTurns(double turns) {
     return a * (1 - b / 6 * (1 - b / 20 * (1 - b / 42 * (1 - b / 72 * (1 - b / 110 * (1 - b / 156 * (1 - b / 210)))))));
 }
 
-/// The cosine of `turns` full turns.
+/// Returns the cosine of `turns` full turns.
 inline double cosTurns(double turns) {
     return sinTurns(turns + 0.25);
 }
 
-/// Gradient noise (after Perlin 2002) at a point with coordinates in [0, 2^22): zero mean, standard deviation about
-/// kNoiseDeviation, lattice spacing 1, C2.
+/// Returns gradient noise (Perlin 2002) at a point with coordinates in [0, 2^22). The mean is zero, the standard
+/// deviation is about kNoiseDeviation, the lattice spacing is 1, and the function is C2.
 inline float gradientNoise(float x, float y, float z, std::uint32_t seed) {
     const auto ix = static_cast<std::int32_t>(x);
     const auto iy = static_cast<std::int32_t>(y);

@@ -11,14 +11,14 @@ namespace {
 
 using glm::dvec3;
 
-/// A unit vector perpendicular to `direction`, upright where it can be.
+/// Returns a unit vector perpendicular to `direction`, horizontal if `direction` is not steep.
 dvec3 sideways(const dvec3& direction) {
     const dvec3 helper = std::abs(direction.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
     return glm::normalize(glm::cross(helper, direction));
 }
 
-/// The quads between two rings of `sides` vertices whose first are `a` and `b`; b lies further along a right-handed
-/// axis.
+/// Adds the quads between two rings of `sides` vertices that start at `a` and `b`. Ring `b` is farther along a
+/// right-handed axis.
 void addRingQuads(PartSink& sink, std::uint64_t a, std::uint64_t b, std::uint64_t sides) {
     for (std::uint64_t i = 0; i < sides; ++i) {
         const std::uint64_t j = (i + 1) % sides;
@@ -51,11 +51,11 @@ std::array<dvec3, 8> boxCorners(const dvec3& min, const dvec3& max) {
     return corners;
 }
 
-/// Bits of a corner: x, y, z. Each face counter-clockwise seen from outside.
+/// The corners of each face, counter-clockwise seen from outside. The bits of a corner are x, y, z.
 constexpr std::array<std::array<std::size_t, 4>, 6> kBoxFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-/// One side of a panel; the back has the same triangles turned over.
+/// Adds one side of a panel. The back has the same triangles with reversed order.
 void addPanelSide(PartSink& sink, const Panel& panel, bool back) {
     const std::uint64_t n = panel.cellsU;
     const std::uint64_t m = panel.cellsV;
@@ -82,7 +82,7 @@ void addPanelSide(PartSink& sink, const Panel& panel, bool back) {
         }
 }
 
-/// The size of a turned body.
+/// Returns the size of a lathed body.
 MeshSize latheSize(std::span<const Station> profile, std::uint64_t sides) {
     MeshSize size;
     for (std::size_t i = 0; i < profile.size(); ++i) {

@@ -1,4 +1,4 @@
-// The simple solids and sheets that plants and aeroplanes are put together from, counted or made by the same code.
+// Simple solids and sheets for plants and aeroplanes. The same code counts or makes them.
 #pragma once
 
 #include "preprocess/make/made_model.h"
@@ -7,25 +7,25 @@
 
 namespace gnomon::make {
 
-/// Takes parts one after another and either only counts them or makes them, so that the two never disagree. A part is
-/// a run of vertices and the triangles between them.
+/// A receiver of parts that either only counts them or makes them, so that both results always agree. A part is a list
+/// of vertices and the triangles between them.
 class PartSink {
 public:
-    /// Only counts.
+    /// Creates a sink that only counts.
     PartSink() = default;
 
-    /// Makes: parts go to `sink`, whose next vertex has the index `firstVertex` in the whole model.
+    /// Creates a sink that writes parts to `sink`. Its next vertex has the index `firstVertex` in the whole model.
     PartSink(MeshSink& sink, std::uint64_t firstVertex) : sink_(&sink), firstVertex_(firstVertex) {}
 
-    /// Parts from here on stand at `origin`, their axes along the columns of `axes` (a rotation).
+    /// Sets the frame of the next parts: their origin, and their axes as the columns of `axes` (a rotation).
     void place(const glm::dvec3& origin, const glm::dmat3& axes);
 
-    /// Begins a part of exactly that size. False if it is only counted: then the part ends here.
+    /// Begins a part of exactly this size. Returns false if the sink only counts. The caller must then end the part.
     bool begin(std::uint64_t vertices, std::uint64_t triangles);
 
     void vertex(const glm::dvec3& position);
 
-    /// Corners count from the part's first vertex; counter-clockwise seen from outside.
+    /// Adds a triangle, counter-clockwise seen from outside. Corners count from the part's first vertex.
     void triangle(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
         if (triangles_.size() >= kHeldBack) finish();
         triangles_.push_back({part_ + a, part_ + b, part_ + c});
@@ -36,13 +36,13 @@ public:
         triangle(a, c, d);
     }
 
-    /// Hands on what is still held back; to be called once, at the end.
+    /// Writes the buffered data. The caller must call it once at the end.
     void finish();
 
     const MeshSize& size() const { return size_; }
 
 private:
-    static constexpr std::size_t kHeldBack = 4096; // vertices, triangles
+    static constexpr std::size_t kHeldBack = 4096; // max buffered vertices and triangles
 
     MeshSink* sink_ = nullptr;
     std::uint64_t firstVertex_ = 0;
@@ -54,26 +54,27 @@ private:
     std::vector<MadeTriangle> triangles_;
 };
 
-/// Axes turned by `turns` quarters about y: x goes to -z for one. Exact.
+/// Returns axes rotated by `turns` quarter turns about y. One quarter turn maps x to -z. The result is exact.
 glm::dmat3 quarterTurned(int turns);
 
-/// Whether a sheet is written once or, as exporters like to, once for each side.
+/// Whether a sheet has one side or two. Many exporters write two.
 enum class Sides { One, Both };
 
-/// Whether the ends of something long are left open.
+/// Whether the ends of a tube are open or closed.
 enum class Ends { Open, Closed };
 
-/// An axis-aligned box. 12 triangles.
+/// Adds an axis-aligned box of 12 triangles.
 void addBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max);
 
-/// The same of six sheets that share no vertex. 12 triangles.
+/// Adds an axis-aligned box of six sheets without shared vertices, 12 triangles.
 void addUnweldedBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max);
 
-/// A rectangle of 2 triangles with corner `corner` and edges `u` and `v`; faces u x v.
+/// Adds a rectangle of 2 triangles with the corner `corner` and the edges `u` and `v`. It faces u x v.
 void addSheet(
     PartSink& sink, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::One);
 
-/// A rectangle of n by m cells, its cells pushed along u x v by a wave of `depth` with one ridge every two cells of u.
+/// A rectangle of n by m cells with waves. A wave of `waveDepth` displaces the vertices along u x v, with one ridge per
+/// two cells of u.
 struct Panel {
     glm::dvec3 corner{0};
     glm::dvec3 u{0};
@@ -84,21 +85,22 @@ struct Panel {
     Sides sides = Sides::One;
 };
 
+/// Adds a panel.
 void addPanel(PartSink& sink, const Panel& panel);
 
-/// A rolled steel I-section from `a` to `b`, `depth` high along `up`, open at its ends. 24 triangles.
+/// Adds a steel I-section from `a` to `b`, `depth` high along `up`, with open ends. It has 24 triangles.
 void addIBeam(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& up, double depth);
 
-/// An angle section of two sheets that share the line from `a` to `b`. 4 triangles.
+/// Adds an angle section: two sheets that share the line from `a` to `b`. It has 4 triangles.
 void addAngle(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& up, double width);
 
-/// A hose of `sides` around the line through `path`.
+/// Adds a tube with `sides` sides along `path`.
 void addTube(PartSink& sink, std::span<const glm::dvec3> path, double radius, std::uint64_t sides, Ends ends);
 
-/// A straight tube.
+/// Adds a straight tube.
 void addRod(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint64_t sides, Ends ends);
 
-/// A closed ring of tube around `axis` through `center`.
+/// Adds a torus around `axis` through `center`.
 void addRing(
     PartSink& sink,
     const glm::dvec3& center,
@@ -107,14 +109,14 @@ void addRing(
     double thickness,
     std::uint64_t segments);
 
-/// A station of a turned body: how far along the axis, and the radius there.
+/// A station of a lathed body: the position along the axis and the radius.
 struct Station {
     double along = 0;
     double radius = 0;
 };
 
-/// A body turned about the line from `origin` along the unit vector `axis`; `turn` shifts where its sides begin. Ends
-/// of radius 0 become points and close it.
+/// Adds a body of revolution about the line from `origin` along the unit vector `axis`. `turn` rotates the first side.
+/// An end of radius 0 becomes a point and closes the body.
 void addLathe(
     PartSink& sink,
     const glm::dvec3& origin,
@@ -123,8 +125,8 @@ void addLathe(
     std::uint64_t sides,
     double turn = 0);
 
-/// A closed skin around rings: ring i of `rings` has `around` points shape(i / (rings - 1), j / around),
-/// counter-clockwise seen from the last ring, and both ends are closed around the middle of their ring.
+/// Adds a closed skin over rings. Ring i of `rings` has `around` points shape(i / (rings - 1), j / around),
+/// counter-clockwise seen from the last ring. Both ends are closed with a fan around their centre.
 template <class Shape>
 void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Shape& shape) {
     if (!sink.begin(rings * around + 2, 2 * around * rings)) return;
@@ -150,7 +152,7 @@ void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Sh
     }
 }
 
-/// The way through `corners` with each right angle rounded over `radius` in `steps` steps.
+/// Returns the path through `corners`. Each right angle is rounded with `radius` in `steps` steps.
 std::vector<glm::dvec3> roundedPath(std::span<const glm::dvec3> corners, double radius, std::uint64_t steps);
 
 } // namespace gnomon::make

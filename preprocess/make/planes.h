@@ -1,4 +1,4 @@
-// Fifteen aeroplanes in the air over a ground: the scene of Lloyd et al. 2006, figure 14.
+// Fifteen aeroplanes above the ground: the scene of Lloyd et al. 2006, figure 14.
 #pragma once
 
 #include "preprocess/make/parts.h"
@@ -7,17 +7,17 @@
 
 namespace gnomon::make {
 
-/// Single-engined fighters of 11 m span in a loose formation, 4 to 14 m over rolling ground of 500 m; y up, metres.
-/// The aeroplanes take 98% of the triangles, the ground the rest.
+/// A loose formation of single-engine fighters with 11 m span, 4 to 14 m above rolling ground of 500 m. The y axis
+/// points up, and the unit is metres. The aeroplanes have 98% of the triangles.
 class Planes final : public MadeModel {
 public:
     static constexpr std::size_t kCount = 15;
     static constexpr std::uint64_t kFewestTriangles = 20'000;
 
-    /// `triangles` is at least kFewestTriangles and met within 1%.
+    /// Creates the scene with `triangles` triangles, within 1%. `triangles` is at least kFewestTriangles.
     Planes(std::uint64_t triangles, std::uint64_t seed);
 
-    /// The aeroplanes one by one, then the ground.
+    /// Returns one block per aeroplane and one for the ground.
     std::size_t blockCount() const override { return kCount + 1; }
 
     MeshSize blockSize(std::size_t block) const override;
@@ -31,7 +31,7 @@ private:
     };
 
     std::vector<Place> places_;
-    double fineness_ = 1; // 1 is about 18,000 triangles an aeroplane
+    double fineness_ = 1; // 1 is about 18,000 triangles per aeroplane
     MeshSize planeSize_;
     std::uint64_t groundColumns_ = 1;
     std::uint64_t groundRows_ = 1;

@@ -16,14 +16,14 @@ using glm::dvec3;
 
 namespace {
 
-/// The lots, north to south and west to east: K tanks, P pipes on sleepers, R pipe rack, T turbine hall, B boiler
-/// house, C chimney, X transformers, H heat exchangers, A cooling tower, G gas turbine, Y store.
+/// The lots from north to south and from west to east: K tanks, P pipes on sleepers, R pipe rack, T turbine hall, B
+/// boiler house, C chimney, X transformers, H heat exchangers, A cooling tower, G gas turbine, Y store.
 constexpr std::array<std::string_view, 8> kMap{
     "KKPRYGGX", "KKPRTTTX", "KKPRTTTX", "HHPRBBCX", "HHPRBBCY", "HHPRGGYY", "AAARHHKK", "AAARYYKK"};
 constexpr std::size_t kLots = 64;
 constexpr double kYardHalf = 200;
 
-/// Where gravel lies: the beds of the transformers and the strip inside the fence, as center and half extents.
+/// A gravel bed, below transformers or along the inside of the fence, by centre and half extents.
 struct Bed {
     dvec3 center{0};
     double halfX = 0;
@@ -55,7 +55,7 @@ void whole(Site& site, std::uint64_t /*piece*/) {
 }
 
 void addGround(Site& site, std::uint64_t /*piece*/) {
-    // Neighbouring tiles are cut differently: their border vertices do not meet.
+    // Neighbouring tiles have different cells, so that their border vertices do not match.
     Panel tile;
     tile.corner = {-0.5 * kLotPitch, 0, 0.5 * kLotPitch};
     tile.u = {kLotPitch, 0, 0};
@@ -63,7 +63,7 @@ void addGround(Site& site, std::uint64_t /*piece*/) {
     tile.cellsU = 2 + site.random.below(site.detail.amount(5, 3, 200));
     tile.cellsV = 2 + site.random.below(site.detail.amount(5, 3, 200));
     addPanel(site.parts, tile);
-    for (const double side : {-1.0, 1.0}) { // kerbs, along the lot's edge
+    for (const double side : {-1.0, 1.0}) { // kerbs along the edge of the lot
         const double at = side * (0.5 * kLotPitch - 3.5);
         addUnweldedBox(site.parts, {-16, 0, at - 0.1}, {16, 0.12, at + 0.1});
         addBox(site.parts, {at - 0.1, 0, -16}, {at + 0.1, 0.12, 16});
@@ -85,13 +85,13 @@ void addYardEdge(Site& site, std::uint64_t /*piece*/) {
 constexpr std::uint64_t kStoneTriangles = 24;
 constexpr std::uint64_t kStoneVertices = 17;
 constexpr std::uint64_t kStonesPerJob = 8192;
-constexpr std::uint64_t kStonesPerCopy = 40; // every 40th stone is there twice
+constexpr std::uint64_t kStonesPerCopy = 40; // one of 40 stones is repeated
 
-/// A stone that lies on the ground: a dome of two rings and a tip, open below.
+/// Adds a stone on the ground: a dome of two rings and a tip, open below.
 void addStone(PartSink& parts, const Bed& bed, double radius, std::uint64_t seed) {
     if (!parts.begin(kStoneVertices, kStoneTriangles)) return;
     Random random(mix64(seed));
-    // Braces: unlike parentheses they fix the order in which the random numbers are drawn.
+    // Braces fix the order in which the random numbers are drawn, unlike parentheses.
     const dvec3 place{bed.halfX * random.uniform(-1, 1), 0, bed.halfZ * random.uniform(-1, 1)};
     const dvec3 center = bed.center + place;
     const double size = radius * random.uniform(0.5, 1.2);
@@ -118,7 +118,7 @@ void addStones(PartSink& parts, std::uint64_t count, double radius, std::uint64_
     }
 }
 
-/// Of all triangles, how many the parts other than gravel aim at.
+/// The share of all triangles for parts other than gravel.
 constexpr double kPartShare = 0.94;
 constexpr double kHighestLevel = 4096;
 constexpr double kLowestLevel = 1.0 / 64;
@@ -128,7 +128,7 @@ constexpr double kLowestLevel = 1.0 / 64;
 Plant::Plant(std::uint64_t triangles, std::uint64_t seed) {
     GNOMON_CHECK_OP(triangles, >=, kFewestTriangles);
     const auto aim = static_cast<std::uint64_t>(kPartShare * static_cast<double>(triangles));
-    // As many lots as fit at the lowest level, then the highest level that fits.
+    // First find the max number of lots that fits at the lowest level, then the highest level that fits.
     std::size_t lots = kLots;
     for (layOut(seed, lots); lots > 0 && countParts(kLowestLevel) > aim; layOut(seed, lots))
         lots = lots > 8 ? lots - 8 : lots - 1;
@@ -183,7 +183,7 @@ void Plant::layOut(std::uint64_t seed, std::size_t lotsBuilt) {
             kLotPitch * (static_cast<double>(column) - 3.5), 0, kLotPitch * (static_cast<double>(row) - 3.5));
         const std::uint64_t lotSeed = mix64(seed * kLots + lot);
         jobs_.push_back({addGround, 0, center, static_cast<int>(lotSeed & 3U), lotSeed, {}});
-        // A small plant is built from lots all over the yard: 27 and 64 share no factor.
+        // A small plant uses lots that are spread over the whole yard, because 27 and 64 have no common factor.
         if (lot * 27 % kLots < lotsBuilt) addLot(kMap.at(row).at(column), center, lotSeed);
     }
 }

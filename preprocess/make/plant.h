@@ -1,4 +1,4 @@
-// The power plant: units on lots in a wide, fenced yard, made of many small, open, unwelded and doubled parts.
+// The power plant: units on lots in a wide, fenced yard, with many small, open, unwelded and duplicate parts.
 #pragma once
 
 #include "preprocess/make/plant_kit.h"
@@ -7,13 +7,14 @@
 
 namespace gnomon::make {
 
-/// A plant of 320 m in a yard of 400 m, y up, ground at 0, metres. More triangles make more parts first (bars, bolts,
-/// tubes, fins, gravel) and rounder ones second; fewer than about 300,000 leave lots empty.
+/// A plant of 320 m in a yard of 400 m. The y axis points up, the ground is at 0, and the unit is metres. With more
+/// triangles the plant first gets more parts (bars, bolts, tubes, fins, gravel), then rounder parts. With fewer than
+/// about 300,000 triangles some lots are empty.
 class Plant final : public MadeModel {
 public:
     static constexpr std::uint64_t kFewestTriangles = 20'000;
 
-    /// `triangles` is at least kFewestTriangles and met within 0.1%.
+    /// Creates the plant with `triangles` triangles, within 0.1%. `triangles` is at least kFewestTriangles.
     Plant(std::uint64_t triangles, std::uint64_t seed);
 
     std::size_t blockCount() const override { return jobs_.size(); }
@@ -25,10 +26,10 @@ public:
 private:
     using MakeParts = void (*)(Site& site, std::uint64_t piece);
 
-    /// A block: one unit (or one piece of it), or some gravel.
+    /// A block: one unit, one piece of a unit, or a bed of gravel.
     struct Job {
-        MakeParts make = nullptr; // none: gravel
-        std::uint64_t piece = 0;  // which piece of the unit; for gravel how many stones
+        MakeParts make = nullptr; // null: gravel
+        std::uint64_t piece = 0;  // index of the piece of the unit; for gravel the number of stones
         glm::dvec3 origin{0};
         int quarterTurns = 0;
         std::uint64_t seed = 0;

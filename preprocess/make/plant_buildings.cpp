@@ -43,7 +43,7 @@ void addTurbineHall(Site& site) {
             addAngle(site.parts, {x, kEaves - 0.5, z0}, {x, h1, z1}, kUp, 0.1);
         }
     }
-    // Walls: a plinth, cladding above it, a band of windows towards the road; the gate side stays open below 5 m.
+    // Walls: a plinth, cladding above it, and a band of windows towards the road. The gate side is open below 5 m.
     for (const double z : {-kZ, kZ}) {
         const double out = z > 0 ? 1 : -1;
         addUnweldedBox(site.parts, {-kX, 0, z - 0.2}, {kX, 1.2, z + 0.2});
@@ -59,7 +59,7 @@ void addTurbineHall(Site& site) {
         const std::array<Station, 5> vent{{{0, 0.8}, {1.2, 0.8}, {1.2, 1.3}, {1.6, 1.3}, {2.0, 0}}};
         addLathe(site.parts, {x, kRidge - 0.3, 0}, kUp, vent, site.detail.sides(1));
     }
-    // Inside: the set, its foundation and the crane.
+    // Inside: the turbine set, its foundation and the crane.
     addBox(site.parts, {-14, 0, -4}, {14, 6, 4});
     const std::array<Station, 9> turbine{
         {{-12, 0}, {-12, 0.8}, {-9, 1.0}, {-8, 2.0}, {-3, 2.4}, {-1, 1.2}, {0, 2.2}, {9, 2.2}, {9.5, 0}}};
@@ -76,21 +76,21 @@ void addTurbineHall(Site& site) {
 
 namespace {
 
-/// The steam drum on its saddles and a roof over it, on the top floor.
+/// Adds the steam drum on its saddles and a roof over it, on the top floor.
 void addBoilerTop(Site& site, double half, double floor) {
     addVessel(site, {-8, floor + 3, 0}, {8, floor + 3, 0}, 1.1);
     for (const double x : {-6.0, 6.0})
         addBox(site.parts, {x - 0.3, floor, -0.9}, {x + 0.3, floor + 2.3, 0.9});
     for (const double x : {-half, half})
         for (const double z : {-half, half}) {
-            const double top = floor + 6.5 - 0.5 * z / half; // the roof falls towards +z
+            const double top = floor + 6.5 - 0.5 * z / half; // the roof slopes down towards +z
             addIBeam(site.parts, {x, floor, z}, {x, top, z}, {1, 0, 0}, 0.4);
             if (z > 0) addIBeam(site.parts, {x, floor + 6, z}, {x, floor + 7, -z}, kUp, 0.4);
         }
     addCladding(site, {-half, floor + 6.2, half}, {2 * half, 0, 0}, {0, 1, -2 * half}, 1.2);
 }
 
-/// One storey of the furnace: its walls are tubes side by side, held by beams.
+/// Adds one storey of the furnace. Its walls are adjacent tubes, held by beams.
 void addFurnace(Site& site, double bottom, double ceiling) {
     const std::uint64_t tubes = site.detail.amount(16, 8, 120);
     const double radius = 5.5 / static_cast<double>(tubes);
@@ -118,7 +118,7 @@ void addBoilerStorey(Site& site, std::uint64_t storey) {
     constexpr std::array<double, 4> kLines{-14, -6, 6, 14};
     for (const double x : kLines)
         for (const double z : kLines) {
-            if (std::abs(x) < 7 && std::abs(z) < 7) continue; // the furnace hangs here
+            if (std::abs(x) < 7 && std::abs(z) < 7) continue; // position of the furnace
             addIBeam(site.parts, {x, floor, z}, {x, floor + kHeight, z}, {1, 0, 0}, 0.6);
         }
     const double ceiling = floor + kHeight;
@@ -257,7 +257,7 @@ void addStore(Site& site) {
     const auto inRow = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(pipes))) + 2;
     const double radius = 2.4 / static_cast<double>(inRow);
     for (std::uint64_t i = 0; i < pipes; ++i) {
-        const std::uint64_t layer = i / inRow; // laid into the gaps of the one below
+        const std::uint64_t layer = i / inRow; // each layer is in the gaps of the layer below
         const double shift = static_cast<double>(i % inRow) + 0.5 * static_cast<double>(layer % 2);
         const dvec3 at(-2 + 2 * radius * shift, radius * (1 + 1.75 * static_cast<double>(layer)), -13);
         for (const double wall : {0.98, 0.9}) // outer and inner

@@ -1,4 +1,4 @@
-// What every unit of the plant is fitted out with: gratings, rails, ladders, stairs, pipes, valves, fences.
+// Standard parts of all units of the plant: gratings, rails, ladders, stairs, pipes, valves, fences.
 #pragma once
 
 #include "core/random.h"
@@ -6,82 +6,83 @@
 
 namespace gnomon::make {
 
+/// The up axis.
 inline const glm::dvec3 kUp(0, 1, 0);
 
-/// Where the i-th of n things stands between 0 and 1.
+/// Returns the position of element i of n in [0, 1).
 inline double share(std::uint64_t i, std::uint64_t n) {
     return static_cast<double>(i) / static_cast<double>(n);
 }
 
-/// How finely the plant is made: 1 is about a million triangles. Larger means more parts and rounder ones.
+/// The level of detail of the plant. Level 1 has about a million triangles. A higher level has more and rounder parts.
 class Detail {
 public:
     explicit Detail(double level);
 
     double level() const { return level_; }
 
-    /// A number of things of which there are `base` at level 1; at least `least`, at most `most`.
+    /// Returns the number of parts, `base` at level 1, clamped to `least` and `most`.
     std::uint64_t amount(double base, std::uint64_t least = 1, std::uint64_t most = 1U << 20U) const;
 
-    /// Sides of a round thing of `radius` metres: 3 to 256.
+    /// Returns the number of sides of a round part with this radius in metres, from 3 to 256.
     std::uint64_t sides(double radius) const;
 
-    /// Steps of a bend.
+    /// Returns the number of steps of a bend.
     std::uint64_t bend() const;
 
 private:
     double level_;
-    double growth_; // level^(3/4): the rest of the growth goes into roundness
+    double growth_; // level^(3/4); roundness gets the rest of the growth
 };
 
-/// What a unit is built with: where its parts go, how finely, and its own random numbers.
+/// The context of a unit: the receiver of its parts, the level of detail, and its random numbers.
 struct Site {
     PartSink& parts;
     const Detail& detail;
     Random random{0};
 };
 
-/// A floor of flat bars over the rectangle [min.x, max.x] x [min.z, max.z] at height min.y.
+/// Adds a floor of flat bars over the rectangle [min.x, max.x] x [min.z, max.z] at height min.y.
 void addGrating(Site& site, const glm::dvec3& min, const glm::dvec3& max);
 
-/// Posts and rails from `a` to `b`, 1.1 m high.
+/// Adds posts and rails from `a` to `b`, 1.1 m high.
 void addHandrail(Site& site, const glm::dvec3& a, const glm::dvec3& b);
 
-/// Handrails around a rectangle at height min.y.
+/// Adds handrails around a rectangle at height min.y.
 void addHandrails(Site& site, const glm::dvec3& min, const glm::dvec3& max);
 
-/// A ladder with rungs at `foot`, `height` high, against a wall behind -z; caged above 3 m.
+/// Adds a ladder with rungs at `foot`, `height` metres high, with its back to a wall at -z. It has a cage above 3 m.
 void addLadder(Site& site, const glm::dvec3& foot, double height);
 
-/// A flight of stairs from `foot` to `head`, 0.9 m wide, with stringers and rails.
+/// Adds a flight of stairs from `foot` to `head`, 0.9 m wide, with stringers and rails.
 void addStairs(Site& site, const glm::dvec3& foot, const glm::dvec3& head);
 
-/// A pipe through `corners` (right angles) with flanges at its ends.
+/// Adds a pipe through `corners` (right angles) with flanges at its ends.
 void addPipe(Site& site, std::span<const glm::dvec3> corners, double radius);
 
-/// A flange with bolts at `center`.
+/// Adds a flange with bolts at `center`.
 void addFlange(Site& site, const glm::dvec3& center, const glm::dvec3& axis, double radius);
 
-/// A valve with a hand wheel on top, in a pipe along `axis`.
+/// Adds a valve with a hand wheel on top, in a pipe along `axis`.
 void addValve(Site& site, const glm::dvec3& center, const glm::dvec3& axis, double radius);
 
-/// A motor and a pump on a plinth, along x.
+/// Adds a motor and a pump on a plinth, along x.
 void addPump(Site& site, const glm::dvec3& foot, double size);
 
-/// A vessel from `a` to `b` with dished ends.
+/// Adds a vessel with dished ends from `a` to `b`.
 void addVessel(Site& site, const glm::dvec3& a, const glm::dvec3& b, double radius);
 
-/// A rectangle of sheet metal with pressed ridges: a fin, a louvre, a packing.
+/// Adds a rectangle of sheet metal with pressed ridges, for example a fin, a louvre or a packing.
 void addRidgedSheet(
     Site& site, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::One);
 
-/// A fence from `a` to `b`, 2.2 m high: posts, wires and a mesh of flat bars.
+/// Adds a fence from `a` to `b`, 2.2 m high: posts, wires and a mesh of flat bars.
 void addFence(Site& site, const glm::dvec3& a, const glm::dvec3& b);
 
-/// A wall of corrugated sheets from `corner` along `u` and `v`, each sheet written for both sides.
+/// Adds a wall of corrugated sheets from `corner` along `u` and `v`. Some sheets are double-sided.
 void addCladding(Site& site, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, double sheetWidth);
 
-/// A street lamp at `foot` whose arm points along x.
+/// Adds a street lamp at `foot`. Its arm points along x.
 void addLamp(Site& site, const glm::dvec3& foot);
 
 } // namespace gnomon::make

@@ -1,16 +1,17 @@
-// The units that a power plant is laid out from, each on a lot of 40 m with a road's half width around it.
+// The units of a power plant. Each unit is on a lot of 40 m, including half the width of the road around it.
 #pragma once
 
 #include "preprocess/make/plant_kit.h"
 
 namespace gnomon::make {
 
-/// Half of what a unit may cover in x and z; the rest of its lot is road.
+/// Half the max extent of a unit in x and z. The rest of its lot is road.
 inline constexpr double kUnitHalf = 15;
 inline constexpr double kLotPitch = 40;
 
+/// Add one unit each at the origin of the site.
 void addTankFarm(Site& site);
-void addPipeRack(Site& site); // covers the lot's whole length in z, so that racks join
+void addPipeRack(Site& site); // covers the whole length of the lot in z, so that racks join
 void addPipeSleepers(Site& site);
 void addExchangers(Site& site);
 void addTransformers(Site& site);
@@ -20,7 +21,7 @@ void addCoolingTower(Site& site);
 void addStore(Site& site);
 void addGasTurbine(Site& site);
 
-/// The boiler house in storeys, each a unit of its own; storey 0 stands on the ground.
+/// The number of storeys of the boiler house. Each storey is a unit, and storey 0 is on the ground.
 inline constexpr std::uint64_t kBoilerStoreys = 8;
 void addBoilerStorey(Site& site, std::uint64_t storey);
 

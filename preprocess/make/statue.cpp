@@ -10,18 +10,18 @@ namespace gnomon::make {
 
 namespace {
 
-/// Vertices that are made together: small enough to stay in the fastest caches.
+/// The number of vertices that are made together. A batch fits into the fastest caches.
 constexpr std::size_t kBatch = 1024;
 
-/// Grid vertices of a block, at least, where a row does not have more by itself.
+/// The min number of grid vertices of a block.
 constexpr std::uint64_t kBlockVertices = 1U << 15U;
 
-/// The grain's coarsest lattice, in metres, and the slope that all octaves share: deviation over spacing. A smaller
-/// slope would let the finest octave sink below 0.3 edges from trough to crest; a larger one would hide the carving.
+/// The coarsest lattice spacing of the grain in metres, and the slope of all octaves (deviation / spacing). With a
+/// smaller slope, the height of the finest octave would be below 0.3 edges. A larger slope would hide the carving.
 constexpr double kCoarsestSpacing = 0.08;
 constexpr double kGrainSlope = 0.042;
 
-/// The finest lattice spacing is at least this many edges: below, it would be sampled as mere jitter.
+/// The min lattice spacing in edges. The mesh could not resolve a smaller spacing.
 constexpr double kFinestSpacingEdges = 2.83;
 
 std::vector<GrainOctave> grain(double meanEdge, std::uint64_t seed) {
@@ -32,7 +32,7 @@ std::vector<GrainOctave> grain(double meanEdge, std::uint64_t seed) {
     return octaves;
 }
 
-/// A small shift in (-0.5, 0.5) * `reach` from bits of a hash: scanners do not sample on a grid.
+/// Returns a random shift in (-0.5, 0.5) * `reach` from bits of a hash, because scanners do not sample on a grid.
 double jitter(std::uint64_t bits, double reach) {
     return (static_cast<double>(bits & 0xFFFFFFU) * 0x1p-24 - 0.5) * reach;
 }
@@ -50,7 +50,7 @@ Statue::Statue(std::uint64_t triangles, std::uint64_t seed, std::shared_ptr<cons
     const double sideLength =
         surface_->meridian() * (static_cast<double>(surface_->crownBegin()) - static_cast<double>(surface_->baseEnd()));
     const double girth = surface_->area() / surface_->meridian();
-    const double ratio = 4 * sideLength / girth; // rows over cells, for squares on average
+    const double ratio = 4 * sideLength / girth; // rows per cell, for squares on average
     const auto count = static_cast<double>(triangles);
     cells_ = std::max<std::uint64_t>(2, static_cast<std::uint64_t>(std::llround(std::sqrt(count / (8 * ratio + 4)))));
     const double rows = (count / 4 - static_cast<double>(cells_ * cells_)) / (2 * static_cast<double>(cells_));
@@ -64,8 +64,9 @@ void Statue::dropFinestOctaves(std::size_t count) {
     octaves_.resize(octaves_.size() - std::min(count, octaves_.size()));
 }
 
-// The parts in order: the lid of the base, the side from its lowest row of vertices to its highest, the crown's lid.
-// A lid has vertices only inside its border, which is the side's.
+// Returns the grid rows of a block. The parts in order are the lid of the base, the side from its lowest to its highest
+// row of vertices, and the lid of the crown. A lid has vertices only inside its border, because the side contains the
+// border.
 
 Statue::Rows Statue::rowsOf(std::size_t block) const {
     const auto blocksOf = [&](std::uint64_t rows) { return (rows + rowsPerBlock_ - 1) / rowsPerBlock_; };
@@ -91,7 +92,7 @@ MeshSize Statue::blockSize(std::size_t block) const {
         const std::uint64_t cellRows = std::min(rows.end, rows_) - rows.begin;
         return {count * 4 * cells_, cellRows * 8 * cells_};
     }
-    const std::uint64_t inner = count - (rows.begin == 0 ? 1 : 0); // row 0 lies on the border
+    const std::uint64_t inner = count - (rows.begin == 0 ? 1 : 0); // row 0 is on the border
     return {inner * (cells_ - 1), count * 2 * cells_};
 }
 
@@ -129,7 +130,7 @@ Statue::GridPlace Statue::lidPlace(Part lid, std::uint64_t i, std::uint64_t k) c
     const std::uint64_t bits = mix64(seed_ ^ mix64(lidVertex(lid, i, k)));
     const double x = (static_cast<double>(i) + jitter(bits, kJitterCells)) * 2 / static_cast<double>(cells_) - 1;
     const double z = (static_cast<double>(k) + jitter(bits >> 32U, kJitterCells)) * 2 / static_cast<double>(cells_) - 1;
-    const double m = std::max(std::abs(x), std::abs(z)); // which square ring
+    const double m = std::max(std::abs(x), std::abs(z)); // the square ring of the point
     double around = 0;
     if (m > 0) {
         if (x == m)
@@ -148,7 +149,7 @@ Statue::GridPlace Statue::lidPlace(Part lid, std::uint64_t i, std::uint64_t k) c
 }
 
 void Statue::carve(std::span<const GridPlace> places, std::span<glm::vec3> positions) const {
-    std::array<float, kBatch> x;      // NOLINT(cppcoreguidelines-pro-type-member-init): filled just below
+    std::array<float, kBatch> x;      // NOLINT(cppcoreguidelines-pro-type-member-init): set below
     std::array<float, kBatch> y;      // NOLINT(cppcoreguidelines-pro-type-member-init)
     std::array<float, kBatch> z;      // NOLINT(cppcoreguidelines-pro-type-member-init)
     std::array<float, kBatch> height; // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -158,7 +159,7 @@ void Statue::carve(std::span<const GridPlace> places, std::span<glm::vec3> posit
         const SurfacePoint point = surface_->at(places[i].along, places[i].around);
         positions[i] = point.position;
         outward[i] = point.outward;
-        x[i] = point.position.x + 1; // the noise wants no negative coordinates
+        x[i] = point.position.x + 1; // the noise needs positive coordinates
         y[i] = point.position.y + 1;
         z[i] = point.position.z + 1;
         height[i] = 0;

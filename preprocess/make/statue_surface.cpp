@@ -14,15 +14,15 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t kRows = 576;
-constexpr std::size_t kColumns = 512; // a multiple of 4: the corners of the grid's ring fall on columns
+constexpr std::size_t kColumns = 512; // a multiple of 4, so that the corners of the grid's ring are on columns
 
-/// A ray towards the axis: the surface point is the first hit from outside.
+/// A ray towards the axis. The surface point is its first hit from outside.
 struct Ray {
     dvec3 origin{0};
     dvec3 outward{0};
 };
 
-/// The ray at `s` in [0, 3] (base, side, crown) and `around` in quarter turns.
+/// Returns the ray at `s` in [0, 3] (base, side, crown) and `around` in quarter turns.
 Ray rayAt(double s, double around) {
     constexpr double kBaseSlope = -0.36;
     constexpr double kCrownSlope = 0.62;
@@ -36,7 +36,8 @@ Ray rayAt(double s, double around) {
         ray.outward = ring * s + dvec3(0, -(1 - s * s) + kBaseSlope * s * s, 0);
     } else if (s <= 2) {
         const double t = s - 1;
-        // Steeper towards both ends, level at the shoulders, where the slope of the stone is between the two.
+        // The rays are steep at both ends and horizontal at the shoulders, where the slope of the stone is between
+        // both.
         const double slope = kBaseSlope + (kCrownSlope - kBaseSlope) * t;
         const double forward = -0.01 + 0.014 * t * t;
         ray.origin = {0, kLowest + (kHighest - kLowest) * t, forward};
@@ -52,7 +53,7 @@ Ray rayAt(double s, double around) {
 
 dvec3 firstHit(const BustShape& shape, const Ray& ray) {
     constexpr int kSteps = 60;
-    constexpr double kNear = 0.006; // from here on the secant is a good guess
+    constexpr double kNear = 0.006; // the secant method starts at this distance
     double t = 0.34;
     double distance = shape.distance(ray.origin + t * ray.outward);
     double slope = 1;
@@ -66,7 +67,7 @@ dvec3 firstHit(const BustShape& shape, const Ray& ray) {
     return ray.origin + std::max(t, 0.02) * ray.outward;
 }
 
-/// The weights of the uniform cubic B-spline at fraction `t` of an interval.
+/// Returns the weights of the uniform cubic B-spline at the fraction `t` of an interval.
 std::array<float, 4> splineWeights(float t) {
     const float s = 1 - t;
     const float sixth = 1.0F / 6;
@@ -88,7 +89,7 @@ const StatueSurface::Texel& StatueSurface::texel(std::size_t row, std::size_t co
 }
 
 void StatueSurface::sampleMeridian(const BustShape& shape) {
-    // The mean length of many meridians, so that rows of the table lie evenly on the stone and not on the rays.
+    // Averages the lengths of many meridians, so that the rows of the table are evenly spaced on the stone.
     constexpr std::size_t kSamples = 768;
     constexpr std::size_t kMeridians = 32;
     std::vector<std::array<dvec3, kMeridians>> points(kSamples + 1);
@@ -101,7 +102,8 @@ void StatueSurface::sampleMeridian(const BustShape& shape) {
     for (std::size_t i = 1; i <= kSamples; ++i) {
         double sum = 0;
         for (std::size_t j = 0; j < kMeridians; ++j)
-            sum += std::min(0.02, glm::distance(points[i][j], points[i - 1][j])); // a jump is no length
+            // Excludes jumps between surface parts.
+            sum += std::min(0.02, glm::distance(points[i][j], points[i - 1][j]));
         length[i] = length[i - 1] + sum / kMeridians;
     }
     meridian_ = length.back();
@@ -129,8 +131,8 @@ void StatueSurface::castRays(const BustShape& shape) {
 }
 
 void StatueSurface::findOutward() {
-    // Cross products over a few texels, then a blur: a direction field smooth enough that displaced stone does not
-    // fold.
+    // Cross products over a few texels, then a blur. The direction field must be smooth, so that the displaced stone
+    // does not fold.
     constexpr std::size_t kReach = 3;
     std::vector<glm::vec3> raw(texels_.size());
     tbb::parallel_for(std::size_t{0}, kRows, [&](std::size_t row) {
@@ -183,7 +185,7 @@ SurfacePoint StatueSurface::at(float along, float around) const {
     glm::vec4 position(0);
     glm::vec4 outward(0);
     for (std::size_t i = 0; i < 4; ++i) {
-        // Beyond a pole the meridian goes on down the other side, so that the spline ends in it smoothly.
+        // The meridian continues on the other side of a pole, so that the spline is smooth there.
         const std::size_t r = row + i; // one more than the row's index
         const bool across = r == 0 || r > kRows;
         const std::size_t tableRow = r == 0 ? 1 : (r > kRows ? kRows - 2 : r - 1);

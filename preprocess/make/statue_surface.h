@@ -1,4 +1,5 @@
-// The statue's surface as a fixed table of points and directions over (meridian, ring), the same for every resolution.
+// The surface of the statue as a fixed table of points and directions over (meridian, ring). The table is the same for
+// each resolution.
 #pragma once
 
 #include "preprocess/make/bust_shape.h"
@@ -9,34 +10,35 @@
 
 namespace gnomon::make {
 
-/// A point of the surface and the unit direction in which its stone is displaced.
+/// A point of the surface and the unit direction of its displacement.
 struct SurfacePoint {
     glm::vec3 position{0};
     glm::vec3 outward{0};
 };
 
-/// The carved surface before its grain: C2 but at the two poles. Built once (about a second), read from any thread.
+/// The carved surface without grain, C2 except at the two poles. The constructor takes about a second. Any thread can
+/// read the surface.
 class StatueSurface {
 public:
     explicit StatueSurface(std::uint64_t seed);
 
-    /// The point at `along` in [0, 1] from the middle of the base to the crown, evenly spaced on average, and `around`
-    /// in [0, 4), one unit a quarter turn.
+    /// Returns the point at `along` in [0, 1] from the centre of the base to the crown, evenly spaced on average, and
+    /// at `around` in [0, 4), one unit per quarter turn.
     SurfacePoint at(float along, float around) const;
 
-    /// Where the base's flat part ends and where the crown begins, as `along`.
+    /// Return the end of the flat base and the start of the crown, as `along`.
     float baseEnd() const { return baseEnd_; }
 
     float crownBegin() const { return crownBegin_; }
 
-    /// Area and meridian length of the table's own surface, in square metres and metres.
+    /// Return the area (square metres) and the meridian length (metres) of the surface of the table.
     double area() const { return area_; }
 
     double meridian() const { return meridian_; }
 
 private:
     struct Texel {
-        glm::vec4 position{0}; // w is unused: four floats load at once
+        glm::vec4 position{0}; // w is unused, so that four floats load at once
         glm::vec4 outward{0};
     };
 

@@ -11,14 +11,14 @@ namespace gnomon::viewer {
 namespace {
 
 constexpr std::array kAllLevers = {Lever::Detail, Lever::Slices, Lever::Texels, Lever::Resolution, Lever::Exactness};
-constexpr int kDetailSteps = 8;     // half octaves: 16 times the error
-constexpr int kTexelSteps = 4;      // a sixteenth of the texels
-constexpr int kResolutionSteps = 4; // quarter octaves of a side: half of it
-constexpr double kOver = 1.03;      // of the target: more is too long
-constexpr double kComfort = 0.85;   // of the target: what is taken back must fit into that
+constexpr int kDetailSteps = 8;     // half octaves: up to 16 times the error
+constexpr int kTexelSteps = 4;      // down to a sixteenth of the texels
+constexpr int kResolutionSteps = 4; // quarter octaves of a side: down to half the resolution
+constexpr double kOver = 1.03;      // in targets; a longer frame exceeds the target
+constexpr double kComfort = 0.85;   // in targets; a frame after a step back must stay below this
 constexpr int kFramesToTakeBack = 12;
-constexpr double kTrianglesPerPixel = 1; // what shading a pixel takes, in triangles that are drawn
-constexpr double kLeastShare = 0.005;    // of the frame: a step that saves less is none
+constexpr double kTrianglesPerPixel = 1; // shading cost of a pixel, in drawn triangles
+constexpr double kLeastShare = 0.005;    // min saving of a step, as a share of the frame time
 constexpr double kLearning = 0.3;
 constexpr double kMaxExactOverMaps = 16;
 
@@ -93,14 +93,14 @@ Effort DetailBudget::effort(const Effort& wanted) const {
     return effortOf(steps_, wanted);
 }
 
-/// The time that goes with the triangles of the image and of what is cut for it.
+/// Returns the time that depends on the triangles of the image and of the cuts for it.
 double DetailBudget::detailMs(const FrameLoad& load) const {
     const double work = load.triangles + kTrianglesPerPixel * load.pixels;
     const double ofImage = work > 0 ? load.imageMs * load.triangles / work : 0;
     return ofImage + load.shadowMs * (load.decidesPoints ? 0.5 : 1 - load.errors.texelShare);
 }
 
-/// The time that goes with the pixels of the image.
+/// Returns the time that depends on the pixels of the image.
 double DetailBudget::pixelMs(const FrameLoad& load) const {
     const double work = load.triangles + kTrianglesPerPixel * load.pixels;
     const double ofImage = work > 0 ? load.imageMs * kTrianglesPerPixel * load.pixels / work : 0;
@@ -108,7 +108,7 @@ double DetailBudget::pixelMs(const FrameLoad& load) const {
 }
 
 DetailBudget::Change DetailBudget::giveUp(Lever lever, const FrameLoad& load, const Effort& now) const {
-    const double pixel = 1 / now.resolution; // that is drawn, in pixels of the window
+    const double pixel = 1 / now.resolution; // size of a drawn pixel in pixels of the window
     const double promised = load.errors.promised.value_or(0);
     switch (lever) {
     case Lever::Detail:
@@ -134,7 +134,7 @@ DetailBudget::Change DetailBudget::giveUp(Lever lever, const FrameLoad& load, co
     return {};
 }
 
-/// The same step the other way: what giving up saved comes back, in the proportion in which it went.
+/// Returns the change of the inverse step: the time and error that `giveUp` would save come back in proportion.
 DetailBudget::Change DetailBudget::takeBack(Lever lever, const FrameLoad& load, const Effort& now) const {
     Change change = giveUp(lever, load, now);
     switch (lever) {
@@ -142,7 +142,7 @@ DetailBudget::Change DetailBudget::takeBack(Lever lever, const FrameLoad& load, 
         change.error /= root(1, 2);
         change.milliseconds *= std::exp2(elasticity_ / 2);
         break;
-    case Lever::Slices: // as likely as not it was as bad a step as the next would be
+    case Lever::Slices: // the previous step is assumed to be as expensive as the next one
         change.milliseconds =
             load.shadowMs * (1 - load.errors.texelShare) / std::max(2.0 * now.slices.value_or(1), 1.0);
         change.error = load.errors.promised.value_or(0) / 4;
@@ -163,7 +163,7 @@ DetailBudget::Change DetailBudget::takeBack(Lever lever, const FrameLoad& load, 
     return change;
 }
 
-/// The step that costs the least error for the time that it saves.
+/// Returns the step with the lowest additional error per saved time.
 std::optional<DetailBudget::Change> DetailBudget::cheapest(const FrameLoad& load, const Effort& wanted) const {
     const Effort now = effort(wanted);
     std::optional<Change> best;
@@ -176,7 +176,7 @@ std::optional<DetailBudget::Change> DetailBudget::cheapest(const FrameLoad& load
     return best;
 }
 
-/// Of the steps whose time there is, that which gives back the most error for it.
+/// Returns the step back with the largest error reduction per time, among the steps that fit the target.
 std::optional<DetailBudget::Change> DetailBudget::dearest(
     const FrameLoad& load, double target, const Effort& wanted) const {
     const Effort now = effort(wanted);
@@ -207,7 +207,7 @@ void DetailBudget::learn(const FrameLoad& load) {
     }
 }
 
-/// Gives up step by step until what is left of `load` fits, by what the steps are predicted to save.
+/// Takes quality-reducing steps until the predicted time of `load` is within the target.
 void DetailBudget::shed(FrameLoad load, double target, const Effort& wanted) {
     while (load.milliseconds > target) {
         const std::optional<Change> change = cheapest(load, wanted);
@@ -219,20 +219,20 @@ void DetailBudget::shed(FrameLoad load, double target, const Effort& wanted) {
         if (change->lever == Lever::Detail) load.triangles *= std::exp2(-elasticity_ / 2);
         load.imageMs *= part;
         load.shadowMs *= part;
-        load.errors.fewerSlices.reset(); // of the next step nothing is known before it is planned
+        load.errors.fewerSlices.reset(); // the errors of the next step are unknown until the next plan
         load.errors.fewerTexels.reset();
         load.errors.asMaps.reset();
     }
 }
 
-/// Takes back step by step what fits, by what the steps are predicted to take.
+/// Takes steps back as long as the predicted time is within the target.
 void DetailBudget::restore(FrameLoad load, double target, const Effort& wanted) {
     framesWithTime_ = 0;
     while (const std::optional<Change> change = dearest(load, target, wanted)) {
         --step(change->lever);
         load.milliseconds += change->milliseconds;
         if (change->lever == Lever::Slices || change->lever == Lever::Texels || change->lever == Lever::Exactness)
-            return; // how long maps take then has to be seen
+            return; // the time of maps must be measured first
         if (change->lever == Lever::Resolution) load.pixels *= root(1, 2);
         if (change->lever == Lever::Detail) load.triangles *= std::exp2(elasticity_ / 2);
         load.imageMs += change->milliseconds;

@@ -1,4 +1,5 @@
-// The time target: what is given up while frames take too long, and taken back when there is time.
+// The quality governor of the time target: it reduces quality while frames take too long, and restores it when there is
+// time.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -10,10 +11,10 @@
 
 namespace gnomon::viewer {
 
-/// What a frame is drawn with.
+/// The quality settings of a frame.
 struct Effort {
     double errorPixels = 1;        // pixels of the window
-    std::optional<int> slices = 4; // nothing: as many as the plan finds
+    std::optional<int> slices = 4; // nothing: the plan chooses the number
     int texelsWidth = 2048;        // of all maps together
     int texelsHeight = 2048;
     double resolution = 1;  // pixels that are drawn over those of the window, along a side
@@ -21,11 +22,12 @@ struct Effort {
     bool operator==(const Effort&) const = default;
 };
 
-/// What can be given up.
+/// The kinds of quality that the governor can reduce.
 enum class Lever : std::uint8_t { Detail, Slices, Texels, Resolution, Exactness };
 inline constexpr std::size_t kLevers = 5;
 
-/// What the plan of a frame says of its errors, in pixels that are drawn; nothing where there are no maps, or no fewer.
+/// The errors of a frame's shadows according to its plan, in drawn pixels. A value is missing if there are no maps or
+/// no cheaper plan.
 struct ShadowErrors {
     std::optional<double> promised;    // perspective aliasing
     std::optional<double> fewerSlices; // with one slice less
@@ -34,17 +36,17 @@ struct ShadowErrors {
     double texelShare = 0;             // of the counted cost of its maps; the rest is their casters'
 };
 
-/// The figures of `plan`; with `withLess` also of the plans that the same scene would have with less.
+/// Returns the errors of `plan`. If `withLess` is true, also returns the errors of cheaper plans for the same scene.
 ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& facts, bool withLess);
 
-/// What a frame took and drew.
+/// The measured times and counts of a frame.
 struct FrameLoad {
-    double milliseconds = 0; // all of it
+    double milliseconds = 0; // whole frame
     double imageMs = 0;
     double shadowMs = 0;
     double triangles = 0; // of the image
     double pixels = 0;
-    bool decidesPoints = false; // shadows are decided at the image's points, by no maps
+    bool decidesPoints = false; // shadows are computed per image point, without maps
     ShadowErrors errors;
 };
 
@@ -58,25 +60,26 @@ struct FrameLoad {
 /// without a clock.
 class DetailBudget {
 public:
-    /// Takes in a frame that was drawn under `effort(wanted)`. `target` is in milliseconds, above 0.
+    /// Processes a frame that was drawn with `effort(wanted)`. `target` is in milliseconds, above 0.
     void measure(const FrameLoad& load, double target, const Effort& wanted);
 
-    /// Forgets what was given up.
+    /// Restores full quality.
     void relax();
 
-    /// What to draw with where the user asked for `wanted`.
+    /// Returns the quality to draw with if the user chose `wanted`.
     Effort effort(const Effort& wanted) const;
 
-    /// "detail 1 -> 2.8 px, slices 4 -> 3, texels 2048x2048 -> 1448x1448, resolution 71%"; empty if nothing is.
+    /// Returns a description of the reductions, for example "detail 1 -> 2.8 px, slices 4 -> 3, texels 2048x2048 ->
+    /// 1448x1448, resolution 71%". Returns an empty text at full quality.
     std::string givenUp(const Effort& wanted) const;
 
-    /// Whether nothing is left to be given up that would save time, and the last frames missed the target.
+    /// Returns true if no further step would save time and the last frames exceeded the target.
     bool isExhausted() const { return isExhausted_; }
 
 private:
     using Steps = std::array<int, kLevers>;
 
-    /// A step of a lever and what it changes: more error when given up, more time when taken back.
+    /// A step of a lever: it costs error on the way down and time on the way back.
     struct Change {
         Lever lever = Lever::Detail;
         double error = 0;        // pixels
@@ -108,7 +111,7 @@ private:
     int detailBefore_ = 0;          // its steps
     double millisecondsBefore_ = 0; // likewise; 0 where levers have moved since
     bool isExhausted_ = false;
-    int framesWithTime_ = 0; // on end, that would hold the target with a step taken back
+    int framesWithTime_ = 0; // consecutive frames that would stay within the target after a step back
 };
 
 } // namespace gnomon::viewer

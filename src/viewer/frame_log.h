@@ -1,4 +1,5 @@
-// The log of a session: a row per frame, in the columns of a bench, under its final name once it is complete.
+// The log of a session: one row per frame with the columns of a bench. The file gets its final name after it is
+// complete.
 #pragma once
 
 #include "core/file.h"
@@ -6,14 +7,15 @@
 
 namespace gnomon::viewer {
 
+/// A log of frames.
 class FrameLog {
 public:
-    /// Throws Error if `path` cannot be written.
+    /// Opens the log. Throws Error if `path` cannot be written.
     explicit FrameLog(const std::string& path);
 
     void add(const telemetry::FrameRow& row);
 
-    /// Gives the file its name.
+    /// Renames the file to its final name.
     void finish() { file_.commit(); }
 
 private:

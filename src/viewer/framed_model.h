@@ -1,4 +1,4 @@
-// The views that the window offers of a model: where it begins, and the model framed from its sides.
+// The views that the window offers of a model: the first view, and views from its sides.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -9,32 +9,32 @@
 
 namespace gnomon::viewer {
 
-/// Of one model and of the options that the window was opened with.
+/// The standard views of one model, given the options of the window.
 class FramedModel {
 public:
     /// Reads the model's outline. Throws Error.
     FramedModel(const settings::Settings& settings, const hierarchy::ModelFile& model);
 
-    /// The view that was asked for, in a picture of `size` pixels (at least 1); it frames the model where nothing else
-    /// was. Throws Error for a camera file that is none.
+    /// Returns the requested view for an image of `size` pixels (at least 1). Without a requested camera the view
+    /// frames the model. Throws Error for an invalid camera file.
     plan::View home(const glm::ivec2& size) const { return view(settings_, size); }
 
-    /// Its camera with another projection.
+    /// Returns the camera of the first view with another projection.
     Camera home(const glm::ivec2& size, Projection projection) const;
 
-    /// The camera of such a picture that has the model framed from a side.
+    /// Returns the camera that frames the model from a side.
     Camera from(path::ViewSide side, const glm::ivec2& size, Projection projection) const;
 
     const Box& bounds() const { return summary_.bounds; }
 
-    /// What is up in the model's world.
+    /// Returns the up axis of the model's world.
     glm::dvec3 up() const { return settings_.up.value_or(summary_.up.direction); }
 
-    /// The lamp that `asked` asks for.
+    /// Returns the point light that `asked` contains, if any.
     std::optional<plan::PointLight> pointLight(const settings::Settings& asked) const;
 
-    /// Begins `walk` at home, and lights it as its up asks for where nobody gave `asked` a light. Throws Error as home
-    /// does; then nothing has changed.
+    /// Starts `walk` at the first view. If `asked` has no light, sets the default light for the up axis. Throws Error,
+    /// without any change, in the same cases as `home`.
     void enter(Walk& walk, settings::Settings& asked, const glm::ivec2& size) const;
 
 private:

@@ -1,4 +1,4 @@
-// The measures of a model that are taken in its window, point by point.
+// The measures that the user takes in the window, point by point.
 #pragma once
 
 #include "survey/measures.h"
@@ -8,37 +8,37 @@
 
 namespace gnomon::viewer {
 
-/// What is measured of one model. All but the last measure are done; the last takes the points to come.
+/// The measures of one model. All measures but the last are complete. The last one receives new points.
 class Measuring {
 public:
     Measuring() = default;
 
     explicit Measuring(survey::Surveyed of) : of_(std::move(of)) {}
 
-    /// Whether clicks take points, and what was measured is shown.
+    /// Returns true if clicks add points and the measures are visible.
     bool isOn() const { return isOn_; }
 
     void toggle() { isOn_ = !isOn_; }
 
     void take(const survey::Point& point) { measures_.back().push_back(point); }
 
-    /// Drops the last point that was taken; false if there is none.
+    /// Removes the last point. Returns false if there is none.
     bool dropLast();
 
-    /// The points to come are those of another measure; false if the last one has none yet.
+    /// Starts a new measure. Returns false if the last measure has no points.
     bool beginNext();
 
     bool isEmpty() const { return measures_.front().empty(); }
 
-    /// At least one; the last may be empty.
+    /// Returns at least one measure. The last one may be empty.
     const std::vector<survey::Measure>& measures() const { return measures_; }
 
     const survey::Surveyed& of() const { return of_; }
 
-    /// What the last measure with points comes to, and what can be done.
+    /// Returns the result of the last measure with points, and the available keys.
     std::vector<std::string> inWords() const;
 
-    /// All measures with points, as files hold them.
+    /// Return all measures with points as the text of a JSON or CSV file.
     std::string json() const;
     std::string csv() const;
 

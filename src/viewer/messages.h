@@ -1,5 +1,4 @@
-// Short messages that are shown for a while in the window in one printable line, and handed on for whoever reads them
-// later.
+// Short messages that the window shows for some seconds, and that it forwards to a log.
 #pragma once
 
 #include <exception>
@@ -9,33 +8,35 @@
 
 namespace gnomon::viewer {
 
-/// Seconds since some moment.
+/// A clock that returns seconds since an arbitrary moment.
 using Clock = std::function<double()>;
 
+/// A message of one printable line.
 struct Message {
     std::string text;
     bool isError = false;
     double until = 0; // seconds on the clock
 };
 
+/// The visible messages of the window.
 class Messages {
 public:
-    /// `tell` is handed what is noted and what has failed.
+    /// Creates a list. It forwards notes and failures to `tell`.
     Messages(Clock now, std::function<void(const std::string&)> tell) : now_(std::move(now)), tell_(std::move(tell)) {}
 
-    /// What a key has set: shown for two seconds and told nowhere else. Replaces the last of its kind.
+    /// Shows the result of a key for two seconds. It replaces the previous such message and is not forwarded.
     void show(const std::string& text);
 
-    /// Something done, such as a file saved: six seconds.
+    /// Shows a result, such as a saved file, for six seconds.
     void note(const std::string& text);
 
-    /// Something that could not be done: fifteen seconds.
+    /// Shows a failure for fifteen seconds.
     void fail(const std::string& reason);
 
-    /// Drops what has been shown long enough; true if anything went.
+    /// Removes expired messages. Returns true if there were any.
     bool expire();
 
-    /// Does `action`; what it throws has failed. Whether it threw nothing.
+    /// Runs `action` and shows its exception as a failure. Returns true if there was no exception.
     template <class Do>
     bool attempt(const Do& action) {
         try {
@@ -53,7 +54,7 @@ private:
     Clock now_;
     std::function<void(const std::string&)> tell_;
     std::vector<Message> messages_;
-    bool lastIsShown_ = false; // the last message is one of `show`
+    bool lastIsShown_ = false; // whether the last message is from `show`
 };
 
 } // namespace gnomon::viewer

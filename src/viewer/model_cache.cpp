@@ -19,7 +19,7 @@
 
 namespace gnomon::viewer {
 
-/// Passes progress on to the status, and the wish to stop back.
+/// Forwards progress to the status, and interrupts the build when it is stopped.
 class CacheBuild::Watch final : public Progress {
 public:
     explicit Watch(CacheBuild& build) : build_(&build) {}
@@ -60,12 +60,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Describes which files the cache was built from.
+/// Returns the path of the record, which describes the files that the cache was built from.
 std::string recordPath(const std::string& meshPath) {
     return cachePath(meshPath) + ".json";
 }
 
-/// The facts of a file that change with its content; null if there is no such file.
+/// Returns facts about a file that change with its content, or null if there is no such file.
 nlohmann::ordered_json factsOf(const fs::path& path) {
     std::error_code failure;
     if (!fs::is_regular_file(path, failure)) return nullptr;
@@ -75,8 +75,8 @@ nlohmann::ordered_json factsOf(const fs::path& path) {
     return {{"bytes", bytes}, {"changed_ns", changed.time_since_epoch().count()}};
 }
 
-/// The names of libraries or pictures in the folder of the mesh and in the folders in that. One that the mesh names may
-/// have been missing when the cache was built.
+/// Returns the names of libraries or textures in the folder of the mesh and its subfolders. The mesh may name a file
+/// that was missing when the cache was built.
 std::set<std::string> namesBeside(const fs::path& mesh) {
     constexpr std::size_t kMaxEntries = 10'000;
     const std::string format = read::loweredSuffix(mesh.string());
@@ -106,8 +106,8 @@ pipeline::BuildOptions buildOptionsOf(const std::string& meshPath, const CacheOp
     return options;
 }
 
-/// What was built from what: the program, its options that change bytes, and each of `files`, whose names are relative
-/// to the folder of the mesh.
+/// Returns the record of a cache: the program version, the options that affect its bytes, and each of `files`. File
+/// names are relative to the folder of the mesh.
 nlohmann::ordered_json recordOf(
     const std::string& meshPath, const std::vector<std::string>& files, const CacheOptions& options) {
     nlohmann::ordered_json record = {
@@ -133,7 +133,7 @@ bool isCacheFresh(const std::string& meshPath, const CacheOptions& options) {
         now["model"] = hierarchy::ModelFile(cachePath(meshPath)).contentHash();
         return now == stored;
     } catch (const std::exception&) {
-        return false; // there is none, it is another version's or damaged: a build says what is wrong with the mesh
+        return false; // no record, another version or damage; the build then reports errors of the mesh
     }
 }
 
@@ -164,7 +164,8 @@ void CacheBuild::run(const CacheOptions& options) {
             files.push_back(fs::path(path).lexically_proximate(folder).string());
         nlohmann::ordered_json record = recordOf(meshPath_, files, options);
         pipeline::buildModel(*source, build, watch);
-        // If a file changed meanwhile, nobody knows which content was read: the next window builds again.
+        // If a file changed during the build, the content that was read is unknown, and the next window must build
+        // again.
         const bool isSame = record == recordOf(meshPath_, files, options) && record["files"][0] == before["files"][0];
         record["model"] = hierarchy::ModelFile(build.output).contentHash();
         if (isSame) writeTextFile(recordPath(meshPath_), telemetry::jsonText(record, 1) + "\n");

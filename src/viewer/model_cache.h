@@ -1,4 +1,4 @@
-// Meshes that are looked at without a build: the model in the cache beside them, and the thread that builds it.
+// Opens meshes without an explicit build: a cached model next to the mesh, and the thread that builds it.
 #pragma once
 
 #include "core/progress.h"
@@ -12,35 +12,35 @@
 
 namespace gnomon::viewer {
 
-/// Whether `path` is a model already, by its suffix; everything else is taken for a mesh.
+/// Returns true if the suffix of `path` is that of a model. All other files are meshes.
 bool isModelPath(const std::string& path);
 
-/// The cache of a mesh: "scan.ply.gnm" beside "scan.ply", which is nobody's own name for a model.
+/// Returns the path of a mesh's cache: "scan.ply.gnm" for "scan.ply". Users do not choose such names for models.
 std::string cachePath(const std::string& meshPath);
 
-/// What a cache is built with.
+/// The options of a cache.
 struct CacheOptions {
-    Bytes memory; // peak resident size of the build
+    Bytes memory; // max resident size of the build
     int threads = 0;
-    std::string sourceRoot{}; // folder that files of the mesh may come from; empty: its own
+    std::string sourceRoot{}; // folder that files of the mesh may come from; empty: the folder of the mesh
 };
 
-/// Whether the cache of `meshPath` is the one that a build would write now: the file beside it (CACHE.json) names the
-/// same version and options, the same model, the same size and time of change for each file that was read, and the same
-/// libraries or pictures in the folder of the mesh.
+/// Returns true if a build would write the same cache. The record (CACHE.json) must contain the same version, options
+/// and model, the same size and time of change of each file that was read, and the same libraries or textures in the
+/// folder of the mesh.
 bool isCacheFresh(const std::string& meshPath, const CacheOptions& options);
 
-/// How far a build is.
+/// The progress of a build.
 struct BuildStatus {
     std::string stage;
     std::string unit;
     std::uint64_t done = 0;
-    std::uint64_t total = 0; // 0: not known
-    double seconds = 0;      // since the build began
+    std::uint64_t total = 0; // 0: unknown
+    double seconds = 0;      // since the start of the build
 };
 
-/// Builds the cache of a mesh on a thread of its own, and writes the file beside it that `isCacheFresh` reads. Ends
-/// with the thread: the destructor stops the build and waits.
+/// Builds the cache of a mesh in a separate thread, and writes the record for `isCacheFresh`. The destructor stops the
+/// build and waits for the thread.
 class CacheBuild {
 public:
     CacheBuild(std::string meshPath, const CacheOptions& options);
@@ -56,7 +56,7 @@ public:
 
     bool isDone() const { return isDone_; }
 
-    /// Once done: why there is no model; nothing if there is one.
+    /// Returns the reason of a failure after the end, or nothing if there is a model.
     const std::optional<std::string>& failure() const { return failure_; }
 
 private:
@@ -70,7 +70,7 @@ private:
     std::atomic<bool> isStopped_ = false;
     std::atomic<bool> isDone_ = false;
     std::optional<std::string> failure_;
-    std::thread thread_; // last, so that it starts with everything else ready
+    std::thread thread_; // the last member, so that the thread starts after all others are initialised
 };
 
 } // namespace gnomon::viewer

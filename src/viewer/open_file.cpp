@@ -6,7 +6,7 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kWatchSeconds = 1; // between looks at the model's file
+constexpr double kWatchSeconds = 1; // interval between checks of the model's file
 
 } // namespace
 

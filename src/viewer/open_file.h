@@ -1,4 +1,5 @@
-// What is open in the window: a model, or a mesh whose model is being built; and what becomes of the model's file.
+// The open file of the window: a model, or a mesh whose model is being built. Also watches the model's file for
+// changes.
 #pragma once
 
 #include "viewer/messages.h"
@@ -12,11 +13,11 @@
 
 namespace gnomon::viewer {
 
-/// What goes wrong is told in the messages, and what was open stays open. All that it is given must outlive it.
+/// Opens files. Errors are shown as messages, and the previous file stays open. All arguments must outlive the object.
 class OpenFile {
 public:
-    /// `onOpen` prepares the rest of the window for another model, just before that takes the place of the last one;
-    /// if it throws, the last one stays.
+    /// Creates the object. It calls `onOpen` before a new model replaces the previous one. If `onOpen` throws, the
+    /// previous model stays.
     OpenFile(
         const ViewerOptions& options,
         const gl::Context& context,
@@ -29,20 +30,20 @@ public:
           now_(std::move(now)),
           onOpen_(std::move(onOpen)) {}
 
-    /// Opens a model, or the cache of a mesh; begins a build where that is not fresh.
+    /// Opens a model, or the cache of a mesh. Starts a build if the cache is outdated.
     void open(const std::string& file);
 
-    /// Opens the model of a build that has ended; to be called each frame.
+    /// Opens the model of a finished build. The caller must call it in each frame.
     void watchBuild();
 
-    /// Looks once a second whether the model's file has changed or vanished, and tells it; to be called each frame.
-    /// True if a frame should be drawn to see what a server has sent.
+    /// Checks once per second whether the model's file has changed or vanished, and shows a message. The caller must
+    /// call it in each frame. Returns true if a frame is needed to show data from a server.
     bool watchFile();
 
-    /// The model; null before the first one.
+    /// Returns the scene of the open model, or null.
     Scene* scene() const { return scene_.get(); }
 
-    /// The build that is under way; null if none is.
+    /// Returns the current build, or null.
     const CacheBuild* build() const { return build_.get(); }
 
 private:

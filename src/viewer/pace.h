@@ -1,5 +1,5 @@
-// When the window draws: the scene until it has come to rest after a change, and what lies over it until that is laid
-// out.
+// The redraw scheduler of the window. It draws the scene until the image is at rest after a change, and the overlay
+// until its layout is complete.
 #pragma once
 
 #include "telemetry/frame_row.h"
@@ -9,9 +9,10 @@
 
 namespace gnomon::viewer {
 
+/// The number of frames that the scene and the overlay still need.
 class Pace {
 public:
-    /// Something has changed that the next frames of the scene must show.
+    /// Requests scene frames after a change.
     void wakeScene() {
         sceneFrames_ = kSettlingFrames;
         framesSinceWoken_ = 0;
@@ -19,56 +20,57 @@ public:
         ++changes_;
     }
 
-    /// How often something has changed so far.
+    /// Returns the number of changes so far.
     std::uint64_t changes() const { return changes_; }
 
-    /// Something has changed in what lies over the scene.
+    /// Requests overlay frames after a change of the overlay.
     void wakeWindow() { windowFrames_ = kLayoutFrames; }
 
-    /// Whether there are frames of the scene to be drawn.
+    /// Returns true if scene frames are pending.
     bool isSceneAwake() const { return sceneFrames_ > 0; }
 
     bool isWindowAwake() const { return windowFrames_ > 0; }
 
-    /// The scene is to be drawn at least once more.
+    /// Requests at least one more scene frame.
     void keepScene() { sceneFrames_ = std::max(sceneFrames_, 1); }
 
-    /// Whether only one more frame of the scene is to be drawn, as far as is known.
+    /// Returns true if the next scene frame is the last one, as far as known.
     bool isLastOfScene() const { return sceneFrames_ == 1; }
 
-    /// The scene is drawn once more.
+    /// Counts a drawn scene frame.
     void countScene() {
         sceneFrames_ = std::max(sceneFrames_ - 1, 0);
         ++framesSinceWoken_;
     }
 
-    /// Whether nothing has changed for so long that frames may take their time: for all but one of the frames until the
-    /// scene has come to rest, or for 0.3 s of frames where it `hurries`, whose next frame is then the last.
+    /// Returns true if frames may take longer, because there was no change for a while: for all but one of the settling
+    /// frames, or for 0.3 s of frame time if `hurries` is true. In the second case the next frame is the last one.
     bool isSettled(bool hurries) const {
         return framesSinceWoken_ >= kSettlingFrames - 1 || (hurries && millisecondsSinceWoken_ >= kSettlingMs);
     }
 
-    /// Leaves out what is to be drawn of the scene before its last frame.
+    /// Skips the pending scene frames before the last one.
     void settle() { sceneFrames_ = std::min(sceneFrames_, 1); }
 
-    /// Takes in what became of a frame of the scene. Pages on their way will change the picture, unless nothing has
-    /// come for long.
+    /// Processes the result of a scene frame. If pages are missing, it requests more frames, unless no page has arrived
+    /// for a long time.
     void see(const telemetry::FrameRow& row);
 
-    /// The scene cannot be drawn.
+    /// Cancels scene frames, because the scene cannot be drawn.
     void stopScene() { sceneFrames_ = 0; }
 
-    /// The window is drawn once more.
+    /// Counts a drawn overlay frame.
     void countWindow() { windowFrames_ = std::max(windowFrames_ - 1, 0); }
 
-    /// What lies over the scene is to be drawn at least once more.
+    /// Requests at least one more overlay frame.
     void keepWindow() { windowFrames_ = std::max(windowFrames_, 1); }
 
 private:
-    static constexpr int kSettlingFrames = 16; // more than near takes to rise: what it was held at is not shown at rest
+    // More frames than the near distance needs to rise, so that the resting image has its final value.
+    static constexpr int kSettlingFrames = 16;
     static constexpr double kSettlingMs = 300;
-    static constexpr int kUnansweredFrames = 60; // with pages missing of which none comes
-    static constexpr int kLayoutFrames = 3;      // Dear ImGui needs more than one to lay out what is new
+    static constexpr int kUnansweredFrames = 60; // max consecutive frames with missing pages if no page arrives
+    static constexpr int kLayoutFrames = 3;      // Dear ImGui needs several frames to lay out new content
 
     int sceneFrames_ = kSettlingFrames;
     int windowFrames_ = kLayoutFrames;

@@ -24,7 +24,7 @@ void PathRecorder::add(double seconds, const Camera& camera) {
     }
     const bool stood = isSame(kept.back().camera, last_ ? last_->camera : kept.back().camera);
     const bool stands = isSame(kept.back().camera, camera);
-    // What stood still until now must not drift towards here: its last moment is a keyframe too.
+    // A camera that rested until now must not drift towards this keyframe, so its last moment becomes a keyframe too.
     if (last_ && stood && !stands) kept.push_back(*last_);
     last_ = now;
     if (!stands && seconds - kept.back().time >= kLeastInterval) {

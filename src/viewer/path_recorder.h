@@ -1,4 +1,4 @@
-// Camera paths made by hand and walked again: the recorder, and the player whose frames are those of a bench.
+// The recorder of camera paths, and the player, whose frames are identical to those of a bench.
 #pragma once
 
 #include "path/camera_path.h"
@@ -7,39 +7,40 @@
 
 namespace gnomon::viewer {
 
-/// Collects the cameras of a walk by hand.
+/// Records the cameras of a walk.
 class PathRecorder {
 public:
-    /// Adds `camera` at `seconds`, which must not decrease. At most thirty keyframes a second are kept, and of a
-    /// camera that stands still only its first and its last.
+    /// Adds `camera` at `seconds`, which must not decrease. The recorder stores at most thirty keyframes per second,
+    /// and only the first and the last keyframe of a resting camera.
     void add(double seconds, const Camera& camera);
 
-    /// The path so far, its first keyframe at time 0; nothing before the first camera.
+    /// Returns the path so far, with its first keyframe at time 0. Returns nothing before the first camera.
     std::optional<path::CameraPath> path() const;
 
 private:
     path::CameraPath path_;
-    std::optional<path::Keyframe> last_; // not yet in the path
+    std::optional<path::Keyframe> last_; // not in the path yet
 };
 
-/// Walks a path, either by the clock or in a fixed number of frames.
+/// Plays a path, either by the clock or in a fixed number of frames.
 class PathPlayer {
 public:
-    /// `frames` at a fixed step, evenly over the path as in a bench; nothing: by the clock.
+    /// Creates a player with `frames` frames at a fixed step, evenly spaced over the path like in a bench. Without
+    /// `frames` it plays by the clock.
     PathPlayer(path::CameraPath path, std::optional<int> frames) : path_(std::move(path)), frames_(frames) {}
 
-    /// The camera of the frame at hand.
+    /// Returns the camera of the current frame.
     Camera camera() const;
 
-    /// Its number, from 0; by the clock it counts frames drawn.
+    /// Returns the number of the current frame, from 0. By the clock it counts drawn frames.
     int frame() const { return frame_; }
 
     bool hasFixedStep() const { return frames_.has_value(); }
 
-    /// On to the next frame, which is `seconds` later by the clock. False when the path was over.
+    /// Advances to the next frame, which is `seconds` later by the clock. Returns false at the end of the path.
     bool advance(double seconds);
 
-    /// How much of the path is behind, 0 to 1.
+    /// Returns the played share of the path, 0 to 1.
     double part() const;
 
 private:

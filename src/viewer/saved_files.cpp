@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Calls `write` with the first names that are free, START NUMBER SUFFIX for each of `suffixes`, and returns them. A
-/// window beside this one cannot choose the same names meanwhile: they are made at once.
+/// Calls `write` with the first free names START NUMBER SUFFIX, one per suffix, and returns them. The files are created
+/// at once, so that a second window cannot choose the same names.
 std::vector<std::string> saveNew(
     const std::string& start,
     const std::vector<std::string>& suffixes,
@@ -47,8 +47,8 @@ std::vector<std::string> saveNew(
     }
 }
 
-/// The folder that `xdg-user-dir PICTURES` prints, if the user has chosen one: in the environment, or in a line
-/// XDG_PICTURES_DIR="$HOME/PATH" or "/PATH" of user-dirs.dirs.
+/// Returns the picture folder that the user has chosen, like `xdg-user-dir PICTURES`: from the environment, or from a
+/// line XDG_PICTURES_DIR="$HOME/PATH" or "/PATH" of user-dirs.dirs.
 std::string chosenPicturesFolder(const std::string& home) {
     std::string chosen = environmentPath("XDG_PICTURES_DIR");
     if (!chosen.empty()) return chosen;
@@ -69,8 +69,8 @@ std::string chosenPicturesFolder(const std::string& home) {
     return found;
 }
 
-/// The folder "Gnomon" in the user's folder of pictures, else in the home folder, else in the current one; made where
-/// it is missing.
+/// Returns the folder "Gnomon" in the user's picture folder, else in the home folder, else in the current folder.
+/// Creates it if it is missing.
 std::string pictureFolder() {
     const std::string home = environmentPath("HOME");
     std::vector<std::string> folders = {chosenPicturesFolder(home)};
@@ -92,7 +92,7 @@ SavedFiles::SavedFiles(const std::string& modelPath) {
     const std::string stem = fs::path(modelPath).stem().string();
     if (!stem.empty()) stem_ = stem;
     const std::string folder = fs::path(modelPath).parent_path().string();
-    // A model on a server, or in a folder that is not the user's, has its files in the current one.
+    // The current folder is used if the model is on a server or in a folder without write permission.
     if (!storage::isAddress(modelPath) && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0)
         folder_ = folder;
 }

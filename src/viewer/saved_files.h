@@ -1,5 +1,5 @@
-// The files that a session saves under numbered names: pictures in the user's folder of pictures, paths and cameras in
-// the current folder, measures beside the model. No file that exists is overwritten.
+// Saves the files of a session under numbered names: images in the user's picture folder, paths and cameras in the
+// current folder, measures next to the model. It never overwrites existing files.
 #pragma once
 
 #include "executor/picture.h"
@@ -12,38 +12,38 @@
 
 namespace gnomon::viewer {
 
-/// Names begin with that of the model: "bunny_1.png", "bunny_path1.json". Everything returns the file's name and throws
-/// Error if it cannot be written.
+/// Saves files whose names begin with the name of the model, for example "bunny_1.png" or "bunny_path1.json". All
+/// functions return the name of the file and throw Error if it cannot be written.
 class SavedFiles {
 public:
     SavedFiles() = default;
     explicit SavedFiles(const std::string& modelPath);
 
-    /// "Gnomon/bunny_1.png" in the folder of pictures that the XDG user directories name, else in ~/Pictures, in the
-    /// home folder, or in the current one.
+    /// Saves an image as "Gnomon/bunny_1.png" in the picture folder of the XDG user directories, else in ~/Pictures, in
+    /// the home folder, or in the current folder.
     std::string savePicture(const executor::Picture& picture) const;
 
-    /// Saves the window's own framebuffer beside it, as "bunny_window1.png". The framebuffer must be complete and
-    /// bound.
+    /// Saves the framebuffer of the window as "bunny_window1.png" in the same folder. The framebuffer must be complete
+    /// and bound.
     std::string saveWindow(const gl::Api& gl, const glm::ivec2& size) const;
 
     std::string savePath(const path::CameraPath& path) const;
 
-    /// A file that `gnomon render --camera` reads.
+    /// Saves a file for `gnomon render --camera`.
     std::string saveCamera(const Camera& camera) const;
 
-    /// "bunny_measures1.json" and "bunny_measures1.csv", in the model's folder or, where nothing can be written there,
-    /// in the current one; both names.
+    /// Saves "bunny_measures1.json" and "bunny_measures1.csv" in the model's folder, or in the current folder if that
+    /// is not writable. Returns both names.
     std::string saveMeasures(const std::string& json, const std::string& csv) const;
 
-    /// Frame `frame` of a played path into `folder`, which is made if need be: "frame0000.png".
+    /// Saves frame `frame` of a played path in `folder` as "frame0000.png". Creates the folder if needed.
     void savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const;
 
 private:
     std::string saveNumbered(const std::string& kind, const executor::Picture& picture) const;
 
     std::string stem_ = "gnomon";
-    std::string folder_; // of what it measures
+    std::string folder_; // folder for measures
 };
 
 } // namespace gnomon::viewer

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int kPickReach = 6; // pixels around the cursor
 
-/// A server that is away is soon given up, so that it is told; the page store asks it again.
+/// Opens the source of a model. Requests to a server time out after one second, so that the user sees the problem. The
+/// page store tries again.
 std::unique_ptr<storage::Source> sourceOf(const std::string& path) {
     storage::Access access = storage::commonAccess();
     access.patience = std::chrono::seconds(1);
@@ -72,7 +73,7 @@ const frame::Frame& Scene::draw(const Shot& shot) {
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);
     colored_.reset();
-    if (shot.colors.by != settings::ColorBy::None) { // before anything is drawn once more, as is:
+    if (shot.colors.by != settings::ColorBy::None) { // before another frame is drawn
         executor::Picture colored = executor_->picture();
         values::colorByValues(shot.colors, renderer_, *frame_, colored);
         colored_ = std::move(colored);
@@ -139,7 +140,7 @@ std::optional<frame::DrawnPoint> Scene::drawnPoint(const glm::ivec2& pixel) {
     const std::optional<glm::ivec2> drawn = drawnPixel(executor_->viewDepth(), pixel, kPickReach);
     if (!drawn) return std::nullopt;
     frame::FrameOptions options = frame_->options;
-    options.overlay = executor::Overlay::None; // it asks for nothing of what an overlay shows
+    options.overlay = executor::Overlay::None; // an overlay is not needed
     return frame::drawnPoint(renderer_, *frame_, options, *drawn);
 }
 

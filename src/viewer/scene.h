@@ -1,4 +1,4 @@
-// An open model with its executor in the window: frames, pictures, and what became of its file.
+// An open model with its executor in the window: frames, images, and the state of its file.
 #pragma once
 
 #include "executor/executor.h"
@@ -18,27 +18,27 @@
 
 namespace gnomon::viewer {
 
-/// Everything that a frame is drawn from.
+/// The input of a frame.
 struct Shot {
     plan::View view;
     plan::Quality quality;
     frame::FrameOptions options;
-    settings::ValueColors colors;  // in place of the surfaces' own, of one frame; its options keep the surfaces then
-    bool measuresAliasing = false; // once the frame is drawn; takes a second drawing
-    int samples = 1;               // with `isAccumulated`: frames that the picture is to be the mean of
+    settings::ValueColors colors;  // replace the surface colours in one frame; `options` must then keep the surfaces
+    bool measuresAliasing = false; // measures the aliasing after the frame with a second drawing
+    int samples = 1;               // with `isAccumulated`: number of frames in the mean
 
-    /// Who sees the picture.
+    /// Returns the camera of the image.
     const Camera& seenBy() const { return options.observerCamera ? *options.observerCamera : view.camera; }
 };
 
-/// A texture with the last frame's picture.
+/// A texture with the image of the last frame.
 struct ShownPicture {
     GLuint texture = 0;
-    bool isBottomUp = false; // its first row is the lowest
-    bool isOpaque = false;   // its alpha is 1 all over
+    bool isBottomUp = false; // its first row is the lowest one
+    bool isOpaque = false;   // its alpha is 1 everywhere
 };
 
-/// A model in a window's context, which must outlive it.
+/// A model in the context of a window. The context must outlive it.
 class Scene {
 public:
     /// Opens `path`. The backend is the one that `settings` request, or the choice for the window's OpenGL; it can draw
@@ -50,7 +50,7 @@ public:
         const gl::Context& context,
         std::function<void(const std::string&)> onDamaged);
 
-    /// What is being read of a server is given up.
+    /// Cancels pending reads from a server.
     ~Scene() { model_.source().stop(); }
 
     Scene(const Scene&) = delete;
@@ -60,44 +60,44 @@ public:
 
     const hierarchy::ModelFile& model() const { return model_; }
 
-    /// Draws; the result stays until the next call. Throws Error; then the last picture stays.
+    /// Draws a frame. The result is valid until the next call. If it throws Error, the last image stays.
     const frame::Frame& draw(const Shot& shot);
 
-    /// Frames to come depend on no frame before.
+    /// Makes the next frames independent of earlier frames.
     void forget() { renderer_.forget(); }
 
-    /// Nothing before the first frame.
+    /// Returns the last frame, or null.
     const frame::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
 
-    /// Draws the last frame again, sampled elsewhere in its pixels: `shown` is the mean. It has to be one with
-    /// `isAccumulated`. Throws Error; then the picture stays as it was.
+    /// Draws the last frame again with another sample offset in its pixels. `shown` returns the mean. The frame must
+    /// have `isAccumulated`. If it throws Error, the image does not change.
     void addSample();
 
-    /// Frames that the picture is the mean of; 0 where the last one was drawn without `isAccumulated`.
+    /// Returns the number of frames in the mean, or 0 for a frame without `isAccumulated`.
     int samples() const { return accumulation_.samples(); }
 
-    /// Frames that it is to be the mean of: those asked for, or as many as its light takes.
+    /// Returns the final number of frames in the mean: the requested number, or as many as the light needs.
     int wantedSamples() const { return accumulation_.wanted(); }
 
-    /// The last frame's, or the mean, as `gnomon render` would write it.
+    /// Returns the last image or the mean, as `gnomon render` would write it.
     executor::Picture picture() const;
 
-    /// The same as a texture, to be shown with `size` pixels, its hollows darkened if that is wanted.
+    /// Returns the image as a texture for `size` pixels. If `darkensHollows` is true, applies eye-dome lighting.
     ShownPicture shown(const glm::ivec2& size, bool darkensHollows);
 
-    /// Whether the last frame had anything to draw.
+    /// Returns true if the last frame had visible geometry.
     bool isAnythingInView() const { return !frame_ || !frame_->facts.visible || frame_->facts.visible->anything; }
 
-    /// The world point under a pixel of the last frame.
+    /// Returns the world point under a pixel of the last frame.
     std::optional<glm::dvec3> pick(const glm::ivec2& pixel);
 
-    /// The same on the triangle that is drawn there.
+    /// Returns the point under a pixel with its triangle.
     std::optional<frame::DrawnPoint> drawnPoint(const glm::ivec2& pixel);
 
-    /// What became of the model's file since it was opened.
+    /// Returns the state of the model's file since it was opened.
     storage::Fate fate() const { return model_.source().fate(); }
 
-    /// Whether the last frame lacks pages that a server may yet send.
+    /// Returns true if the last frame lacks pages that a server may still send.
     bool isAwaiting() const;
 
     /// Returns the capabilities of the backend that draws.

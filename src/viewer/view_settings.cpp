@@ -81,7 +81,7 @@ bool isAmong(std::span<const settings::ValueColors> choices, const settings::Val
 }
 
 std::string stepColors(std::span<const settings::ValueColors> choices, int step, settings::ValueColors& colors) {
-    std::size_t at = 0; // of what none of them is, as of nothing
+    std::size_t at = 0; // 0, no colours, if no choice is the current one
     for (std::size_t i = 0; i < choices.size(); ++i)
         if (areBySame(choices[i], colors)) at = i;
     const auto count = static_cast<std::ptrdiff_t>(choices.size());

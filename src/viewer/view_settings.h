@@ -1,4 +1,4 @@
-// What the keys and the panel change: quality, overlay, light, and what is shown beside the picture.
+// The settings that keys and the panel change: quality, overlay, light, and the visible elements of the window.
 #pragma once
 
 #include "executor/executor.h"
@@ -13,7 +13,7 @@
 
 namespace gnomon::viewer {
 
-/// The ways of casting shadows that a key steps through; slices, faces and warp make all others.
+/// The shadow schemes that a key cycles through. Slices, faces and warp can also be set separately.
 enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices, Exact, Rays, Auto };
 
 inline constexpr std::array kSchemes = {
@@ -26,16 +26,16 @@ inline constexpr std::array kSchemes = {
     Scheme::Rays,
     Scheme::Auto};
 
-/// "no shadows", "one map", ...
+/// Returns the name of a scheme, for example "no shadows" or "one map".
 const char* name(Scheme scheme);
 
 /// The settings of a window.
 struct ViewSettings {
-    settings::Settings asked; // contradictions are resolved: what `quality` says is what is drawn
+    settings::Settings asked; // without contradictions: `quality` describes the drawn image
     executor::Overlay overlay = executor::Overlay::None;
-    settings::ValueColors colors; // of pictures without an overlay
-    double targetMs = 0;          // 0: none
-    bool showsFacts = false;      // all of them; else a line
+    settings::ValueColors colors; // in images without an overlay
+    double targetMs = 0;          // 0: no target
+    bool showsFacts = false;      // all statistics; otherwise one line
     bool darkensHollows = false;
     bool showsPanel = false;
     bool showsHelp = false;
@@ -45,25 +45,25 @@ struct ViewSettings {
 std::vector<settings::ValueColors> colorChoices(
     const hierarchy::ModelSummary& model, const plan::Capabilities& capabilities);
 
-/// Ends for the map of `colors`, from which a person may move them: all that `model` has of it, of errors all above the
-/// finest. `up` has any length above 0.
+/// Returns the initial range of the colour map: all values of `model`, or for errors all values above the finest. `up`
+/// has any length above 0.
 std::array<double, 2> widestEnds(
     const settings::ValueColors& colors, const hierarchy::ModelSummary& model, const glm::dvec3& up);
 
-/// Whether one of the choices is by the same value.
+/// Returns true if one of the choices uses the same value.
 bool isAmong(std::span<const settings::ValueColors> choices, const settings::ValueColors& colors);
 
-/// Asks for the choice that lies `step` behind that of `colors`, around, in the same map; returns what is now set, for
-/// people.
+/// Selects the choice `step` positions after that of `colors`, cyclically, with the same colour map. Returns a
+/// description of the new choice.
 std::string stepColors(std::span<const settings::ValueColors> choices, int step, settings::ValueColors& colors);
 
-/// The scheme that `quality` asks for.
+/// Returns the scheme of `quality`.
 Scheme schemeOf(const plan::Quality& quality);
 
-/// Asks for `scheme`; slices keep their number, and get four where there was one.
+/// Sets `scheme`. The number of slices does not change, except that one slice becomes four.
 void choose(Scheme scheme, plan::Quality& quality);
 
-/// Asks for the scheme that lies `step` behind the one of `quality`, around.
+/// Selects the scheme `step` positions after that of `quality`, cyclically.
 void stepScheme(plan::Quality& quality, int step);
 
 } // namespace gnomon::viewer

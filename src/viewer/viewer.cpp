@@ -31,7 +31,7 @@ int drawnSide(int pixels, double resolution) {
     return std::max(static_cast<int>(std::lround(pixels * resolution)), 1);
 }
 
-/// What the target's controller is told of a frame that was drawn.
+/// Returns the input of the quality governor for a drawn frame.
 FrameLoad loadOf(const frame::Frame& frame, double milliseconds, double targetMs) {
     const telemetry::FrameRow& row = frame.row;
     FrameLoad load;
@@ -104,11 +104,12 @@ void WindowSession::run(Progress& interrupt) {
             throw Error(options_.path, "the path was not played to its end");
         if (!hasDrawn || walk_.advance(now() - lastFrame_)) continue;
         pace_.wakeScene();
-        if (isScripted()) break; // all that was asked for is there
+        if (isScripted()) break; // all requested images are written
     }
     keepViews();
     if (log_) log_->finish();
-    if (file_.build() != nullptr) TemporaryName::removeAllAndExit(0); // a reader notices only later that it is to stop
+    // A running reader would react too late to a stop request.
+    if (file_.build() != nullptr) TemporaryName::removeAllAndExit(0);
 }
 
 void WindowSession::open(const std::string& file) {
@@ -128,7 +129,7 @@ void WindowSession::enter(const Scene& scene) {
         settings_.colors = {};
     }
     saved_ = SavedFiles(model.path());
-    pictureDue_.reset(); // it was to be of another model
+    pictureDue_.reset(); // the pending image was of another model
     measuring_ = Measuring(survey::surveyedOf(model.path(), model.summary(), framed_->up()));
     glfwSetWindowTitle(window_.handle(), ("Gnomon - " + printable(model.path())).c_str());
     pace_.wakeScene();
@@ -147,7 +148,7 @@ void WindowSession::waitForEvents() {
     input_.setMouseTaken(imgui_.wantsMouse());
     if (isIdle() && !pace_.isWindowAwake() && !isRefining()) {
         glfwWaitEventsTimeout(kIdleSeconds);
-        // Time that nothing moved in is no time to move on by.
+        // Idle time must not advance the animation.
         lastFrame_ = std::max(lastFrame_, now() - 1.0 / 60);
     } else {
         glfwPollEvents();
@@ -155,20 +156,21 @@ void WindowSession::waitForEvents() {
     if (input_.hasHappened()) pace_.wakeWindow();
 }
 
-/// Whether the next frame is the last before the window waits for input: that one may take its time.
+/// Returns true if the next frame is the last one before the window waits for input. This frame may take longer.
 bool WindowSession::comesToRest() const {
     const frame::Frame* frame = file_.scene()->frame();
     const bool isMissing = frame == nullptr || frame->row.pagesMissing.value_or(0) > 0;
     return pace_.isLastOfScene() && !isMissing && !walk_.isUnderWay();
 }
 
-/// Whether more frames are to be added to the picture of a view that stands.
+/// Returns true if the image of a resting view still needs more frames for its mean.
 bool WindowSession::isRefining() const {
     const Scene* scene = file_.scene();
     return scene != nullptr && isIdle() && scene->samples() > 0 && scene->samples() < scene->wantedSamples();
 }
 
-/// Adds as many frames as a window may stand still for. Showing them takes time too, so that is not done for each.
+/// Adds frames to the mean for a short time that does not block the window. Showing the mean also takes time, so not
+/// each frame is shown.
 void WindowSession::refine() {
     constexpr double kSeconds = 0.02;
     constexpr double kBetweenShown = 0.12;
@@ -189,13 +191,13 @@ Effort WindowSession::wantedEffort() const {
     return effort;
 }
 
-/// Whether frames have to keep to the time target: not at rest, and not where a path says what is drawn.
+/// Returns true if frames must respect the time target: the view is moving, and no path with fixed frames is playing.
 bool WindowSession::isHurried() const {
     const bool rests = !walk_.isUnderWay() && pace_.isSettled(true);
     return settings_.targetMs > 0 && !walk_.playsFixed() && !rests;
 }
 
-/// What the window draws now with `size` pixels; a still one takes the time that it needs.
+/// Returns the input of the next frame with `size` pixels. A still frame ignores the time target.
 Shot WindowSession::shot(const glm::ivec2& size, bool isStill) const {
     Shot shot;
     shot.view.towardsLight = settings_.asked.towardsLight;
@@ -243,7 +245,7 @@ bool WindowSession::drawFrame() {
         refine();
     if (scene != nullptr) savePictureOnceDone();
     const bool drawsWindow = drawsScene || pace_.isWindowAwake();
-    pace_.countWindow(); // first, since drawing it may ask for one more
+    pace_.countWindow(); // before drawing, which may request another frame
     if (drawsWindow) drawWindow(size);
     return drawsScene;
 }
@@ -252,13 +254,13 @@ void WindowSession::drawScene(const glm::ivec2& size) {
     if (settings_.targetMs > 0 && !walk_.isUnderWay() && pace_.isSettled(true)) pace_.settle();
     const bool isMeasured = isHurried();
     const bool rests = comesToRest();
-    if (rests) file_.scene()->forget(); // what stands is what `gnomon render` makes of the view
+    if (rests) file_.scene()->forget(); // so that the resting image is identical to the output of `gnomon render`
     const Shot shot = this->shot(size, rests);
     drawnFor_ = size;
     pace_.countScene();
     if (messages_.attempt([&] { file_.scene()->draw(shot); })) {
         afterScene(shot, isMeasured);
-        // The last page may have come just now: what it completes has still to be drawn as what stands.
+        // The last missing page may have arrived in this frame, so that the resting image needs another frame.
         if (!rests && file_.scene()->frame()->row.pagesMissing.value_or(0) == 0) pace_.keepScene();
         return;
     }
@@ -275,7 +277,7 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
     const double milliseconds = row.totalMs.value_or(0) + lastWindowMs_;
     if (isMeasured)
         budget_.measure(loadOf(*scene.frame(), milliseconds, settings_.targetMs), settings_.targetMs, wantedEffort());
-    const double distance = walk_.control().distance(); // parallel lines of sight have no other
+    const double distance = walk_.control().distance(); // parallel projection has no other distance
     const bool isParallel = plan.view.camera.isParallel();
     walk_.control().see(isParallel ? SceneDepths{distance, distance} : SceneDepths{plan.near, plan.far}, 1.0 / 30);
     pace_.see(row);
@@ -292,7 +294,8 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
             walk_.stop();
 }
 
-/// Saves the view of this moment, at once or later.
+/// Saves the current view as an image. A moving view is drawn in full and saved at once. A resting view is saved after
+/// its refinement.
 void WindowSession::takePicture() {
     const bool isShownInFull = walk_.playsFixed() || (isIdle() && !isRefining());
     if (isShownInFull && file_.scene()->frame() != nullptr) return saveShownPicture();
@@ -313,9 +316,9 @@ void WindowSession::saveShownPicture() {
     messages_.attempt([&] { messages_.note("saved " + saved_.savePicture(file_.scene()->picture())); });
 }
 
-/// Draws a view in full, which the frames in motion do not, and saves that. The window waits meanwhile.
+/// Draws a view in full quality, which moving frames do not have, and saves it. The window waits.
 void WindowSession::savePictureOf(Shot still) {
-    constexpr double kMaxSeconds = 1; // for samples, of which the first is there in any case
+    constexpr double kMaxSeconds = 1; // for samples; the first one is always drawn
     pictureDue_.reset();
     messages_.attempt([&] {
         Scene& scene = *file_.scene();

@@ -1,4 +1,4 @@
-// The window: user input becomes a view, a frame is drawn of it, and what there is to say is laid over it.
+// The window: user input changes the view, and each frame is drawn with an overlay.
 #pragma once
 
 #include "core/progress.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::viewer {
 
-/// Opens the window and stays until it is closed. Throws Error where there is no display or no OpenGL 4.5; what goes
-/// wrong later is told in the window. `interrupt` may stop it by an exception, which leaves the log complete.
+/// Opens the window and returns after it is closed. Throws Error if there is no display or no OpenGL 4.5. Later errors
+/// are shown in the window. `interrupt` may stop the function by an exception. The log is then complete.
 void runViewer(const ViewerOptions& options, Progress& interrupt);
 
 } // namespace gnomon::viewer

@@ -1,4 +1,4 @@
-// What the window is asked for when it opens.
+// The options with which the window opens.
 #pragma once
 
 #include "settings/settings.h"
@@ -10,22 +10,22 @@
 
 namespace gnomon::viewer {
 
-/// What `gnomon view` was asked for.
+/// The options of `gnomon view`.
 struct ViewerOptions {
     settings::Settings settings;
-    settings::ValueColors colors; // at the start; by a key later
-    std::string file;             // a model, or a mesh to be built into the cache beside it
+    settings::ValueColors colors; // initial value; a key changes it
+    std::string file;             // a model, or a mesh that is built into the cache next to it
     int threads = 0;
-    double targetMs = 33;             // 0: none
-    int samples = 64;                 // frames that the picture of a standing view is the mean of; 1: the last alone
-    std::string path;                 // to play from the start; empty: none
-    std::optional<int> frames;        // of the path, at a fixed step; nothing: by the clock
-    std::string images;               // folder for the pictures of played frames; empty: none
+    double targetMs = 33;             // 0: no target
+    int samples = 64;                 // frames in the mean of a resting view; 1: only the last frame
+    std::string path;                 // path to play at the start; empty: none
+    std::optional<int> frames;        // number of frames of the path at a fixed step; nothing: by the clock
+    std::string images;               // folder for the images of played frames; empty: none
     std::string csv;                  // log of all frames; empty: none
-    std::string sourceRoot;           // of a mesh's other files, as --source-root of a build
-    Bytes buildMemory = gibibytes(2); // peak resident size while a mesh is built
+    std::string sourceRoot;           // folder of a mesh's other files; see --source-root of a build
+    Bytes buildMemory = gibibytes(2); // max resident size while a mesh is built
     std::function<void(const std::string&)> tell = [](const std::string&) {
-    }; // what is noted, and what has failed, beside being shown
+    }; // receives notes and failures, which the window also shows
 };
 
 } // namespace gnomon::viewer

@@ -1,5 +1,4 @@
-// What moves the camera: user input, or a path that is played; with the recorder of that input, and the eye that
-// culling may stay frozen to.
+// Moves the camera by user input or by a played path. Also records paths, and stores the frozen camera of culling.
 #pragma once
 
 #include "viewer/input/camera_control.h"
@@ -11,15 +10,15 @@
 
 namespace gnomon::viewer {
 
-/// Everything but `enter` and the constructor needs a model that was entered.
+/// The camera motion of a session. All functions except `enter` and the constructor need a call of `enter` before.
 class Walk {
 public:
-    /// `path` is what is played first, until another one is recorded; `frames` as in PathPlayer. What is done is told
-    /// in `messages`, which must outlive it.
+    /// Creates a walk. `path` is played first, until another path is recorded. See PathPlayer for `frames`. Actions are
+    /// reported in `messages`, which must outlive the object.
     Walk(Messages& messages, Clock now, std::optional<path::CameraPath> path, std::optional<int> frames)
         : messages_(&messages), now_(std::move(now)), path_(std::move(path)), frames_(frames) {}
 
-    /// Begins at `home` in a world with this `up`. Throws Error if `home` is impossible; then all stays as it was.
+    /// Starts at `home` in a world with this `up` axis. Throws Error, without any change, if `home` is invalid.
     void enter(const Camera& home, const glm::dvec3& up);
 
     bool hasEntered() const { return control_.has_value(); }
@@ -28,10 +27,10 @@ public:
 
     const CameraControl& control() const { return *control_; }
 
-    /// Who sees the picture.
+    /// Returns the camera of the image.
     Camera camera() const { return player_ ? player_->camera() : control_->camera(); }
 
-    /// Whose cut and maps the picture is made of.
+    /// Returns the camera whose cut and maps the image uses.
     Camera culledBy() const { return frozen_.value_or(camera()); }
 
     bool isFrozen() const { return frozen_.has_value(); }
@@ -42,32 +41,32 @@ public:
 
     bool playsFixed() const { return player_ && player_->hasFixedStep(); }
 
-    /// Whether the next frame is another one, or has to be drawn for a recorder, though nobody touches anything; also
-    /// before any model.
+    /// Returns true if frames are needed without input: a path plays, a recorder runs, or the camera still moves. It
+    /// also works before any model.
     bool isUnderWay() const { return player_ || recorder_ || (control_ && control_->isMoving()); }
 
-    /// How much of the path that is played is behind, 0 to 1; below 0 where none is.
+    /// Returns the played share of the path, 0 to 1, or a negative number if no path plays.
     double playedPart() const { return player_ ? player_->part() : -1; }
 
-    /// The number of the played frame at hand.
+    /// Returns the number of the current played frame.
     int playedFrame() const { return player_->frame(); }
 
     void toggleFreeze();
 
-    /// Begins to record, or ends and saves what was recorded.
+    /// Starts a recording, or ends and saves it.
     void toggleRecording(const SavedFiles& saved);
 
-    /// Begins to play, ending any recording, or stops. Whether a path begins.
+    /// Starts playing and ends any recording, or stops playing. Returns true if a path starts.
     bool togglePlaying(const SavedFiles& saved);
 
-    /// Adds the camera of a frame to what is recorded, if anything is.
+    /// Adds the camera of a frame to the recording, if any.
     void record(const Camera& camera);
 
-    /// On to the next frame of the path, which is `seconds` later by the clock. False where that ended the path, so
-    /// that user input moves the camera again.
+    /// Advances to the next frame of the path, which is `seconds` later by the clock. Returns false if the path ended.
+    /// User input then moves the camera again.
     bool advance(double seconds);
 
-    /// Ends a path at once, without a word.
+    /// Ends a path at once, without a message.
     void stop() { player_.reset(); }
 
 private:

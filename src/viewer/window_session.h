@@ -1,4 +1,4 @@
-// The window: takes user input to where it belongs, and draws what comes of it.
+// The session of the window: it dispatches user input and draws the result.
 #pragma once
 
 #include "core/progress.h"
@@ -25,12 +25,12 @@
 
 namespace gnomon::viewer {
 
-/// `gnomon view` from its first frame to its last.
+/// The run of `gnomon view` from its first frame to its last.
 class WindowSession {
 public:
     explicit WindowSession(const ViewerOptions& options);
 
-    /// Until the window is closed, or `interrupt` says that the program is.
+    /// Runs until the window is closed or `interrupt` throws.
     void run(Progress& interrupt);
 
 private:
@@ -60,7 +60,8 @@ private:
 
     Projection projection() const { return walk_.control().camera().projection; }
 
-    /// Whether the session ends by itself: with the path whose frames it writes, or where that cannot be played.
+    /// Returns true if the session ends by itself: after the path whose frames it writes, or if the path cannot be
+    /// played.
     bool isScripted() const { return !options_.path.empty() && !options_.images.empty(); }
 
     bool isIdle() const { return !pace_.isSceneAwake() && !walk_.isUnderWay(); }
@@ -75,15 +76,16 @@ private:
     bool isHurried() const;
     Shot shot(const glm::ivec2& size, bool isStill) const;
     void takePicture();
-    bool drawFrame(); // whether the scene was drawn
+    bool drawFrame(); // returns whether the scene was drawn
     void drawScene(const glm::ivec2& size);
     void afterScene(const Shot& shot, bool isMeasured);
     OverlayContent content() const;
     void drawWindow(const glm::ivec2& size);
 
-    /// A picture of a view at rest is saved once it is as good as it gets, or before the window draws another view.
+    /// A pending image of a resting view. It is saved after its last refinement, or before the window draws another
+    /// view.
     struct PictureDue {
-        Shot shot; // at the moment when the user asked for it
+        Shot shot; // input at the moment of the request
         std::uint64_t changes = 0;
     };
 
@@ -109,10 +111,10 @@ private:
     std::optional<FrameLog> log_;
     std::optional<FramedModel> framed_;
     Caps caps_;
-    double lastFrame_ = 0; // seconds on GLFW's clock, as is:
-    double lastShown_ = 0; // when the window was last drawn
+    double lastFrame_ = 0; // seconds on GLFW's clock
+    double lastShown_ = 0; // time of the last drawing of the window, same clock
     double lastWindowMs_ = 0;
-    glm::ivec2 drawnFor_{0}; // the window that the last frame was for
+    glm::ivec2 drawnFor_{0}; // window size of the last frame
     std::int64_t frameCount_ = 0;
     std::optional<PictureDue> pictureDue_;
     bool savesWindow_ = false;

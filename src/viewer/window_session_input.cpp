@@ -10,7 +10,7 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kDefaultTargetMs = 33; // where it was asked to have none
+constexpr double kDefaultTargetMs = 33; // used if the options set no target
 
 } // namespace
 
@@ -23,7 +23,7 @@ void WindowSession::takeInput(double seconds) {
     for (const Drag& drag : input_.drags())
         takeDrag(drag);
     CameraControl& control = walk_.control();
-    if (walk_.isPlaying()) return; // the path has the camera
+    if (walk_.isPlaying()) return; // the path moves the camera
     if (input_.wheel() != 0) {
         const std::string said = turnWheel(input_.wheel(), input_.isHeldControl(), underCursor(), control);
         if (!said.empty()) messages_.show(said);
@@ -37,7 +37,7 @@ void WindowSession::takeInput(double seconds) {
     }
 }
 
-/// In the order in which they came: a key may drop or save what a click has measured.
+/// Processes presses and clicks in their order, because a key may remove or save the point of a click.
 void WindowSession::takePressesAndClicks() {
     std::size_t clicked = 0;
     const auto measureBefore = [&](std::size_t presses) {
@@ -57,7 +57,7 @@ void WindowSession::takeDrag(const Drag& drag) {
     if (useOf(drag) == DragUse::Section) return dragSection(drag);
     const bool turnsLight = useOf(drag) == DragUse::Light;
     if (walk_.isPlaying() && !turnsLight) return;
-    if (drag.moved != glm::dvec2(0)) pace_.wakeScene(); // a press by itself changes nothing that is drawn
+    if (drag.moved != glm::dvec2(0)) pace_.wakeScene(); // a press alone does not change the image
     if (turnsLight)
         turnLight(settings_.asked, walk_.control().camera(), drag.moved);
     else
@@ -74,14 +74,15 @@ void WindowSession::dragSection(const Drag& drag) {
     pace_.wakeScene();
 }
 
-/// The pixel of the last frame, of fewer ones while time is short, at one of the window.
+/// Converts a pixel of the window to a pixel of the last frame. The frame has fewer pixels if the quality governor
+/// reduced the resolution.
 glm::ivec2 WindowSession::inFrame(const glm::ivec2& at) const {
     const plan::View& view = file_.scene()->frame()->plan.view;
     const glm::dvec2 scale = glm::dvec2(view.width, view.height) / glm::dvec2(glm::max(drawnFor_, glm::ivec2(1)));
     return {glm::dvec2(at) * scale};
 }
 
-/// The world point under a pixel of the window.
+/// Returns the world point under a pixel of the window.
 std::optional<glm::dvec3> WindowSession::pick(const glm::ivec2& at) const {
     Scene& scene = *file_.scene();
     if (scene.frame() == nullptr) return std::nullopt;
@@ -97,7 +98,7 @@ void WindowSession::measure(const Click& click) {
     measuring_.take({place.cell, place.within});
 }
 
-/// Whether the binding is about measures.
+/// Runs a binding for measures. Returns false if it has another purpose.
 bool WindowSession::actOnMeasures(const Binding& binding) {
     switch (binding.action) {
     case Action::Measure:
@@ -121,7 +122,7 @@ bool WindowSession::actOnMeasures(const Binding& binding) {
     }
 }
 
-/// Those of the model that is open; the first time, as they were kept.
+/// Returns the recent views of the open model. The first call loads the stored views.
 RecentViews& WindowSession::recentViews() {
     const std::string& model = file_.scene()->model().path();
     const auto [found, isNew] = recent_.try_emplace(model);
@@ -129,7 +130,7 @@ RecentViews& WindowSession::recentViews() {
     return found->second;
 }
 
-/// On disk; where that fails, it is said once, and none are kept any more.
+/// Stores the views on disk. After a failure it shows one message and stores no more views.
 void WindowSession::keepViews() {
     const bool areKept = messages_.attempt([&] {
         for (const auto& [model, views] : recent_)
@@ -180,7 +181,7 @@ void WindowSession::actOnModel(const Binding& binding) {
         return messages_.show(settings::onlySoftware(&plan::Capabilities::sections));
     if (const auto set = changeSection(binding, settings_.asked, framed_->bounds(), framed_->up()))
         return messages_.show(*set);
-    if (!walk_.isUnderWay()) recentViews().stay(walk_.camera()); // which the key may be about to leave
+    if (!walk_.isUnderWay()) recentViews().stay(walk_.camera()); // the key may leave this view
     switch (binding.action) {
     case Action::StepColors:
         settings_.overlay = executor::Overlay::None;
@@ -217,7 +218,7 @@ void WindowSession::actOnModel(const Binding& binding) {
     case Action::Reload:
         return open(std::string(file_.scene()->model().path()));
     default:
-        return; // Fly counts as long as its key is held
+        return; // Fly is processed while its key is held
     }
 }
 

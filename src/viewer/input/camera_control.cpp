@@ -10,17 +10,17 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kMostPitch = kPi / 2 - 1e-3; // looking along up has no yaw
+constexpr double kMostPitch = kPi / 2 - 1e-3; // the yaw is undefined along the up axis
 constexpr double kLongestStep = 0.1;          // seconds
 constexpr double kGlideSeconds = 0.4;
 constexpr double kInertiaSeconds = 0.06;
-constexpr double kSpeedSeconds = 0.3;    // in which the speed follows what is in view
-constexpr double kSpeedOfDistance = 0.5; // distances a second
+constexpr double kSpeedSeconds = 0.3;    // response time of the speed to the visible depths
+constexpr double kSpeedOfDistance = 0.5; // distances per second
 constexpr double kNotchesPerOctave = 4;
-constexpr double kStill = 1e-3; // of the speed
-constexpr double kAlong = 1e-9; // the sine below which a view counts as along an axis
+constexpr double kStill = 1e-3; // share of the speed below which the camera rests
+constexpr double kAlong = 1e-9; // sine of the max angle between a view and an axis that count as parallel
 
-/// `angle` plus the whole turns that bring it nearest to `reference`.
+/// Returns `angle` plus the full turns that bring it nearest to `reference`.
 double nearestTurn(double angle, double reference) {
     const double turn = 2 * kPi;
     return angle + turn * std::round((reference - angle) / turn);
@@ -48,7 +48,7 @@ CameraControl::Pose CameraControl::poseOf(const Camera& camera) const {
     const glm::dvec3 to = ahead / distance;
     Pose pose;
     pose.eye = camera.eye;
-    // Straight up or down it is where the picture's lower or upper border lies that says how it is turned.
+    // If the camera looks straight up or down, its up vector determines the yaw.
     const double rise = glm::dot(to, up_);
     const bool isUpright = glm::length(to - rise * up_) > kAlong;
     const glm::dvec3 level = isUpright ? to : rise < 0 ? camera.up : -camera.up;
@@ -89,7 +89,7 @@ void CameraControl::advance(const Flight& flight, double seconds) {
     glm::dvec3 wanted = flight.direction * flight.haste;
     const double length = glm::length(flight.direction);
     if (length > 1) wanted /= length;
-    // The velocity's exact exponential, so that the way does not depend on how the time is cut into frames.
+    // The exact solution for the velocity, so that the path does not depend on the frame times.
     const double decay = std::exp(-step / kInertiaSeconds);
     const glm::dvec3 way = wanted * step + (velocity_ - wanted) * (kInertiaSeconds * (1 - decay));
     velocity_ = wanted + (velocity_ - wanted) * decay;
@@ -165,7 +165,7 @@ void CameraControl::see(const SceneDepths& depths, double seconds) {
     if (!(depths.near > 0 && depths.far >= depths.near)) return;
     const double follow = 1 - std::exp(-std::clamp(seconds, 0.0, kLongestStep) / kSpeedSeconds);
     const double seen = std::sqrt(depths.near * depths.far);
-    sceneDistance_ *= std::pow(seen / sceneDistance_, follow); // in ratios: distances span orders of magnitude
+    sceneDistance_ *= std::pow(seen / sceneDistance_, follow); // in ratios, because distances span orders of magnitude
 }
 
 void CameraControl::changeSpeed(double notches) {

@@ -1,4 +1,4 @@
-// User input to camera: flying, looking, orbiting, gliding to where a key says. Knows nothing of windows or clocks.
+// Converts user input to a camera: flying, looking, orbiting, and gliding to a target. It has no window and no clock.
 #pragma once
 
 #include "core/camera.h"
@@ -7,75 +7,77 @@
 
 namespace gnomon::viewer {
 
-/// Which way to fly: right, up and forward in camera axes, each from -1 to 1.
+/// The direction of flight: right, up and forward in camera axes, each from -1 to 1.
 struct Flight {
     glm::dvec3 direction{0};
-    double haste = 1; // multiplies the speed
+    double haste = 1; // factor of the speed
 };
 
-/// The depths of what is in view, world units.
+/// The depths of the visible scene in world units.
 struct SceneDepths {
     double near = 0; // above 0
-    double far = 0;  // above near
+    double far = 0;  // at least near
 };
 
-/// A camera that is moved by hand. `camera().up` is that of the world; the view never tips over it.
+/// A camera that the user moves. `camera().up` is the up axis of the world, and the view never tips over it.
 class CameraControl {
 public:
-    /// At `home`, in a world whose up is that of `home` or, where `home` looks along `up` (of any length above 0),
-    /// this. Throws Error if `home` is impossible.
+    /// Starts at `home`. The up axis of the world is that of `home`. If `home` looks along its up axis or along `up`,
+    /// the up axis is `up` (any length above 0). Throws Error if `home` is invalid.
     CameraControl(const Camera& home, const glm::dvec3& up);
 
     Camera camera() const;
 
-    /// Moves on by `seconds`: along `flight`, with a little inertia, or along the glide that is under way, which any
-    /// flight ends. Where lines of sight are parallel flying ahead comes nearer to the target, and so enlarges. Seconds
-    /// above a tenth count as a tenth, so that a slow frame does not throw the eye far.
+    /// Moves the camera for `seconds`: along `flight` with some inertia, or along the current glide. A flight ends the
+    /// glide. With parallel projection a forward flight enlarges the image. Times above 0.1 s count as 0.1 s, so that a
+    /// slow frame does not move the camera far.
     void advance(const Flight& flight, double seconds);
 
-    /// Whether `advance` without a flight would still move the camera.
+    /// Returns true if `advance` without a flight would move the camera.
     bool isMoving() const;
 
-    /// Turns the view: yaw to the right, pitch upwards, radians.
+    /// Turns the view: yaw to the right and pitch upwards, in radians.
     void look(double yawRadians, double pitchRadians);
 
-    /// Turns the eye about `pivot` with everything it sees, so that the pivot keeps its place on the screen; where
-    /// lines of sight are parallel all keeps its size.
+    /// Turns the camera about `pivot`. The pivot stays at its place on the screen. With parallel projection the scale
+    /// does not change.
     void orbit(const glm::dvec3& pivot, double yawRadians, double pitchRadians);
 
-    /// Moves the eye sideways: right and up, world units.
+    /// Moves the camera to the right and up, in world units.
     void shift(double right, double up);
 
-    /// Moves the eye towards `point`, which keeps its place on the screen: five notches halve the way, away from it
-    /// they double it.
+    /// Moves the camera towards `point`, which stays at its place on the screen. Five notches halve the distance.
+    /// Negative notches double it.
     void zoomTo(const glm::dvec3& point, double notches);
 
-    /// Glides to look at `point` from half as far.
+    /// Glides to a view of `point` from half the distance.
     void focusOn(const glm::dvec3& point);
 
-    /// Glides to `camera`, whose up is this one's unless it looks along that.
+    /// Glides to `camera`. The up axis does not change, unless `camera` looks along it.
     void goTo(const Camera& camera);
 
-    /// Takes over `camera` at once, likewise.
+    /// Jumps to `camera` with the same rule for the up axis.
     void jumpTo(const Camera& camera);
 
-    /// Between lines of sight that part and parallel ones; what is as far as the target keeps its size.
+    /// Switches between perspective and parallel projection. Objects at the distance of the target do not change their
+    /// size.
     void toggleProjection();
 
-    /// What is in view now, for the speed; the speed follows within some tenths of a second.
+    /// Processes the visible depths, which determine the speed. The speed follows within some tenths of a second.
     void see(const SceneDepths& depths, double seconds);
 
-    /// Turns the wheel: four notches double the speed.
+    /// Processes the wheel: four notches double the speed.
     void changeSpeed(double notches);
 
-    /// World units a second at haste 1: half the geometric mean of the depths in view, times the wheel's factor.
+    /// Returns the speed at haste 1 in world units per second: half the geometric mean of the visible depths, times the
+    /// factor of the wheel.
     double speed() const;
 
-    /// How far away what is looked at is taken to be: the last focus, or the depths in view.
+    /// Returns the assumed distance of the viewed object: from the last focus, or from the visible depths.
     double distance() const { return pose_.distance; }
 
 private:
-    /// Angles in the frame of `right_`, `up_` and `front_`.
+    /// A camera position with angles in the frame of `right_`, `up_` and `front_`.
     struct Pose {
         glm::dvec3 eye{0};
         double yaw = 0;   // 0 looks along front_, pi/2 along right_
@@ -86,7 +88,7 @@ private:
     struct Glide {
         Pose from;
         Pose to;
-        double seconds = 0; // since it began
+        double seconds = 0; // since its start
     };
 
     Pose poseOf(const Camera& camera) const;

@@ -92,13 +92,13 @@ void Input::onButton(int button, int action, int modifiers) {
     constexpr double kBetweenClicks = 0.35; // seconds
     const double time = glfwGetTime();
     hasDoubleClicked_ = time - lastClick_ < kBetweenClicks && glm::distance(cursor_, lastClickAt_) < kOnePlace;
-    lastClick_ = hasDoubleClicked_ ? -1 : time; // a third click begins anew
+    lastClick_ = hasDoubleClicked_ ? -1 : time; // a third click starts a new double click
     lastClickAt_ = cursor_;
 }
 
 void Input::onCursor(double x, double y) {
     hasHappened_ = true;
-    // Window coordinates are not pixels where the screen is scaled by the window system.
+    // Window coordinates differ from pixels if the window system scales the screen.
     int width = 0;
     int height = 0;
     int pixelsWide = 0;
@@ -120,7 +120,7 @@ void Input::onCursor(double x, double y) {
 void Input::onFocus(bool hasFocus) {
     hasHappened_ = true;
     if (hasFocus) return;
-    // Releases go to whoever has the focus now.
+    // The window that has the focus now receives the releases.
     held_.clear();
     dragButton_ = -1;
 }

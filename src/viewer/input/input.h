@@ -1,4 +1,4 @@
-// What happened to the window since the last frame, gathered from GLFW's callbacks.
+// Collects the events of the window since the last frame from GLFW's callbacks.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,29 +11,29 @@ struct GLFWwindow;
 
 namespace gnomon::viewer {
 
-/// A key that went down.
+/// A key press.
 struct KeyPress {
-    int key = 0; // GLFW's
+    int key = 0; // key code of GLFW
     bool withShift = false;
 };
 
-/// A drag with the mouse since the last frame, in pixels of the framebuffer; x to the right, y down.
+/// A mouse drag since the last frame, in pixels of the framebuffer; x to the right, y down.
 struct Drag {
-    int button = 0;    // GLFW's
-    int modifiers = 0; // GLFW's, as they were when it began
+    int button = 0;    // button code of GLFW
+    int modifiers = 0; // modifiers of GLFW at its start
     glm::dvec2 moved{0};
-    bool hasBegun = false; // this frame
+    bool hasBegun = false; // whether the drag started in this frame
 };
 
-/// A press of the left button that was let go where it was.
+/// A click: the left button was released where it was pressed.
 struct Click {
     glm::dvec2 at{0}; // pixels of the framebuffer
     bool withShift = false;
-    std::size_t pressesBefore = 0; // keys that went down before it, since the last frame
+    std::size_t pressesBefore = 0; // number of key presses before the click since the last frame
 };
 
-/// The keys and the mouse of one window. It must outlive the window's callbacks; make it before Dear ImGui's, which
-/// hand on to it.
+/// The keys and the mouse of one window. The object must outlive the callbacks of the window. It must be created before
+/// Dear ImGui, whose callbacks forward events to it.
 class Input {
 public:
     explicit Input(GLFWwindow* window);
@@ -43,15 +43,15 @@ public:
     Input(Input&&) = delete;
     Input& operator=(Input&&) = delete;
 
-    /// Begins a new frame: forgets presses, drags and wheel of the last one; keys that are held stay held.
+    /// Starts a new frame: clears presses, drags and wheel of the last frame. Held keys remain held.
     void beginFrame();
 
-    /// Whether anything happened since `beginFrame`, mere movements of the mouse included.
+    /// Returns true if any event arrived since `beginFrame`, including mouse movements.
     bool hasHappened() const { return hasHappened_; }
 
     const std::vector<KeyPress>& presses() const { return presses_; }
 
-    /// Whether `key` is held, or was pressed at all since the last frame: a tap counts for a frame.
+    /// Returns true if `key` is held or was pressed since the last frame. A short tap therefore counts for one frame.
     bool isHeld(int key) const;
 
     bool isHeldControl() const;
@@ -62,18 +62,18 @@ public:
 
     double wheel() const { return wheel_; }
 
-    /// Whether the left button was clicked twice in a row, at one place.
+    /// Returns true if the left button was clicked twice in a row at one place.
     bool hasDoubleClicked() const { return hasDoubleClicked_; }
 
-    /// Where the cursor is, pixels of the framebuffer from its upper left.
+    /// Returns the position of the cursor in pixels of the framebuffer, from the upper left corner.
     glm::dvec2 cursor() const { return cursor_; }
 
     const std::vector<std::string>& dropped() const { return dropped_; }
 
-    /// Whether the content scale has changed since the last frame.
+    /// Returns true if the content scale changed since the last frame.
     bool hasNewScale() const { return hasNewScale_; }
 
-    /// Set before events are taken in: whether the mouse is over something that keeps its clicks for itself.
+    /// Sets whether the mouse is over an element that uses its clicks. The caller must set this before events arrive.
     void setMouseTaken(bool isTaken) { isMouseTaken_ = isTaken; }
 
 private:
@@ -93,10 +93,10 @@ private:
     int dragButton_ = -1;
     int dragModifiers_ = 0;
     bool hasDoubleClicked_ = false;
-    double lastClick_ = -1; // seconds, of the left button
+    double lastClick_ = -1; // time of the last click of the left button, in seconds
     glm::dvec2 lastClickAt_{0};
     std::vector<Drag> drags_;
-    glm::dvec2 pressedAt_{0}; // where the drag at hand began
+    glm::dvec2 pressedAt_{0}; // start of the current drag
     std::vector<Click> clicks_;
     double wheel_ = 0;
     glm::dvec2 cursor_{0};

@@ -23,7 +23,7 @@ constexpr int of(path::ViewSide side) {
     return static_cast<int>(side);
 }
 
-/// F1 to F8 are for the overlays, whose list may go on.
+/// The number of overlays with a key: F1 to F8. The list of overlays may be longer.
 constexpr std::size_t kOverlayKeys = std::min<std::size_t>(8, executor::kOverlays.size());
 
 std::vector<Binding> cameraAndSettingKeys() {

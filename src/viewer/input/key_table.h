@@ -1,4 +1,4 @@
-// Every key of the window, declared once: the table that dispatches also makes the help.
+// The table of all keys of the window. It dispatches key presses and generates the help.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace gnomon::viewer {
 
-/// What a key does; `value` of its binding says which or how much.
+/// The action of a key. The `value` of a binding selects a variant or an amount.
 enum class Action : std::uint8_t {
-    Fly, // while it is held: value is a Way
+    Fly, // while the key is held; value is a Way
     Focus,
     LookFrom, // value is a path::ViewSide
     ToggleProjection,
     GoHome,
     StepScheme,
-    StepSetting, // value is how many steps, of the setting that the binding names
+    StepSetting, // value is the number of steps; the binding names the setting
     ToggleTarget,
-    StepColors, // value is how many steps, among what the model can be coloured by
+    StepColors, // value is the number of steps through the values that colour the model
     SetOverlay, // value is an index of executor::kOverlays
     Freeze,
     TogglePanel,
@@ -27,48 +27,50 @@ enum class Action : std::uint8_t {
     ToggleHollows,
     Record,
     Play,
-    ToggleSection, // value 1: six of them
-    MoveSection,   // value is by how many 400ths of the model's height
+    ToggleSection, // value 1: a box of six sections
+    MoveSection,   // value is the distance in 400ths of the model's height
     SaveCamera,
     Measure,
     NextMeasure,
     DropPoint,
     SaveMeasures,
-    RecentView, // value is -1 for that before, 1 for that behind it
-    Screenshot, // value 1: with what is drawn over it
+    RecentView, // value -1: the previous view; 1: the next view
+    Screenshot, // value 1: including the overlay
     Reload,
     Leave,
 };
 
-/// The ways of flying.
+/// The directions of flight.
 enum class Way : std::uint8_t { Forward, Back, Left, Right, Down, Up };
 
-/// A key, or a key with Shift, and what it does.
+/// A key, with or without Shift, and its action.
 struct Binding {
-    int key = 0; // GLFW's
+    int key = 0; // key code of GLFW
     bool withShift = false;
     Action action = Action::Leave;
     int value = 0;
     std::string keyName{};
     std::string help{};
-    std::string setting{}; // of StepSetting: a name in the table of settings
+    std::string setting{}; // for StepSetting: a name in the table of settings
 };
 
-/// All of them, in the order of the help.
+/// Returns all bindings in the order of the help.
 std::span<const Binding> bindings();
 
-/// What the mouse does, for the help.
+/// A mouse gesture and its effect, for the help.
 struct MouseUse {
     const char* gesture;
     const char* help;
 };
 
+/// Returns all mouse gestures in the order of the help.
 std::span<const MouseUse> mouseUses();
 
-/// Both in lines, for a help that is text.
+/// Returns the bindings and mouse gestures as lines of text.
 std::string keysForPeople();
 
-/// The binding of `key`. Where a key has none with Shift, the one without counts: Shift also hastens flights.
+/// Returns the binding of `key`. A key without a binding for Shift uses its plain binding, because Shift also makes
+/// flights faster.
 const Binding* bindingOf(int key, bool withShift);
 
 } // namespace gnomon::viewer

@@ -1,4 +1,4 @@
-// What is under the cursor: the ray through a pixel, met with what was drawn there.
+// Finds the scene point under the cursor from the depths of the drawn image.
 #pragma once
 
 #include "core/camera.h"
@@ -8,11 +8,11 @@
 
 namespace gnomon::viewer {
 
-/// A pixel (column, row from the upper left) of the picture whose view depths are given, or where nothing is drawn at
-/// it the drawn one nearest to it within `reach` pixels, so that wires and railings can be hit; nothing beyond.
+/// Returns the pixel (column, row from the upper left) if something is drawn there. Otherwise returns the nearest drawn
+/// pixel within `reach` pixels, so that the user can hit wires and railings. Returns nothing if there is none.
 std::optional<glm::ivec2> drawnPixel(const executor::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach);
 
-/// The world point that is drawn there, seen by `camera`.
+/// Returns the world point that `camera` sees at this pixel.
 std::optional<glm::dvec3> pointUnder(
     const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach);
 

@@ -9,7 +9,7 @@ namespace gnomon::viewer {
 
 namespace {
 
-/// How far a box reaches along a direction, both ends.
+/// The extent of a box along a direction.
 struct Reach {
     double least = 0;
     double most = 0;
@@ -33,7 +33,7 @@ double distanceOf(const settings::Section& section, const glm::dvec3& point) {
 } // namespace
 
 std::vector<settings::Section> sectionBox(const Box& bounds) {
-    constexpr double kAside = 1e-3; // of the model: faces that lie on its bounds stay whole
+    constexpr double kAside = 1e-3; // of the model's size, so that faces on the bounds stay whole
     std::vector<settings::Section> sections;
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
@@ -52,9 +52,10 @@ std::string sectionInWords(const settings::Section& section, const Box& bounds) 
     return formatted("section: %.4g of %.4g left", left, reach.most - reach.least);
 }
 
-/// How far along the normal from the grip the line of sight through `cursor` passes nearest.
+/// Returns the displacement along the normal, measured from the grip, of the point nearest to the line of sight through
+/// `cursor`.
 double SectionDrag::alongNormal(const glm::dvec2& cursor, const Camera& camera, const glm::ivec2& size) const {
-    constexpr double kStraightAhead = 0.02; // of the squared sine between normal and line of sight
+    constexpr double kStraightAhead = 0.02; // min squared sine between the normal and the line of sight
     const CameraBasis basis = cameraBasis(camera);
     const double depth = toCamera(basis, grip_ - camera.eye).z;
     const double high = camera.isParallel() ? halfHeightAtTarget(camera) : std::tan(camera.fovYRadians / 2) * depth;
@@ -68,7 +69,7 @@ double SectionDrag::alongNormal(const glm::dvec2& cursor, const Camera& camera, 
     const glm::dvec3 sight = camera.isParallel() ? basis.view : glm::normalize(at - camera.eye);
     const double slope = glm::dot(normal, sight);
     const double slopeAtGrip =
-        camera.isParallel() ? slope : glm::dot(normal, glm::normalize(grip_ - camera.eye)); // the same all along a drag
+        camera.isParallel() ? slope : glm::dot(normal, glm::normalize(grip_ - camera.eye)); // constant during a drag
     if (1 - slopeAtGrip * slopeAtGrip < kStraightAhead) return (cursorAtStart_.y - cursor.y) * perPixel;
     return (slope * glm::dot(sight, grip_ - at) - glm::dot(normal, grip_ - at)) /
            std::max(1 - slope * slope, kStraightAhead);

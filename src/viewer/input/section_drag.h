@@ -1,4 +1,4 @@
-// Section planes by mouse and key: the one under the cursor follows it, and a box of six.
+// Moves section planes with the mouse: the plane under the cursor follows it. Also creates boxes of six sections.
 #pragma once
 
 #include "core/box.h"
@@ -11,19 +11,19 @@
 
 namespace gnomon::viewer {
 
-/// Six sections around `bounds` (world space), which cut nothing off until they are moved.
+/// Returns six sections around `bounds` (world space). They cut off nothing until they are moved.
 std::vector<settings::Section> sectionBox(const Box& bounds);
 
-/// What a section cuts off a model within `bounds`, for people.
+/// Returns a description of the cut by a section of a model within `bounds`.
 std::string sectionInWords(const settings::Section& section, const Box& bounds);
 
 /// The drag of a section plane along its normal.
 class SectionDrag {
 public:
-    /// Where a drag begins, takes hold of the plane that is nearest to what is under the cursor, or of the last one;
-    /// then moves it so that what was taken hold of stays under the cursor, as far as the normal leads there. A plane
-    /// seen from straight ahead moves towards its normal as the cursor moves up. It stays within `bounds`.
-    /// `sections` are not empty, `size` is that of the picture in pixels.
+    /// Moves a plane. At the start of a drag it selects the plane nearest to the point under the cursor, or the last
+    /// plane. The selected point then follows the cursor, as far as the direction of the normal permits. If the camera
+    /// looks along the normal, moving the cursor up moves the plane in the direction of its normal. The plane stays
+    /// within `bounds`. `sections` must not be empty, and `size` is the image size in pixels.
     void drag(
         const Drag& drag,
         const DragScene& scene,
@@ -32,7 +32,7 @@ public:
         const Box& bounds,
         std::vector<settings::Section>& sections);
 
-    /// The plane that is held, by its place.
+    /// Returns the index of the selected plane.
     std::size_t held() const { return held_; }
 
 private:

@@ -59,7 +59,7 @@ std::optional<std::string> changeSection(
     const glm::dvec3 axis = glm::normalize(up);
     const double height = glm::dot(glm::abs(axis), bounds.extent());
     if (sections.empty()) sections.push_back({bounds.center(), axis});
-    if (binding.action == Action::MoveSection && sections.size() > 1) { // that which is most level
+    if (binding.action == Action::MoveSection && sections.size() > 1) { // the most horizontal section
         const auto level = [&](const settings::Section& s) { return glm::dot(glm::normalize(s.normal), axis); };
         const auto top = std::max_element(
             sections.begin(), sections.end(), [&](const auto& a, const auto& b) { return level(a) < level(b); });

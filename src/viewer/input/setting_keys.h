@@ -1,4 +1,4 @@
-// What the keys change of the settings.
+// Applies keys to the settings.
 #pragma once
 
 #include "core/box.h"
@@ -10,16 +10,16 @@
 
 namespace gnomon::viewer {
 
-/// Shows or hides what `binding` is about; false if it is about something else.
+/// Shows or hides the element of `binding`. Returns false if the binding has another purpose.
 bool changeShown(const Binding& binding, ViewSettings& settings);
 
-/// Takes the step in quality that `binding` is, and returns what is now set, for people; nothing if it is about
-/// something else.
+/// Applies the quality step of `binding` and returns a description of the new value. Returns nothing if the binding has
+/// another purpose.
 std::optional<std::string> changeQuality(const Binding& binding, settings::Settings& settings);
 
-/// Takes the sections away, puts a level one half way up a model within `bounds` (world space) or six around it, or
-/// moves the most level one along `up`: what is above it is cut away. Returns what is now set, for people; nothing if
-/// `binding` is about something else.
+/// Changes the sections of a model within `bounds` (world space): removes all, adds a horizontal one at half height,
+/// adds a box of six, or moves the most horizontal one along `up`. Geometry above the horizontal section is cut off.
+/// Returns a description of the new value, or nothing if `binding` has another purpose.
 std::optional<std::string> changeSection(
     const Binding& binding, settings::Settings& settings, const Box& bounds, const glm::dvec3& up);
 

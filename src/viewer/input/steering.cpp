@@ -15,9 +15,9 @@ namespace gnomon::viewer {
 namespace {
 
 constexpr double kRadiansPerPixel = 0.004;
-constexpr double kLightPerPixel = 1.0 / 300; // of the pad's radius
-constexpr double kMostRadius = 0.985;        // of the pad: a light on the horizon has no side
-constexpr double kHaste = 5;                 // with Shift; its inverse with Ctrl
+constexpr double kLightPerPixel = 1.0 / 300; // in radii of the widget
+constexpr double kMostRadius = 0.985;        // of the widget; a light on the horizon would be ambiguous
+constexpr double kHaste = 5;                 // factor of the speed with Shift, and its inverse with Ctrl
 
 glm::dvec3 directionOf(Way way) {
     switch (way) {
@@ -88,7 +88,7 @@ void Steering::drag(const Drag& drag, const DragScene& scene, CameraControl& con
     const glm::dvec2 angle = drag.moved * kRadiansPerPixel;
     const DragUse use = useOf(drag);
     if (use == DragUse::Pan) {
-        // What is as far as the last focus stays under the cursor.
+        // Points at the distance of the last focus stay under the cursor.
         const double high = 2 * std::tan(control.camera().fovYRadians / 2) * control.distance();
         const double perPixel = high / std::max(scene.pictureHeight, 1);
         return control.shift(-drag.moved.x * perPixel, drag.moved.y * perPixel);

@@ -1,4 +1,4 @@
-// The last frames' times by stage, for the graph and for medians that a person can read.
+// The times of the last frames per stage, for the graph and for readable medians.
 #pragma once
 
 #include "telemetry/frame_row.h"
@@ -10,30 +10,30 @@
 
 namespace gnomon::viewer {
 
-/// The stages of a frame in the order of the graph; the last is the window's own: overlay and presenting.
+/// The stages of a frame in the order of the graph. The last stage is the window: overlay and presentation.
 inline constexpr std::array kStageNames = {"plan", "select", "cull", "stream", "shadow", "image", "window"};
 constexpr std::size_t kStages = kStageNames.size();
 
-/// Milliseconds by stage.
+/// Milliseconds per stage.
 using StageTimes = std::array<double, kStages>;
 
-/// The stages of a row of the log, with what the window took.
+/// Returns the stage times of a log row, with the time of the window.
 StageTimes stageTimes(const telemetry::FrameRow& row, double windowMs);
 
-/// The sum over the stages.
+/// Returns the sum over the stages.
 double total(const StageTimes& times);
 
-/// Keeps the last `capacity` frames.
+/// A ring of the last `capacity` frames.
 class FrameHistory {
 public:
     explicit FrameHistory(std::size_t capacity) : capacity_(capacity) {}
 
     void add(const StageTimes& times);
 
-    /// Oldest first.
+    /// Returns the frames, oldest first.
     std::span<const StageTimes> frames() const { return frames_; }
 
-    /// The median of each stage over the last `count` frames; zero before the first.
+    /// Returns the median of each stage over the last `count` frames, or zero if there are no frames.
     StageTimes medians(std::size_t count) const;
 
 private:

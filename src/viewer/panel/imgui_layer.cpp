@@ -14,13 +14,13 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr float kFontPixels = 13; // the built-in font is drawn for this size
+constexpr float kFontPixels = 13; // native size of the built-in font
 
 } // namespace
 
 ImGuiLayer::ImGuiLayer(GLFWwindow* window) : window_(window) {
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // leave no file behind
+    ImGui::GetIO().IniFilename = nullptr; // do not write a file
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
     rescale();

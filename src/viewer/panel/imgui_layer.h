@@ -1,11 +1,12 @@
-// Dear ImGui over a window: its context, its look and its frames.
+// Dear ImGui for a window: its context, style and frames.
 #pragma once
 
 struct GLFWwindow;
 
 namespace gnomon::viewer {
 
-/// Dear ImGui for one window, whose context must be current. Its callbacks hand on to those set before.
+/// Dear ImGui for one window, whose context must be current. Its callbacks forward events to the previously installed
+/// callbacks.
 class ImGuiLayer {
 public:
     explicit ImGuiLayer(GLFWwindow* window);
@@ -15,12 +16,12 @@ public:
     ImGuiLayer(ImGuiLayer&&) = delete;
     ImGuiLayer& operator=(ImGuiLayer&&) = delete;
 
-    /// Fits fonts and distances to the screen's scale.
+    /// Adapts fonts and distances to the scale of the screen.
     void rescale();
 
-    /// Between these two everything is described.
+    /// Begins a frame. All elements must be described between beginFrame and endFrame.
     void beginFrame();
-    /// Draws what was described into the current framebuffer.
+    /// Draws the described elements into the current framebuffer.
     void endFrame();
 
     bool wantsMouse() const;

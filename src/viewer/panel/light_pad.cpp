@@ -9,9 +9,9 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr int kAnswersAFrame = 24; // of the storage factor: well under a millisecond each
+constexpr int kAnswersAFrame = 24; // storage factors per frame; each needs well under a millisecond
 
-/// Dark blue for the least, over green and yellow, to white for the largest.
+/// Returns a colour from dark blue (0) through green and yellow to white (1).
 ImU32 heat(double part) {
     const std::array<ImVec4, 4> kStops = {
         ImVec4{0.10F, 0.16F, 0.45F, 1}, {0.10F, 0.60F, 0.45F, 1}, {0.95F, 0.80F, 0.25F, 1}, {1, 0.97F, 0.90F, 1}};
@@ -24,7 +24,7 @@ ImU32 heat(double part) {
         {a.x + (b.x - a.x) * mix, a.y + (b.y - a.y) * mix, a.z + (b.z - a.z) * mix, 1});
 }
 
-/// What the pad shows for a frame; nothing where there are no maps to ask for.
+/// Returns the input for the storage factors of a frame, or nothing if it has no maps.
 std::optional<StorageQuestion> questionOf(const frame::Frame* frame, const LightDisc& disc) {
     if (frame == nullptr || frame->plan.passes.empty()) return std::nullopt;
     const plan::FramePlan& plan = frame->plan;
@@ -74,7 +74,7 @@ bool drawLightPad(const frame::Frame* frame, const Camera& camera, StoragePad& p
     if (ImGui::IsItemActive()) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         glm::dvec2 point(2 * (mouse.x - at.x) / side - 1, 1 - 2 * (mouse.y - at.y) / side);
-        constexpr double kMostRadius = 0.985; // a light on the horizon has no side
+        constexpr double kMostRadius = 0.985; // a light on the horizon would be ambiguous
         if (glm::length(point) > kMostRadius) point *= kMostRadius / glm::length(point);
         towardsLight = disc.direction(point);
         hasChanged = true;

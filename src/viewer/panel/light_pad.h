@@ -1,4 +1,5 @@
-// The pad on which the light is dragged: the hemisphere of lights, coloured by the storage factor of each.
+// The light widget: the user drags the light over a hemisphere that is coloured by the storage factor of each
+// direction.
 #pragma once
 
 #include "frame/renderer.h"
@@ -6,7 +7,8 @@
 
 namespace gnomon::viewer {
 
-/// Describes the pad for Dear ImGui; true if `towardsLight` was dragged. `frame` says for which depth range and scheme.
+/// Describes the widget for Dear ImGui. `frame` provides the depth range and the scheme. Returns true if the user
+/// changed `towardsLight`.
 bool drawLightPad(const frame::Frame* frame, const Camera& camera, StoragePad& pad, glm::dvec3& towardsLight);
 
 } // namespace gnomon::viewer

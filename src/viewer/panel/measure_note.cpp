@@ -9,9 +9,9 @@ namespace {
 
 constexpr ImU32 kLine = IM_COL32(255, 220, 60, 255);
 constexpr ImU32 kDone = IM_COL32(120, 220, 255, 255);
-constexpr ImU32 kOutline = IM_COL32(0, 0, 0, 200); // so that lines show on any background
+constexpr ImU32 kOutline = IM_COL32(0, 0, 0, 200); // visible on any background
 
-/// The legs, then what closes a polygon; a lone point as a segment without length.
+/// Returns the legs of a measure. A single point is a segment of zero length.
 std::vector<Segment> segmentsOf(const survey::Measure& measure, const hierarchy::Grid& grid) {
     std::vector<Segment> segments;
     const auto at = [&](std::size_t i) { return survey::worldOf(grid, measure[i].cell); };

@@ -1,4 +1,4 @@
-// Measures over the picture: their points and lines, and what they come to.
+// Draws measures over the image: their points, lines and results.
 #pragma once
 
 #include "viewer/measuring.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::viewer {
 
-/// Describes `measuring` for Dear ImGui, as `camera` sees it, its figures above `linesBelow` lines of other notes; what
-/// hides the points does not hide their lines.
+/// Describes `measuring` for Dear ImGui, as `camera` sees it. The text is above `linesBelow` lines of other notes.
+/// Lines are visible even if geometry hides the points.
 void drawMeasures(const Measuring& measuring, const Camera& camera, std::size_t linesBelow);
 
 } // namespace gnomon::viewer

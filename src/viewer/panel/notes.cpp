@@ -37,7 +37,7 @@ PictureFrame windowFrame(const Camera& camera) {
 }
 
 void drawSegments(std::span<const PixelSegment> segments, ImU32 color, float thickness) {
-    // A line from just before the eye may end anywhere; what is far outside is beyond floats.
+    // A line that starts near the eye plane can end very far away. Floats cannot represent such coordinates.
     constexpr double kFar = 1e5;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const PixelSegment& segment : segments) {

@@ -1,4 +1,4 @@
-// What notes over the picture are made of: small windows at fixed places, their lines, and strokes on the picture.
+// The elements of notes over the image: small windows at fixed places, lines of text, and line segments.
 #pragma once
 
 #include "viewer/panel/wire_frames.h"
@@ -12,21 +12,22 @@ namespace gnomon::viewer {
 
 inline constexpr ImU32 kWarningColor = IM_COL32(255, 190, 90, 255);
 
-/// The height of letters, by which everything is scaled.
+/// Returns the height of letters, the unit of all distances.
 float letterHeight();
 
-/// Begins a window that takes nothing from the mouse, at a corner; ImGui::End ends it, whatever is returned.
+/// Begins a window at a corner that ignores the mouse. The caller must call ImGui::End for any result.
 bool beginNote(const char* name, const ImVec2& at, const ImVec2& pivot);
 
+/// Draws a line of text in the current window.
 void drawLine(const std::string& text, ImU32 color = IM_COL32_WHITE);
 
-/// Where a pixel of the framebuffer is for Dear ImGui.
+/// Converts a pixel of the framebuffer to the coordinates of Dear ImGui.
 ImVec2 onScreen(const glm::dvec2& pixel);
 
-/// The whole window as a picture that `camera` sees.
+/// Returns the whole window as an image that `camera` sees.
 PictureFrame windowFrame(const Camera& camera);
 
-/// Draws segments, which may end anywhere, behind all notes.
+/// Draws segments of any length behind all notes.
 void drawSegments(std::span<const PixelSegment> segments, ImU32 color, float thickness);
 
 } // namespace gnomon::viewer

@@ -16,7 +16,7 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr std::size_t kMessagesShown = 6; // the last of them
+constexpr std::size_t kMessagesShown = 6; // number of visible messages, the most recent ones
 constexpr ImU32 kFaint = IM_COL32(190, 195, 205, 255);
 constexpr ImU32 kFailure = IM_COL32(255, 120, 110, 255);
 
@@ -29,7 +29,7 @@ constexpr std::array<ImU32, kStages> kStageColors = {
     IM_COL32(245, 130, 70, 255),
     IM_COL32(180, 180, 180, 255)};
 
-/// The last frames as stacked bars, and under them what each stage takes.
+/// Draws the last frames as stacked bars, and the median of each stage below.
 void drawGraph(const FrameHistory& history, double targetMs) {
     const ImVec2 size(29 * letterHeight(), 5 * letterHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -100,7 +100,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
     ImGui::End();
 }
 
-/// What is always told: one line, and where the model is gone from the picture how it comes back.
+/// Draws the status, one line. If the model is out of view, also draws a hint.
 void drawStatus(const OverlayContent& content) {
     const frame::Frame& frame = *content.scene->frame();
     PictureState state;
@@ -110,7 +110,8 @@ void drawStatus(const OverlayContent& content) {
     state.givenUp = content.givenUp;
     const std::string text = statusInWords(frame.plan, frame.row, state);
     const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * letterHeight(), 8 * letterHeight());
-    ImGui::SetNextWindowContentSize(ImGui::CalcTextSize(text.c_str(), nullptr, false, widest)); // else that of before
+    // Without this, the size is one frame late.
+    ImGui::SetNextWindowContentSize(ImGui::CalcTextSize(text.c_str(), nullptr, false, widest));
     if (beginNote("status", {0.5F * letterHeight(), 0.5F * letterHeight()}, {0, 0})) {
         ImGui::PushTextWrapPos(widest);
         drawLine(text);
@@ -126,7 +127,7 @@ void drawNothingInView() {
     ImGui::End();
 }
 
-/// What the help says, line by line.
+/// Returns the lines of the help.
 std::vector<std::pair<std::string, std::string>> helpLines() {
     std::vector<std::pair<std::string, std::string>> lines;
     for (const MouseUse& use : mouseUses())
@@ -136,7 +137,7 @@ std::vector<std::pair<std::string, std::string>> helpLines() {
     return lines;
 }
 
-/// In as many columns as it takes to fit the window's height, and in letters small enough to fit its width.
+/// Draws the help in as many columns as the height of the window requires, with letters that fit its width.
 void drawHelp() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const auto lines = helpLines();
@@ -199,13 +200,14 @@ void drawBuild(const BuildStatus& status, const std::string& mesh) {
     ImGui::End();
 }
 
-/// That of the partitions overlay.
+/// Returns the colour of a partition in the partitions overlay.
 ImU32 indexColor(std::size_t index, float alpha) {
     const glm::vec3 color = executor::indexColor(static_cast<int>(index % executor::kIndexColors));
     return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, alpha});
 }
 
-/// The volumes of a frozen frame: each partition in its colour, its casters fainter, and the depth range in white.
+/// Draws the volumes of a frozen frame: each partition in its colour, its casters in a fainter colour, and the depth
+/// range in white.
 void drawVolumes(const OverlayContent& content) {
     const plan::FramePlan& plan = content.scene->frame()->plan;
     const PictureFrame frame = windowFrame(content.camera);
@@ -231,7 +233,7 @@ void drawVolumes(const OverlayContent& content) {
 
 void drawPicture(const ShownPicture& picture) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const auto id = reinterpret_cast<ImTextureID>( // NOLINT(performance-no-int-to-ptr): Dear ImGui's way
+    const auto id = reinterpret_cast<ImTextureID>( // NOLINT(performance-no-int-to-ptr): the interface of Dear ImGui
         static_cast<std::uintptr_t>(picture.texture));
     const ImVec2 first(0, picture.isBottomUp ? 1.0F : 0.0F);
     const ImVec2 last(1, picture.isBottomUp ? 0.0F : 1.0F);

@@ -1,4 +1,4 @@
-// What is told over the picture, and what was done there with the mouse.
+// The input of the overlay, and the user's response to it.
 #pragma once
 
 #include "viewer/input/key_table.h"
@@ -17,30 +17,30 @@
 
 namespace gnomon::viewer {
 
-/// Everything that the overlay tells of.
+/// The data that the overlay shows.
 struct OverlayContent {
     const Scene* scene = nullptr; // null: no model is open
-    Camera camera;                // who sees the picture
+    Camera camera;                // camera of the image
     const FrameHistory* history = nullptr;
-    std::string givenUp; // for the time target; empty: nothing
+    std::string givenUp; // reductions of the quality governor; empty: none
     bool isExhausted = false;
     Caps caps;
-    int mostSamples = 1;                  // frames that a standing picture becomes the mean of
-    double flyingSpeed = 0;               // world units a second
-    const Measuring* measuring = nullptr; // null: nothing is measured
+    int mostSamples = 1;                  // number of frames in the mean of a resting image
+    double flyingSpeed = 0;               // world units per second
+    const Measuring* measuring = nullptr; // null: no measures
     bool isFrozen = false;
     bool isRecording = false;
-    double playedPart = -1; // below 0: nothing is played
+    double playedPart = -1; // share of the played path; below 0: no path is playing
     const std::vector<Message>* messages = nullptr;
     std::optional<BuildStatus> build;
     std::string buildOf;
 };
 
-/// What was done with the mouse.
+/// The user's response with the mouse.
 struct OverlayAnswer {
-    bool hasChanged = false;     // of the settings
-    bool isUnfinished = false;   // there is more to be seen if it is drawn again
-    std::vector<Action> actions; // of buttons, value 0
+    bool hasChanged = false;     // a setting has changed
+    bool isUnfinished = false;   // another frame would show more
+    std::vector<Action> actions; // actions of pressed buttons, with value 0
 };
 
 } // namespace gnomon::viewer

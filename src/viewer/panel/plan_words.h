@@ -1,4 +1,4 @@
-// A frame's plan in the words of a person.
+// Describes a frame's plan in words.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -9,28 +9,29 @@
 
 namespace gnomon::viewer {
 
-/// A few short lines: the scheme and its maps, the light, the depth range, the promise and what was measured of it,
-/// and why effects are left out.
+/// Returns a few short lines: the scheme and its maps, the light, the depth range, the aliasing bound and its measured
+/// value, and the reasons for skipped passes.
 std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row);
 
-/// What a window knows of its picture besides the last frame's row.
+/// The facts about the image that the log row of the last frame does not contain.
 struct PictureState {
-    double frameMs = 0;  // the usual of the last frames
-    int samples = 0;     // frames that the picture is the mean of; 0: it is not to become one
-    int mostSamples = 1; // when it is done
-    std::string givenUp; // for the time target; empty: nothing
+    double frameMs = 0;  // typical time of the last frames
+    int samples = 0;     // frames in the mean; 0: the image is not a mean
+    int mostSamples = 1; // number of frames in the finished mean
+    std::string givenUp; // reductions of the quality governor; empty: none
 };
 
-/// All of it in a line: time, triangles, what shadows promise, what is given up, and what is still to come.
+/// Returns one line: time, triangles, aliasing bound, quality reductions and pending work.
 std::string statusInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row, const PictureState& state);
 
-/// Lines for what was drawn: triangles, pages and memory against their caps.
+/// The upper limits of pages and memory.
 struct Caps {
-    std::uint64_t pages = 0; // of the model
+    std::uint64_t pages = 0; // pages of the model
     std::uint64_t memoryBytes = 0;
     std::uint64_t gpuMemoryBytes = 0;
 };
 
+/// Returns lines about the drawn triangles, pages and memory, compared with `caps`.
 std::vector<std::string> loadInWords(
     const telemetry::FrameRow& row, const plan::Quality& quality, const Caps& caps, std::uint64_t pagesInCut);
 

@@ -19,7 +19,7 @@ namespace {
 
 using settings::Setting;
 
-/// A combo over `count` names; true if another was chosen.
+/// Draws a combo box of `count` names. Returns true if the user chose another name.
 template <class NameOf>
 bool chooseFrom(const char* label, int count, int& current, const NameOf& nameOf) {
     bool hasChanged = false;
@@ -59,7 +59,7 @@ bool drawSwitch(const Setting& setting, settings::Settings& settings) {
     return true;
 }
 
-/// A slider over what is offered of a whole number; true if `value` was changed.
+/// Draws a slider over the range of an integer setting. Returns true if `value` changed.
 bool slide(const settings::Offer& offer, int& value) {
     return ImGui::SliderInt(offer.title.c_str(), &value, static_cast<int>(offer.least), static_cast<int>(offer.most));
 }
@@ -137,7 +137,7 @@ bool drawQuality(settings::Settings& settings) {
     return hasChanged;
 }
 
-/// Where the map of `colors` ends: as far as values go, or where a person drags them.
+/// Draws the ends of the colour map: the range of the values, or a range that the user drags.
 bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
     bool isOwn = colors.range.has_value();
     const bool isToggled = ImGui::Checkbox("ends of one's own", &isOwn);
@@ -153,7 +153,7 @@ bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
     return true;
 }
 
-/// What surfaces are coloured by, in which map.
+/// Draws the choices of surface colours and colour map.
 bool drawColors(const Scene& scene, ViewSettings& settings) {
     const std::vector<settings::ValueColors> choices = colorChoices(scene.model().summary(), scene.capabilities());
     std::vector<std::string> names;

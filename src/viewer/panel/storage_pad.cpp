@@ -11,7 +11,7 @@ namespace gnomon::viewer {
 namespace {
 
 constexpr double kQuarter = kPi / 2;
-constexpr double kSame = 1e-3; // radians, and ratio of depths: less is not seen in the pad
+constexpr double kSame = 1e-3; // radians, and ratio of depths; smaller differences are invisible in the plot
 
 bool isSame(const StorageQuestion& a, const StorageQuestion& b) {
     const auto near = [](const glm::dvec3& u, const glm::dvec3& v) { return glm::length(u - v) < kSame; };
@@ -68,7 +68,7 @@ void StoragePad::ask(const std::optional<StorageQuestion>& question) {
 
 void StoragePad::improve(int count) {
     if (!question_) return;
-    // A stride that is coprime to the number of cells spreads the first answers over all of the disc.
+    // A stride coprime to the number of cells distributes the first results over the whole disc.
     const std::size_t cells = values_.size();
     std::size_t stride = cells * 5 / 8 + 1;
     while (std::gcd(stride, cells) != 1)

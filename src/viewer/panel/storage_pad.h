@@ -1,4 +1,4 @@
-// The hemisphere of lights as a disc, and the storage factor of a scheme for each of them.
+// A texel plot: the storage factor of a scheme for each light direction of a hemisphere, shown as a disc.
 #pragma once
 
 #include "core/camera.h"
@@ -10,25 +10,26 @@
 
 namespace gnomon::viewer {
 
-/// The disc: its middle is the pole (`up`, or down), its rim the horizon, its upper end where the camera heads. Angles
-/// from the pole are even along a radius.
+/// The map of a hemisphere of lights to a disc. The centre is the pole (`up` or down), the rim is the horizon, and the
+/// upper end is the heading of the camera. The radius is proportional to the angle from the pole.
 struct LightDisc {
-    glm::dvec3 up{0, 1, 0};       // unit
-    glm::dvec3 heading{0, 0, -1}; // unit, across `up`: the way the camera looks, without its pitch
+    glm::dvec3 up{0, 1, 0};       // unit length
+    glm::dvec3 heading{0, 0, -1}; // unit length, perpendicular to `up`: the view direction without its pitch
     bool fromBelow = false;
 
-    /// Unit direction towards the light at `point`, x to the right and y to the upper end, within the unit circle;
-    /// points beyond it count as on it.
+    /// Returns the unit direction towards the light at `point`, with x to the right and y to the upper end. Points
+    /// outside the unit circle count as points on it.
     glm::dvec3 direction(const glm::dvec2& point) const;
 
-    /// The inverse; directions of the other hemisphere lie beyond the rim.
+    /// Returns the point of a direction, the inverse of `direction`. Directions of the other hemisphere are outside the
+    /// rim.
     glm::dvec2 point(const glm::dvec3& towardsLight) const;
 };
 
-/// The disc of a camera.
+/// Returns the disc of a camera.
 LightDisc lightDisc(const Camera& camera, bool fromBelow);
 
-/// What storage is asked for.
+/// The input of a storage factor.
 struct StorageQuestion {
     LightDisc disc;
     CameraBasis basis;
@@ -36,35 +37,37 @@ struct StorageQuestion {
     shadow::Scheme scheme;
 };
 
-/// The storage factor for a light, world space.
+/// Returns the storage factor for a light in world space.
 double storageFactor(const StorageQuestion& question, const glm::dvec3& towardsLight);
 
-/// The storage factors over the disc on a square grid, found a few at a time so that no frame waits for them.
+/// The storage factors over the disc on a square grid. They are computed a few at a time, so that no frame waits for
+/// them.
 class StoragePad {
 public:
-    /// `side` cells a side, at least 1.
+    /// Creates a grid of `side` x `side` cells, with `side` at least 1.
     explicit StoragePad(int side)
         : side_(side), values_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {}
 
     int side() const { return side_; }
 
-    /// Asks anew if `question` is not the one at hand; old values stay until new ones replace them. Nothing: asks no
-    /// more.
+    /// Starts the computation for another `question`. Old values remain until new ones replace them. An empty question
+    /// stops the computation.
     void ask(const std::optional<StorageQuestion>& question);
 
-    /// Finds up to `count` more.
+    /// Computes up to `count` more values.
     void improve(int count);
 
-    /// Whether all are found that were asked for.
+    /// Returns true if all values are computed.
     bool isComplete() const { return !question_ || next_ == values_.size(); }
 
-    /// The factor in a cell, column and row from the lower left; nothing outside the disc or not found yet.
+    /// Returns the factor in a cell, by column and row from the lower left. Returns nothing outside the disc or before
+    /// the computation.
     std::optional<double> at(int column, int row) const { return values_[index(column, row)]; }
 
-    /// The middle of a cell in the unit circle's square.
+    /// Returns the centre of a cell in the square of the unit circle.
     glm::dvec2 middle(int column, int row) const;
 
-    /// The least and the largest found so far; nothing before the first.
+    /// The min and max of the computed factors.
     struct Range {
         double least = 0;
         double largest = 0;
@@ -79,7 +82,7 @@ private:
 
     int side_;
     std::optional<StorageQuestion> question_;
-    std::size_t next_ = 0; // cells asked so far
+    std::size_t next_ = 0; // number of processed cells
     std::vector<std::optional<double>> values_;
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kParallel = 1e-9;
 
-/// The part of the line in which planes `a` and `b` meet that lies in all of `planes`; nothing if they are parallel or
-/// no part does, or it has no end.
+/// Returns the part of the intersection line of planes `a` and `b` inside all `planes`. Returns nothing if the planes
+/// are parallel, if no part is inside, or if the part is infinite.
 std::optional<Segment> edge(std::span<const Plane> planes, std::size_t a, std::size_t b) {
     const glm::dvec3 direction = glm::cross(planes[a].normal, planes[b].normal);
     const double sine2 = glm::dot(direction, direction);
@@ -22,7 +22,7 @@ std::optional<Segment> edge(std::span<const Plane> planes, std::size_t a, std::s
                              sine2;
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
-    const double slack = kParallel * (1 + glm::length(point)); // of planes through this very edge
+    const double slack = kParallel * (1 + glm::length(point)); // tolerance for other planes through this edge
     for (std::size_t i = 0; i < planes.size(); ++i) {
         if (i == a || i == b) continue;
         const double slope = glm::dot(planes[i].normal, direction);

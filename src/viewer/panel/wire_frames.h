@@ -1,4 +1,4 @@
-// Convex volumes as wire frames: their edges, and where those fall on a picture.
+// Wire frames of convex volumes: their edges, and the projection of the edges onto an image.
 #pragma once
 
 #include "core/camera.h"
@@ -13,29 +13,29 @@ namespace gnomon::viewer {
 
 using Segment = std::array<glm::dvec3, 2>;
 
-/// The edges of `volume` cut to `limit`, those of the cut included: every piece of a line in which two of its planes
-/// meet that lies inside all others. Planes that coincide give an edge more than once.
+/// Returns the edges of `volume` clipped to `limit`, including the edges of the cut: the parts of intersection lines of
+/// two planes inside all other planes. Coincident planes produce an edge repeatedly.
 std::vector<Segment> edges(const ConvexVolume& volume, const ConvexVolume& limit);
 
-/// The planes of `box`.
+/// Returns the planes of `box`.
 ConvexVolume volumeOf(const Box& box);
 
-/// `volume`, in camera space, in world space.
+/// Converts a volume from camera space to world space.
 ConvexVolume inWorld(const ConvexVolume& volume, const Camera& camera);
 
 /// A volume of a plan as a wire frame in world space.
 struct PlanVolume {
     enum class Kind : std::uint8_t { View, Partition, Casters };
     Kind kind = Kind::View;
-    std::size_t index = 0; // of the pass
+    std::size_t index = 0; // index of the pass
     std::vector<Segment> edges;
 };
 
-/// The part of the view that shadows are promised for, each partition and each partition's casters, cut to `bounds`
-/// and the eye.
+/// Returns the view volume with guaranteed shadow resolution, each partition, and the casters of each partition. They
+/// are clipped to `bounds` and the eye.
 std::vector<PlanVolume> planVolumes(const plan::FramePlan& plan, const Box& bounds);
 
-/// A picture to fall on.
+/// An image that segments are projected onto.
 struct PictureFrame {
     Camera camera;
     int width = 1; // pixels
@@ -44,7 +44,8 @@ struct PictureFrame {
 
 using PixelSegment = std::array<glm::dvec2, 2>;
 
-/// `segments` (world space) on `frame`, in pixels from its upper left corner, cut at a plane just before the eye.
+/// Projects `segments` (world space) onto `frame`, in pixels from its upper left corner. They are clipped at a plane
+/// just in front of the eye.
 std::vector<PixelSegment> onPicture(std::span<const Segment> segments, const PictureFrame& frame);
 
 } // namespace gnomon::viewer

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What tells a model from others: its file by whatever name, an address as it is.
+/// Returns the identity of a model: the canonical path of its file, or its address.
 std::string nameOf(const std::string& model) {
     if (model.find("://") != std::string::npos) return model;
     std::error_code failure;
@@ -26,7 +26,7 @@ std::string nameOf(const std::string& model) {
     return failure ? model : place.string();
 }
 
-/// Whether `fileOf` makes this name: others' files are not removed.
+/// Returns true if `fileOf` creates such names. Other files are never removed.
 bool isNameOfFile(const std::string& name) {
     return name.size() == 16 + 5 && name.ends_with(".json") &&
            name.find_first_not_of("0123456789abcdef") == name.find(".json");
@@ -58,7 +58,7 @@ std::vector<Camera> KeptViews::load(const std::string& model) const {
     if (failure || bytes > kMostBytes)
         throw Error(file, "too long for recent views", formatted("at most %llu bytes", 0ULL + kMostBytes), "more");
     const path::SavedViews views = path::readViews(file);
-    return views.model == nameOf(model) ? views.cameras : std::vector<Camera>(); // another of the same hash
+    return views.model == nameOf(model) ? views.cameras : std::vector<Camera>(); // another model with the same hash
 }
 
 void KeptViews::save(const std::string& model, const std::vector<Camera>& cameras) {

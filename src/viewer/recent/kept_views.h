@@ -1,4 +1,4 @@
-// The recent views of models on disk, for the next window that opens them.
+// Stores the recent views of models on disk for the next window.
 #pragma once
 
 #include "core/camera.h"
@@ -9,23 +9,23 @@
 
 namespace gnomon::viewer {
 
-/// A folder with one file a model. What is there may be anything: it is read up to kMostBytes, and what is no such file
-/// is an Error, never a view.
+/// A folder with one file per model. Its files are not trusted: the class reads at most kMostBytes of a file, and an
+/// invalid file is an Error.
 class KeptViews {
 public:
-    /// $XDG_STATE_HOME/gnomon/views, or ~/.local/state/gnomon/views; where neither is known, nothing is kept.
+    /// Returns the folder $XDG_STATE_HOME/gnomon/views or ~/.local/state/gnomon/views. If neither is known, nothing is
+    /// stored.
     static KeptViews ofUser();
 
-    /// An empty folder keeps nothing.
+    /// Uses `folder`. With an empty folder nothing is stored.
     explicit KeptViews(std::string folder) : folder_(std::move(folder)) {}
 
-    /// The cameras that were kept of `model`, a file or an address, oldest first; none if there are none. Throws Error
-    /// where the file holds something else.
+    /// Returns the stored cameras of `model` (a file or an address), oldest first, or an empty list. Throws Error if
+    /// the file is invalid.
     std::vector<Camera> load(const std::string& model) const;
 
-    /// Keeps `cameras` of `model` in place of what was kept, all at once or not at all, unless they are the same as
-    /// when this was last asked. Of more than kMostModels files the oldest go. Throws Error where the folder cannot be
-    /// written.
+    /// Stores `cameras` of `model` atomically, unless they are equal to the last saved ones. If there are more than
+    /// kMostModels files, it removes the oldest. Throws Error if the folder cannot be written.
     void save(const std::string& model, const std::vector<Camera>& cameras);
 
     static constexpr std::size_t kMostModels = 200;

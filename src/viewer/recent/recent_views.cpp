@@ -9,7 +9,7 @@ namespace {
 
 bool isElsewhere(const Camera& here, const Camera& camera) {
     constexpr double kSameWay = 0.01;
-    constexpr double kSameCosine = 0.99985; // of one degree
+    constexpr double kSameCosine = 0.99985; // cosine of one degree
     const glm::dvec3 ahead = here.target - here.eye;
     const double cosine = glm::dot(glm::normalize(ahead), glm::normalize(camera.target - camera.eye));
     return camera.projection != here.projection ||

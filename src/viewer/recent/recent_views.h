@@ -1,4 +1,4 @@
-// The cameras at which a person stayed, to go back to and forth again.
+// The recent views of the user: cameras that rested for a while, with back and forward.
 #pragma once
 
 #include "core/camera.h"
@@ -8,38 +8,37 @@
 
 namespace gnomon::viewer {
 
-/// The last cameras of one model, oldest first, and which of them is the one at hand.
+/// The last cameras of one model, oldest first, and the index of the current one.
 class RecentViews {
 public:
     RecentViews() = default;
 
-    /// As they were kept, oldest first; of more than kMost the last.
+    /// Takes stored cameras, oldest first. It uses the last kMost of them.
     explicit RecentViews(std::vector<Camera> cameras);
 
-    /// All of them, oldest first.
+    /// Returns all cameras, oldest first.
     const std::vector<Camera>& cameras() const { return cameras_; }
 
-    /// Takes in where the camera is at a time, seconds on any clock: where it has not moved for half a second, it
-    /// stays.
+    /// Processes the camera at a time (seconds on any clock). A camera that rested for half a second is added.
     void see(const Camera& camera, double seconds);
 
-    /// Keeps a camera, unless it is that at hand but for a hundredth of the way to its target and a degree. What lay
-    /// ahead is forgotten then, and of more than kMost the oldest.
+    /// Adds a camera, unless it is almost equal to the current one: within a hundredth of the distance to its target,
+    /// and one degree. The views after the current one are removed, and the oldest one if there are more than kMost.
     void stay(const Camera& camera);
 
-    /// The camera before that at hand, which is at hand from now on; nothing at the first.
+    /// Returns the previous camera, which becomes the current one. Returns nothing at the first camera.
     std::optional<Camera> back();
 
-    /// The camera behind it, likewise.
+    /// Returns the next camera, which becomes the current one. Returns nothing at the last camera.
     std::optional<Camera> forth();
 
     static constexpr std::size_t kMost = 100;
 
 private:
     std::vector<Camera> cameras_;
-    std::size_t at_ = 0;         // of the one at hand, if there is any
-    std::optional<Camera> seen_; // the last that was elsewhere
-    double since_ = 0;           // when it was first seen
+    std::size_t at_ = 0;         // index of the current camera, if any
+    std::optional<Camera> seen_; // last camera at a different place
+    double since_ = 0;           // time of its first appearance
 };
 
 } // namespace gnomon::viewer

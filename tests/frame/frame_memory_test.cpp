@@ -183,7 +183,7 @@ TEST(FrameMemory, OfSeveralFramesIsCounted) {
         bytesOfSeveralFrames(narrow, view, quality);
         EXPECT_LE(narrow.residency().statistics().committed.count, pages.count / 2);
         narrow.render(view, quality, {});
-        EXPECT_EQ(narrow.residency().statistics().committed, pages) << "given back";
+        EXPECT_GE(narrow.residency().statistics().committed.count, pages.count) << "the room is not given back";
         Renderer none(model.file(), *executor, within({tableBytes(model.file()).count + counted.count}));
         FrameOptions several;
         several.isAccumulated = true;

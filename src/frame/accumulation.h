@@ -1,5 +1,5 @@
-// A picture as the mean of frames, each of which samples its pixels elsewhere and takes its light from elsewhere:
-// antialiasing, penumbrae and the light of the sky, in one sum of linear light.
+// An image as the mean of several frames with different subpixel positions and light directions. The mean, a sum of
+// linear light, gives antialiasing, penumbrae and sky light.
 #pragma once
 
 #include "executor/light/background.h"
@@ -8,45 +8,47 @@
 
 namespace gnomon::frame {
 
-/// Where frame `sample` of an accumulation, from 0, samples its pixels: pixels right and up of their middles, each at
-/// least -1/2 and below 1/2. The first two dimensions of Sobol's sequence (1967), half a pixel around: the first is the
-/// middle, and of the first 2^m each rectangle of the area 2^-m whose sides are powers of two holds one.
+/// Returns the subpixel position of frame `sample` (0, 1, ...) of an accumulation: pixels to the right and up from the
+/// pixel's centre, each in [-1/2, 1/2). The positions are the first two dimensions of the Sobol sequence (1967),
+/// shifted by half a pixel. The first is the centre. Of the first 2^m positions, each elementary rectangle with area
+/// 2^-m contains exactly one.
 glm::dvec2 subpixelOffset(int sample);
 
-/// Where frame `sample` of an accumulation, from 0, moves the grids of its shadow maps: texels, each at least -1/2 and
-/// below 1/2, the first 0. The R2 sequence (Roberts 2018), which has no pattern in common with `subpixelOffset`.
+/// Returns the shift of the texel grids of frame `sample` (0, 1, ...) of an accumulation, in texels, each in [-1/2,
+/// 1/2). The first shift is 0. The shifts are the R2 sequence (Roberts 2018), which does not correlate with
+/// `subpixelOffset`.
 glm::dvec2 mapShift(int sample);
 
-/// The frames of a standing view, one after another, and the mean of their pictures. Where the plan of the first calls
-/// for directions of the light's disc each has one, and where it calls for those of the sky each is the sum of two
-/// drawings: in the light of the sun, of the ground and from the eye, and in that of a part of the sky. Frames that
-/// there are for the disc alone are drawn in the tiles of the plan's penumbrae alone.
+/// The accumulation of frames of one view, and their mean. If the plan of the first frame samples the light's disc,
+/// each frame has one direction to the disc. If the plan samples the sky, each frame is the sum of two images: one with
+/// the light of the sun, the ground and the headlight, and one with the light of a part of the sky. Frames that only
+/// add directions to the disc are drawn only in the tiles with penumbrae.
 class Accumulation {
 public:
-    /// Begins anew with `frame`, the last that `renderer` drew, with `isAccumulated` and no offset. Both must outlive
-    /// what is added. There are to be `samples` frames, at least 1, or as many as the directions that its plan calls
-    /// for, if those are more; without sky, the first `samples`, and
-    /// at least plan::leastFirstPoints, are of all tiles.
+    /// Starts a new accumulation with `frame`, the last frame of `renderer`. This frame must have `isAccumulated` and
+    /// no subpixel offset. `renderer` and `frame` must exist until the last `add`. The number of frames is `samples`
+    /// (at least 1), or the number of directions in the plan if that is larger. With sky light, all frames are drawn in
+    /// all tiles. Without it, the first `samples` frames, but at least plan::leastFirstPoints, are drawn in all tiles.
     void begin(Renderer& renderer, const Frame& frame, int samples);
 
-    /// Forgets all of it.
+    /// Removes all frames.
     void clear() { sum_.reset(); }
 
-    /// Draws one more frame and adds it; there are less than `wanted`.
+    /// Draws one more frame and adds it. Requires `samples()` < `wanted()`.
     void add();
 
-    /// How many frames there are.
+    /// Returns the number of accumulated frames.
     int samples() const { return sum_.count(); }
 
-    /// How many there are to be: the directions are spread over so many.
+    /// Returns the number of frames of the complete accumulation, over which the light directions are distributed.
     int wanted() const { return wanted_; }
 
-    /// The mean, before it is shown.
+    /// Returns the mean light before tone mapping.
     executor::LightPicture light() const { return sum_.mean(); }
 
     executor::Picture picture() const { return sum_.picture(shown_); }
 
-    /// Nothing unless the background is transparent.
+    /// Returns nullopt unless the background is transparent.
     std::optional<executor::Coverage> coverage() const {
         return shown_.isTransparent ? std::optional(sum_.coverage()) : std::nullopt;
     }
@@ -62,7 +64,7 @@ private:
     Renderer* renderer_ = nullptr;
     const Frame* frame_ = nullptr;
     int wanted_ = 1;
-    int whole_ = 1; // of them, the first: those of all tiles
+    int whole_ = 1; // number of first frames that are drawn in all tiles
     executor::GroundShares onGround_;
     executor::Shown shown_;
     executor::LightSum sum_;

@@ -1,4 +1,4 @@
-// What a frame drew at a place of its image: the point of a triangle, from the triangle itself and not from depths.
+// The point of the model that a pixel shows, computed from its triangle. This is more precise than the depth buffer.
 #pragma once
 
 #include "frame/renderer.h"
@@ -7,20 +7,21 @@
 
 namespace gnomon::frame {
 
-/// A point in steps of the model's grid, and how far at most it is from the source's surface, world units.
+/// A point on the model's grid, and the max distance to the surface of the source in world units.
 struct GridPlace {
     glm::i64vec3 cell{0};
     double within = 0;
 };
 
 struct DrawnPoint {
-    GridPlace point;                 // rounded to the grid
-    std::optional<GridPlace> vertex; // the triangle's nearest; nothing on the cap of a section
+    GridPlace point;                 // the visible point, rounded to the grid
+    std::optional<GridPlace> vertex; // the nearest vertex of the triangle; empty on the cap of a section
 };
 
-/// The first point of what is drawn on the line of sight through the middle of a pixel, column and row from the upper
-/// left, of `frame`, which is the last that `renderer` drew, with these `options`: on the triangle but for the rounding
-/// to the grid, or on a section's cap. Nothing where nothing of the model is seen, or where its pages have gone since.
+/// Returns the first point of the drawn geometry on the line of sight through the centre of a pixel. The point lies on
+/// a triangle, except for the rounding to the grid, or on the cap of a section. `pixel` is column and row from the
+/// upper left. `frame` must be the last frame of `renderer`, drawn with `options`. Returns nullopt if the pixel shows
+/// no point of the model, or if its pages have been evicted.
 std::optional<DrawnPoint> drawnPoint(
     const Renderer& renderer, const PreparedFrame& frame, const FrameOptions& options, const glm::ivec2& pixel);
 

@@ -1,5 +1,5 @@
-// The cuts of a frame: first the image and what may shadow it, for the plan; then image and casters by the plan's
-// passes.
+// The two cuts of a frame. The first cut contains the image and its possible casters, and provides the facts for the
+// plan. The second cut contains the image and the casters of each pass of the plan.
 #pragma once
 
 #include "frame/prepared_frame.h"
@@ -8,17 +8,18 @@
 
 namespace gnomon::frame {
 
-/// The query whose answer is `frame`'s cut.
+/// Returns the query that computes the cut of `frame`.
 selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame);
 
-/// An image, and what is cut around it.
+/// An image and the margin of its cut.
 struct CutView {
     const plan::View& view;
-    double margin = 0; // pixels on each side
+    double margin = 0; // pixels on each side of the image
 };
 
-/// Chooses `frame`'s rule and cuts the image of `cutView` with its `errorPixels`, which a cap raises; with a `range`,
-/// which widestRange answered, also all that can throw a shadow into it.
+/// Cuts the image of `cutView` with the error limit `errorPixels` of `frame`, and sets the error rule and the volumes.
+/// A cap on triangles in `quality` can increase the limit. If `range` (the result of widestRange) is given, the second
+/// volume contains all casters that can throw a shadow into it.
 void cutImage(
     PreparedFrame& frame,
     const CutView& cutView,
@@ -27,17 +28,17 @@ void cutImage(
     const Residency& residency,
     const hierarchy::Grid& grid);
 
-/// Leaves of `receivers`, local space, what lies in the model, whose local space begins at `origin`: nothing is
-/// shadowed beyond it.
+/// Clips `receivers` to the bounds of the model, because surfaces outside the model receive no shadow. `receivers` is
+/// in local space, whose origin is `origin` in world space.
 void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& receivers);
 
-/// Leaves of the volumes of `frame` behind the image's what the sections of its plan's view leave, where those cut
-/// casters, and adds the neighbourhood of each section plane, a few cells to each side; local space begins at `origin`.
-/// Throws Error if that is more volumes than a cut takes.
+/// Clips the caster volumes of `frame` by the section planes if the sections remove casters. Adds one volume per
+/// section plane, which extends 4 grid steps to each side of the plane. `origin` is the origin of local space in world
+/// space. Throws Error if the number of volumes exceeds bvh::kMaxVolumes.
 void addSections(PreparedFrame& frame, const glm::dvec3& origin);
 
-/// Cuts the image of a planned frame again with the casters of each of its passes, culled to its partition. Casters
-/// that want more detail than the image may raise `errorPixels` under a cap.
+/// Cuts a planned frame again: the image, and the casters of each pass, culled to its partition. Casters can require
+/// more detail than the image. Under a cap on triangles, this can increase `errorPixels`.
 void cutPartitions(PreparedFrame& frame, const Residency& residency);
 
 } // namespace gnomon::frame

@@ -1,4 +1,4 @@
-// How a frame is drawn, besides its view and its quality.
+// The options of a frame besides its view and quality.
 #pragma once
 
 #include "executor/executor.h"
@@ -8,32 +8,37 @@
 
 namespace gnomon::frame {
 
-/// How frames treat what is not resident.
+/// The treatment of pages that are not resident.
 enum class Waiting : std::uint8_t {
-    UntilComplete, // a frame waits until its cut is resident, and nothing is prefetched: everything but times repeats
-    Never,         // a frame draws what is there; pages are prefetched along the motion
+    // A frame waits until its cut is resident, and prefetches no pages. All results except times are then reproducible.
+    UntilComplete,
+    // A frame draws the resident pages, and prefetches pages along the motion.
+    Never,
 };
 
-/// How a frame is drawn, besides view and quality.
+/// The options of a frame besides its view and quality.
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
     executor::Overlay overlay = executor::Overlay::None;
-    bool wantsSurfaces = false;           // keep what the executor's `surfaces` returns
-    bool reusesMaps = true;               // where the frame before left the very same ones
-    bool wantsWholeMaps = false;          // to be looked at besides this image: receivers cull none of their casters
-    bool wantsWholeImage = false;         // to be looked at besides its colours: it is drawn in no bands
-    std::optional<Camera> observerCamera; // sees the frame of the view from outside: its cut, its casters, its maps
-    glm::dvec2 subpixel{0};               // where pixels are sampled, as FrameDrawing has it; at most half a pixel off
-    bool isAccumulated = false;           // `drawSample` is to follow: the cut has a `margin`, maps are whole, and the
-                                          // executor keeps the light
-    glm::dvec2 mapShift{0};               // of the grids of all shadow maps, as ShadowMap has it
+    bool wantsSurfaces = false; // stores the result of the executor's `surfaces`
+    bool reusesMaps = true;     // reuses maps that are identical to maps of the previous frame
+    // draws complete maps for another use than this image, so receivers cull no casters
+    bool wantsWholeMaps = false;
+    // keeps the image for another use than its colours, so it is not drawn in bands
+    bool wantsWholeImage = false;
+    // shows the view's frame from another camera: its cut, its casters and its maps
+    std::optional<Camera> observerCamera;
+    glm::dvec2 subpixel{0}; // sample position as in FrameDrawing, at most half a pixel from the centre
+    // `drawSample` will follow: the cut has a `margin`, maps are complete, and the executor stores the light
+    bool isAccumulated = false;
+    glm::dvec2 mapShift{0}; // shift of the texel grids of all maps, as in ShadowMap
     executor::LightPart lightPart = executor::LightPart::All;
-    double skyWeight = 0;                          // as FrameDrawing has it
-    std::optional<glm::vec3> groundShade;          // likewise
-    std::shared_ptr<const shadow::TileMask> tiles; // likewise
-    std::optional<executor::ImageRows> rows;       // likewise
+    double skyWeight = 0;                          // as in FrameDrawing
+    std::optional<glm::vec3> groundShade;          // as in FrameDrawing
+    std::shared_ptr<const shadow::TileMask> tiles; // as in FrameDrawing
+    std::optional<executor::ImageRows> rows;       // as in FrameDrawing
 
-    /// Pixels by which the cut reaches beyond the image on each side.
+    /// Returns the pixels by which the cut extends beyond the image on each side.
     double margin() const { return isAccumulated ? 0.5 : 0; }
 
     bool operator==(const FrameOptions&) const = default;

@@ -1,4 +1,4 @@
-// The row of the log that a frame leaves: what was planned, cut, resident and drawn, in the log's columns.
+// The row of a frame in the log: the figures of its plan, cut, pages and drawing.
 #pragma once
 
 #include "executor/executor.h"
@@ -9,15 +9,16 @@
 
 namespace gnomon::frame {
 
-/// Where a frame came from, as its row names it.
+/// The origin of a frame, for the log.
 struct FrameSource {
-    std::string model; // path
+    std::string model; // path of the model file
     std::string executor;
-    streaming::StoreStatistics residency; // once its pages were there
-    Bytes trees{};                        // of rays, kept beside those pages
+    streaming::StoreStatistics residency; // after the pages of the frame were loaded
+    Bytes trees{};                        // ray trees, stored in addition to the pages
 };
 
-/// The row of a frame that took `drawn` to draw; without its total time, and without what a proof finds out.
+/// Returns the row of a frame with the drawing cost `drawn`. The row lacks the total time and the results of a
+/// validation.
 telemetry::FrameRow frameRow(
     const PreparedFrame& frame, const executor::DrawStatistics& drawn, const FrameSource& source);
 

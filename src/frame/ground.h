@@ -1,4 +1,4 @@
-// The ground under a model, which nothing but its shadow makes visible.
+// The ground: a plane under the model, of which only the shadows are visible.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -10,39 +10,41 @@
 
 namespace gnomon::frame {
 
-/// The part of the plane under a model in which its shadow can lie: a convex polygon, facing up.
+/// The part of the ground that the model's shadow can reach: a convex polygon that faces up.
 struct Ground {
-    std::vector<glm::dvec3> outline; // world space, in order around
-    hierarchy::Page page;            // the same as one cluster, on the model's grid and up to two steps lower
+    std::vector<glm::dvec3> outline; // in world space, in order around the polygon
+    hierarchy::Page page;            // the polygon as one cluster on the model's grid, up to two steps below the plane
 };
 
-/// What is known of a model's shape without its pages.
+/// The bounds, the grid and the page table of a model.
 struct ModelExtent {
-    Box bounds; // world space
+    Box bounds; // in world space
     hierarchy::Grid grid;
     std::span<const hierarchy::PageInfo> pages;
 };
 
-/// The ground of `view`; null where none is asked for or no shadow can be seen on it: from below, or with the light at
-/// the horizon or under it. The plane lies under the least corner along up of any page's box, which is the model's
-/// lowest point where up is an axis. A shadow longer than 16 times the model ends there, or where the grid does.
-/// With `reachesSky` it is as much wider as it takes to hold what the model hides of the sky but for a level of a
-/// screen.
+/// Returns the ground of `view`. Returns null if the look has no ground or if no shadow can be visible on it: the eye
+/// is below the ground, or the light is at or below the horizon. The plane touches the lowest corner, along up, of all
+/// page boxes. If up is an axis, this is the lowest point of the model. A shadow ends at 16 times the model's diagonal,
+/// or at the end of the grid. With `reachesSky`, the ground also contains the points where the model hides a visible
+/// share of the sky, more than one level of a screen.
 std::shared_ptr<const Ground> groundOf(
     const plan::View& view, const plan::Look& look, const ModelExtent& model, bool reachesSky = false);
 
-/// `facts` of a frame of `view`, a distant one if it is orthographic, that shows `ground` too: what of it is in the
-/// frustum can be shadowed at any depth. False, and nothing changed, where that is none of it.
+/// Adds `ground` to `facts`, the facts of a frame of `view` (a distant view if it is orthographic). The part of the
+/// ground in the frustum can be in shadow at all its depths. Returns false, without a change, if no part of the ground
+/// is in the frustum.
 bool addGround(const Ground& ground, const plan::View& view, double gridStep, plan::SceneFacts& facts);
 
-/// `ground` itself, if `facts` got it so; else null, as without one.
+/// Returns `ground` after adding it to `facts`, or null if there is no ground in the frustum.
 std::shared_ptr<const Ground> seenGround(
     const std::shared_ptr<const Ground>& ground, const plan::View& view, double gridStep, plan::SceneFacts& facts);
 
-/// The box of a model and the ground under it, which may be null.
+/// Returns the bounding box of a model and its ground. `ground` can be null.
 Box withGround(Box model, const Ground* ground);
 
-/// How far a shadow on `ground` may lie from what of the box `model` throws it, along the light, at most.
+/// Returns the max distance, along the light, between a caster in the box `model` and its shadow on `ground`, in world
+/// units.
 double longestShadow(const Ground& ground, const plan::View& view, const Box& model);
 
 } // namespace gnomon::frame

@@ -1,4 +1,4 @@
-// The shadow maps that are still in the executor's depth texture, and the decision which of them a frame uses again.
+// The shadow maps that are still in the executor's depth texture, and the choice of the maps that a frame can reuse.
 #pragma once
 
 #include "frame/frame_options.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::frame {
 
-/// The maps that the last frame left in the depth texture.
+/// The maps of the last frame in the depth texture.
 class HeldMaps {
 public:
     /// Marks the passes of `frame` whose maps can be used again for an image with `options`. All other passes must be
@@ -24,12 +24,14 @@ public:
     void clear() { held_.reset(); }
 
 private:
-    /// Everything that an image looks up its maps by, besides its plan. Culled maps are valid only for an equal image.
+    /// All inputs besides the plan that determine the map lookups of an image. Culled maps are valid only for an equal
+    /// image.
     struct Image {
         FrameOptions options;
         bool isSunless = false;
-        std::vector<glm::dvec3> ground;                             // its outline; empty without ground
-        std::vector<std::vector<selection::ClusterRange>> clusters; // of all draw lists, the image's first
+        std::vector<glm::dvec3> ground; // its outline; empty without a ground
+        // of all draw lists; the first list is the image's
+        std::vector<std::vector<selection::ClusterRange>> clusters;
 
         bool operator==(const Image&) const = default;
     };

@@ -1,4 +1,4 @@
-// What a frame's plan says of penumbrae and of the sky, from what is drawn in it.
+// The planning of penumbrae and sky light, based on the drawn clusters of a frame.
 #pragma once
 
 #include "frame/prepared_frame.h"
@@ -6,7 +6,8 @@
 
 namespace gnomon::frame {
 
-/// Completes the plan of `frame`, which is cut and whose pages are resident. Costs nothing where neither is asked for.
+/// Completes the plan of `frame`, whose cut must be complete and resident. Returns immediately if the frame requests
+/// neither penumbrae nor sky light.
 void planLightSampling(PreparedFrame& frame, const Residency& residency);
 
 } // namespace gnomon::frame

@@ -1,5 +1,4 @@
-// What the image of a frame takes in memory beside the pages of its model, and the bands that it is drawn in if it is
-// too large.
+// The memory of a frame's image, without the pages of the model, and the division of a large image into bands.
 #pragma once
 
 #include "frame/frame_options.h"
@@ -9,14 +8,14 @@
 
 namespace gnomon::frame {
 
-/// What drawing and adding up a frame of `view` with the software backend takes, for the rows that `options` name and
-/// the finished picture: buffers by pixel, samples of exact shadows as if the sun reached every pixel, shadow maps and
-/// cells.
+/// Returns the memory that the software backend needs to draw and accumulate a frame of `view`. The result includes
+/// per-pixel buffers for the rows in `options`, the finished image, the samples of exact shadows (as if the sun reached
+/// every pixel), the shadow maps and the cells.
 Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
 
-/// The bands in which a picture of `view` is drawn if it may take `memory`, from the bottom. Returns one band of all
-/// rows if that fits into half of the memory, or if the frame cannot be drawn in bands. Else a band takes at most a
-/// quarter of the memory, but has at least 64 rows. The picture is the same to the byte however many bands there are.
+/// Returns the bands in which an image of `view` is drawn within `memory`, from the bottom. The result is a single band
+/// if the whole image fits into half of the memory, or if the frame cannot be drawn in bands. Otherwise a band needs at
+/// most a quarter of the memory, but has at least 64 rows. The image has the same bytes for any number of bands.
 std::vector<executor::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory);
 

@@ -1,4 +1,4 @@
-// A frame between its plan and its drawing: what was planned, cut and made resident for one view.
+// A frame between planning and drawing: its plan, its cut and its resident pages.
 #pragma once
 
 #include "executor/executor.h"
@@ -12,37 +12,42 @@
 
 namespace gnomon::frame {
 
-/// All that drawing one view takes. The cut's pages stay resident until the renderer prepares another frame.
+/// The complete input for drawing one view. The pages of the cut stay resident until the renderer prepares another
+/// frame.
 struct PreparedFrame {
     plan::FramePlan plan;
     plan::PlanMemory memory;                          // for the plan of the next frame
-    std::shared_ptr<const plan::PlannedFrame> before; // the frame before, for hysteresis; null if there was none
+    std::shared_ptr<const plan::PlannedFrame> before; // the previous frame, for hysteresis; null without one
     plan::SceneFacts facts;
-    std::shared_ptr<const Ground> ground; // null where none of it is in view
+    std::shared_ptr<const Ground> ground; // null if no part of the ground is in view
     executor::DrawSpace space;
-    std::shared_ptr<const selection::ErrorRule> rule; // of the cut, as are the volumes
+    std::shared_ptr<const selection::ErrorRule> rule; // error rule of the cut; `volumes` also belong to the cut
     std::vector<ConvexVolume> volumes;
-    bool isSunless = false; // the light reaches next to nothing that is seen, and --shading auto makes do without
-    double errorPixels = 1; // the quality's, or more where a cap forces it
-    selection::Cut cut;     // lists: the image's, then one a shadow pass, or that of the casters that rays can meet
+    // true: the light reaches so few visible pixels that --shading auto uses the headlight
+    bool isSunless = false;
+    double errorPixels = 1; // error limit of the quality, or more if a cap on triangles increases it
+    // The first list is the image's. The other lists are one per shadow pass, or a single list with the casters of rays
+    // or exact shadows.
+    selection::Cut cut;
     streaming::DemandOutcome residency;
     double planMs = 0;
     double selectMs = 0;
     double cullMs = 0;
     double streamMs = 0;
 
-    /// Whether rays are to find the shadows of this frame.
+    /// Returns true if rays compute the shadows of this frame.
     bool isRayTraced() const {
         return plan.quality.shadows == plan::ShadowMode::Rays && facts.visible && facts.visible->anything;
     }
 
-    /// Whether its shadows are decided exactly; not so where nothing that is seen could be in one.
+    /// Returns true if this frame has exact shadows. Returns false if no visible surface can be in shadow.
     bool isExact() const {
         return plan.quality.shadows == plan::ShadowMode::Exact && facts.visible && facts.visible->anything &&
                !facts.isTurnedFromLight;
     }
 
-    /// Whether shadows are found without maps: the second list is that of all that can cast into the view.
+    /// Returns true if shadows are computed without maps. The second list then contains all casters that can throw a
+    /// shadow into the view.
     bool hasOneCasterList() const { return isRayTraced() || isExact(); }
 };
 

@@ -1,18 +1,18 @@
-// What rays from a frame's surfaces towards the light can meet: the casters of the whole frustum, in one volume.
+// The casters that rays from the visible surfaces to the light can hit: one volume for the whole frustum.
 #pragma once
 
 #include "frame/prepared_frame.h"
 
 namespace gnomon::frame {
 
-/// The volume that every ray from a surface in the view to the light stays in; local space.
+/// Returns the volume, in local space, that contains every ray from a visible surface to the light.
 ConvexVolume rayCasterVolume(const PreparedFrame& frame);
 
-/// What the casters of a point light must be exact enough for: that of what is seen at all depths within a factor of
-/// two, so that what is near asks for detail of what casts there alone.
+/// Returns the required detail of the casters of a point light. There is one entry per range of view depths with a
+/// ratio of 2. Near receivers thus increase only the detail of casters that shadow them.
 std::vector<selection::CasterDetail> pointCasterDetails(const PreparedFrame& frame);
 
-/// What the casters of those rays must be exact enough for, where the light is a direction.
+/// Returns the required detail of the casters of those rays for a directional light.
 selection::CasterDetail rayCasterDetail(const PreparedFrame& frame);
 
 } // namespace gnomon::frame

@@ -1,4 +1,5 @@
-// From a model and a view to a picture and a row of the log: plan, cut, cull per partition, shadow passes, image pass.
+// The renderer. It converts a model and a view to an image and a row of the log, in this order: plan, cut, culling per
+// partition, shadow passes, image pass.
 #pragma once
 
 #include "culling/receivers.h"
@@ -16,57 +17,59 @@
 
 namespace gnomon::frame {
 
-/// A frame that was drawn once.
+/// A frame that has been drawn.
 struct Frame : PreparedFrame {
     FrameOptions options;
     telemetry::FrameRow row;
 };
 
-/// Draws a model frame by frame.
+/// Draws the frames of a model, one after another.
 class Renderer {
 public:
-    /// `model` and `executor` must outlive it. Throws Error if the root is damaged or the memory is less than the
-    /// tables take.
+    /// `model` and `executor` must outlive the renderer. Throws Error if the root is damaged or if the memory is
+    /// smaller than the tables.
     Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options);
 
-    /// Draws the frame of a view; the executor holds its picture. The frame before steadies its plan and decides its
-    /// shading if both are frames of one motion (plan/view_jump.h). Otherwise the picture depends on no frame before.
+    /// Draws the frame of a view; the executor then contains its image. If the previous frame belongs to the same
+    /// motion (plan/view_jump.h), it provides the hysteresis of the plan and determines the shading. Otherwise the
+    /// image does not depend on previous frames.
     Frame render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
 
-    /// The plan alone, refined with what the hierarchy answers; nothing is drawn.
+    /// Returns the plan of a view, with the facts from the hierarchy, without drawing.
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
-    /// Plans from now on for an executor that can do so much, which is not the one that draws.
+    /// Makes all following plans for the capabilities `backend` instead of those of the executor.
     void planFor(const plan::Capabilities& backend) { plannedFor_ = backend; }
 
-    /// What the frames of a motion share. Frames that begin with the same state are planned and shaded alike.
+    /// The shared state of the frames of a motion. Frames that start with the same state have the same plan and
+    /// shading.
     struct Motion {
         std::shared_ptr<const plan::PlannedFrame> previous;
-        plan::View view; // of the frame before, as it was asked for
+        plan::View view; // requested view of the previous frame
         plan::Quality quality;
-        double farthest = 0;           // depth that the frame before saw
-        std::optional<bool> isSunless; // of the frames with Shading::Auto; nothing: not decided yet
+        double farthest = 0;           // largest visible depth of the previous frame
+        std::optional<bool> isSunless; // for frames with Shading::Auto; nullopt: not known yet
     };
 
     const Motion& motion() const { return motion_; }
 
-    /// Lets the next frame follow the frames that `motion` comes from.
+    /// Restores `motion`, so that the next frame continues it.
     void continueFrom(const Motion& motion) { motion_ = motion; }
 
-    /// Whether the light reaches so few of the pixels that Shading::Auto leaves the sun out.
+    /// Returns true if the light reaches so few pixels that Shading::Auto uses no sun.
     static bool isNextToNothing(std::uint64_t litPixels, const plan::View& view);
 
-    /// Whether the last frame has a ground, in view or not.
+    /// Returns true if the last frame has a ground, in view or not.
     bool hasGround() const { return ground_ != nullptr; }
 
-    /// Forgets the frames before, so that the next plan depends on its view alone.
+    /// Clears the state of previous frames, so that the next plan depends only on its own view.
     void forget() {
         motion_ = {};
         heldMaps_.clear();
     }
 
-    /// Plans and cuts a view as the frame after `before` (null: the first), and makes its pages resident. Draws
-    /// nothing, and the next frame does not know of it. The cut reaches `margin` pixels beyond the image.
+    /// Plans and cuts a view as the successor of `before` (null: the first frame), and makes its pages resident. The
+    /// function does not draw, and does not affect the next frame. The cut extends `margin` pixels beyond the image.
     PreparedFrame prepare(
         const plan::View& view,
         const plan::Quality& quality,
@@ -74,29 +77,28 @@ public:
         const std::shared_ptr<const plan::PlannedFrame>& before,
         double margin = 0);
 
-    /// Draws a frame, one that was drawn before too, as long as it is the last that was prepared. Its plan then says
-    /// which maps were used again.
+    /// Draws the frame that was prepared last, also repeatedly. Afterwards its plan says which maps were reused.
     executor::DrawStatistics draw(PreparedFrame& frame, const FrameOptions& options);
 
-    /// Draws the image of the last frame that was rendered once more, one with `isAccumulated`, where `options` samples
-    /// its pixels: by the same cut. The maps are drawn again if `options` move them.
+    /// Draws the image of the last rendered frame again with the same cut, at the sample position in `options`. The
+    /// frame must have `isAccumulated`. The maps are drawn again if `options` shift them.
     void drawSample(const PreparedFrame& frame, const FrameOptions& options);
 
-    /// Draws the view of `frame` in light from another direction, of any length above 0, planned and cut anew with the
-    /// same kind of shadows, once all of that is resident; `options` say of which light. No frame to come knows of it;
-    /// `frame` itself cannot be drawn again.
+    /// Draws the view of `frame` with light from `towardsLight` (any length above 0), with a new plan and cut and the
+    /// same kind of shadows. Waits until all pages are resident. `options` selects the part of the light. The call does
+    /// not affect later frames, but `frame` itself cannot be drawn again.
     void drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options);
 
-    /// What the executor gets to draw `frame`, which must outlive it.
+    /// Returns the executor's input for `frame`. `frame` must outlive the result.
     executor::FrameDrawing drawing(const PreparedFrame& frame, const FrameOptions& options) const;
 
-    /// Keeps room for the picture of a frame that is still to come.
+    /// Reserves memory for the image of a later frame.
     void reservePicture(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
         residency_.reservePicture(picturePart(view, quality, options));
     }
 
-    /// What the frames since the last call miss of the error that was asked for. Small pictures that only decide
-    /// something are to be taken out so.
+    /// Returns the shortfall of the frames since the last call, compared with the requested error, and resets it. Call
+    /// this after small test images to exclude them from the next result.
     telemetry::Shortfall takeShortfall() { return std::exchange(shortfall_, {}); }
 
     const Residency& residency() const { return residency_; }
@@ -108,7 +110,7 @@ public:
     executor::Executor& executor() const { return *executor_; }
 
 private:
-    /// Does the work of `prepare` for the ground that is set, without penumbrae and sky.
+    /// Does the work of `prepare` with the current ground, except penumbrae and sky light.
     PreparedFrame prepareShadows(
         const plan::View& view,
         const plan::Quality& quality,
@@ -116,16 +118,16 @@ private:
         const std::shared_ptr<const plan::PlannedFrame>& before,
         double margin);
 
-    /// The capabilities that plans are made for.
+    /// Returns the capabilities that plans are made for.
     plan::Capabilities capabilities() const { return plannedFor_.value_or(executor_->capabilities()); }
 
-    /// Plans `frame` by its facts.
+    /// Plans `frame` from its facts.
     void planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const;
 
-    /// Whether a frame of `view` with `quality` continues the motion of the frame before.
+    /// Returns true if a frame of `view` with `quality` continues the motion of the previous frame.
     bool continuesMotion(const plan::View& view, const plan::Quality& quality) const;
 
-    /// The frame before, without the memory that steadies a plan unless `view` continues its motion.
+    /// Returns the previous frame, without its plan memory if `view` does not continue its motion.
     std::shared_ptr<const plan::PlannedFrame> frameBefore(const plan::View& view, const plan::Quality& quality) const;
 
     std::optional<bool> isWithoutSun(const Frame& frame) const;
@@ -141,7 +143,7 @@ private:
     HeldMaps heldMaps_;
     telemetry::Shortfall shortfall_;
     std::vector<culling::DepthCandidate> depthScratch_;
-    std::shared_ptr<const Ground> ground_; // of the view that is prepared
+    std::shared_ptr<const Ground> ground_; // of the prepared view
     std::shared_ptr<executor::SectionMemory> sections_;
 };
 

@@ -1,5 +1,4 @@
-// What of a model is in memory, and what a frame does about it: admits the pages that were loaded and requests those
-// that its cut wants.
+// The resident pages of a model. A frame admits loaded pages and requests the pages of its cut.
 #pragma once
 
 #include "core/check.h"
@@ -16,79 +15,84 @@
 namespace gnomon::frame {
 
 struct ResidencyOptions {
-    Bytes memory = gibibytes(1); // tables and decoded pages
+    Bytes memory = gibibytes(1); // for tables and decoded pages
     std::function<void(const streaming::DamagedPage&)> onDamaged;
-    /// A page that cannot be read counts as damaged, or on a server as missing, and is asked for again; else that is an
-    /// error.
+    /// A page that cannot be read counts as damaged; on a server, it counts as missing and is requested again.
+    /// Otherwise such a page is an error.
     bool drawsWithoutUnread = false;
-    /// Whether `memory` is that of the process: the program itself, the images and what drawing takes beside them
-    /// count, and not tables and pages alone.
+    /// If true, `memory` is the limit of the whole process: tables, pages, the program, the images and the temporary
+    /// memory of drawing. If false, it limits only tables and pages.
     bool holdsPictures = false;
 };
 
-/// What the tables of `model` and all that is made of them at run time take, about.
+/// Returns the approximate memory of the tables of `model`, with all structures that are built from them at run time.
 Bytes tableBytes(const hierarchy::ModelFile& model);
 
-/// The pages of one model. A frame calls `admitLoaded`, makes its cut of `query`, and calls `serve` with it until
-/// nothing changes, once if it never waits; then what it draws stays until the next `admitLoaded`.
+/// The pages of one model. A frame calls `admitLoaded`, computes a cut with `query`, and calls `serve` with this cut. A
+/// frame that waits repeats the cut and `serve` until nothing changes. The drawn pages then stay resident until the
+/// next `admitLoaded`.
 class Residency {
 public:
-    /// `model` must outlive it. Throws Error if the root is damaged, the tables alone take more than the memory,
-    /// or the model is too large or too small to be drawn.
+    /// `model` must outlive this object. Throws Error if the root is damaged, if the tables alone exceed the memory, or
+    /// if the model is too large or too small to be drawn.
     Residency(const hierarchy::ModelFile& model, ResidencyOptions options);
 
-    /// What of a cut's query is the model's and not the view's.
+    /// Returns a query with the members that depend on the model. The caller sets the members that depend on the view.
     selection::CutQuery query() const;
 
     hierarchy::ResidentPages resident() const { return store_.resident(); }
 
-    /// Whether reading `page` has failed.
+    /// Returns true if `page` could not be read.
     bool isDamaged(std::uint32_t page) const { return store_.isDamaged(page); }
 
-    /// Begins a frame: makes the pages that were loaded since the last one resident, if frames never wait. One that
-    /// waits reads no page for being above others, until one has not waited; `needsAllAbove` if it does all the same.
+    /// Begins a frame. If frames never wait, makes the newly loaded pages resident. Frames that wait do not load the
+    /// coarser ancestors of their pages, until the first frame that does not wait. `needsAllAbove` loads the ancestors
+    /// in any case.
     void admitLoaded(Waiting waiting, bool needsAllAbove = false);
 
-    /// Requests what `cut` of `query` wants, and waits for it if frames do. The first volume is the image's.
+    /// Requests the pages that `cut` of `query` wants, and waits for them unless `waiting` is Never. The first volume
+    /// must be the image's.
     streaming::DemandOutcome serve(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
 
-    /// The pages that `cut` of `query` takes: if it wants none just those, else no fewer.
+    /// Returns the pages that `cut` of `query` needs. The result is exact if the cut wants no pages, and otherwise a
+    /// superset.
     std::vector<std::uint32_t> pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const;
 
-    /// What the tables and `pages` take.
+    /// Returns the memory of the tables and `pages`.
     Bytes bytesWith(std::span<const std::uint32_t> pages) const;
 
-    /// What trees of rays over all of `pages` would take.
+    /// Returns the memory of ray trees over all of `pages`.
     Bytes rayTreeBytesWith(std::span<const std::uint32_t> pages) const;
 
-    /// What tables, pages and, if it holds them, pictures may take.
+    /// Returns the memory for tables, pages and, with `holdsPictures`, images.
     Bytes memory() const { return memory_; }
 
-    /// Keeps `bytes` of the memory for something else than pages; what the last frame that waited needs stays resident.
+    /// Reserves `bytes` of the memory for other uses than pages. The pages of the last frame that waited stay resident.
     void reserve(Bytes bytes) {
         store_.reserve({bytes.count + picture_.count});
         reserved_ = bytes;
     }
 
-    /// Likewise for a picture, besides. If `memory` holds the images, a third of what is left is for what drawing makes
-    /// of the pages. Throws Error, with the memory that the picture needs, if it does not fit beside the pages that
-    /// always stay. If `memory` holds the images, the room of the largest picture so far stays reserved.
+    /// Reserves `bytes` for an image, in addition to `reserve`. With `holdsPictures`, a third of the remaining memory
+    /// is also reserved for the temporary memory of drawing, and the largest reservation so far is preserved. Throws
+    /// Error with the required memory if the image does not fit beside the pinned pages.
     void reservePicture(Bytes bytes);
 
-    /// Whether `memory` holds the images too.
+    /// Returns true if `memory` includes the images.
     bool holdsPictures() const { return holdsPictures_; }
 
-    /// Keeps room for trees of rays beside each page, in the same memory, or forgets the trees and gives that back.
-    /// Throws Error if they do not fit beside the pages that always stay.
+    /// Reserves memory for a ray tree per page, within the same memory limit, or deletes the trees and releases their
+    /// memory. Throws Error if they do not fit beside the pinned pages.
     void keepRayTrees(bool areKept);
 
-    /// The trees of resident pages; only while they are kept. Those of a page go with it.
+    /// Returns the ray trees of resident pages. Requires keepRayTrees(true). The tree of a page is deleted when the
+    /// page is evicted.
     raycast::KeptTrees& rayTrees() {
         GNOMON_CHECK(rayTrees_);
         return *rayTrees_;
     }
 
-    /// What the trees take by now.
+    /// Returns the current memory of the ray trees.
     Bytes rayTreeBytes() const { return rayTrees_ ? rayTrees_->bytes() : Bytes(); }
 
     const streaming::StoreStatistics& statistics() const { return store_.statistics(); }
@@ -101,25 +105,25 @@ private:
     Bytes reserved_;
     Bytes picture_;
     bool holdsPictures_ = false;
-    bool hasNotWaited_ = false; // a frame
-    bool isOpen_ = false;       // this frame: pages come without those above them
+    bool hasNotWaited_ = false; // true: a frame with Waiting::Never has begun
+    bool isOpen_ = false;       // true: pages of this frame are loaded without their ancestors
     streaming::FilePageSource source_;
-    std::unique_ptr<raycast::KeptTrees> rayTrees_; // null while none are kept
+    std::unique_ptr<raycast::KeptTrees> rayTrees_; // null if no trees are kept
     streaming::PageStore store_;
     selection::PageTrees trees_;
-    std::optional<selection::DetailView> before_; // the view of the frame before
+    std::optional<selection::DetailView> before_; // view of the previous frame
 };
 
-/// `demands` by what the boxes of their pages, rows of `pages`, show of them, of which the most urgent have to come
-/// first where not all fit: those out of view last, but for what shadows need. The sphere of a group encloses those of
-/// all that refines it, so that inside of a model most reach to the eye, and all seem urgent. Never raised; whatever
-/// holds a root group stays as it is.
+/// Returns `demands` with priorities that use the boxes of their pages (rows of `pages`), so that the most urgent pages
+/// are first in a limited budget. Pages out of view come last, unless shadows need them. A group's sphere encloses the
+/// spheres of all finer groups. Inside a model, most spheres therefore contain the eye, and all pages would seem
+/// urgent. A priority is never increased, and pages with a root group are unchanged.
 std::vector<hierarchy::PageDemand> rankedByBoxes(
     const selection::CutQuery& query,
     std::span<const hierarchy::PageDemand> demands,
     std::span<const hierarchy::PageInfo> pages);
 
-/// The view that the motion from `before` to `now` leads to in `frames` frames.
+/// Returns the view that the motion from `before` to `now` reaches after `frames` more frames.
 selection::DetailView continued(const selection::DetailView& before, const selection::DetailView& now, double frames);
 
 } // namespace gnomon::frame

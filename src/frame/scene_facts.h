@@ -1,5 +1,4 @@
-// Between a plan and the hierarchy: the views, volumes and details in its local space that a plan calls for, and
-// the facts for the plan that they select.
+// The facts of a scene that a plan needs, and the conversion of views and volumes to the local space of the hierarchy.
 #pragma once
 
 #include "culling/receivers.h"
@@ -8,11 +7,11 @@
 
 namespace gnomon::frame {
 
-/// `view` for choosing detail; `eye` is local.
+/// Returns the parameters of `view` for the selection of detail. `eye` is in local space.
 selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye);
 
-/// What the geometry of `image` (the first list of `cut`) and of the casters around it (the second, if there is one)
-/// tells a plan of `view`; `range` is what widestRange answered.
+/// Returns the facts for a plan of `view`. The first list of `cut` is the image. The second list, if it exists,
+/// contains the casters around the image. `range` is the result of widestRange.
 plan::SceneFacts sceneFacts(
     const plan::View& view,
     const Box& bounds,
@@ -21,8 +20,7 @@ plan::SceneFacts sceneFacts(
     const std::optional<DepthSpan>& range,
     std::vector<culling::DepthCandidate>& scratch);
 
-/// Whether nothing of `cut`'s image that is in view can be lit, whatever stands before the light; only sure where it
-/// says yes.
+/// Returns true if no visible cluster of the image of `cut` can be lit, even without casters. False is not certain.
 bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut);
 
 } // namespace gnomon::frame

@@ -1,18 +1,20 @@
-// What a backend can draw. This is the only list: settings, plans, frames, the window and the bench read it.
+// The capabilities of a backend: which optional effects it can draw. Settings, plans, frames, the window and the bench
+// read only this list.
 #pragma once
 
 namespace gnomon::plan {
 
-/// The effects that not every backend can draw.
+/// The effects that some backends cannot draw.
 struct Capabilities {
-    bool exactShadows = false;     // decides the shadow of each visible point exactly
-    bool unevenRows = false;       // draws maps whose rows are logarithmic
-    bool imageFirst = false;       // finds the visible points before it draws maps, so receivers can cull casters
-    bool occlusionCulling = false; // draws an image without its hidden clusters
-    bool ground = false;           // draws the shadow on the ground
+    bool exactShadows = false;     // computes the shadow of each visible point exactly
+    bool unevenRows = false;       // draws logarithmic maps
+    bool imageFirst = false;       // finds the visible points before it draws maps, so that receivers can cull casters
+    bool occlusionCulling = false; // skips the hidden clusters of an image
+    bool ground = false;           // draws the shadow of the model on the ground
     bool sections = false;         // cuts models by planes
-    bool bands = false;            // draws some rows of an image at a time
-    bool seesTriangles = false; // knows the triangle of each pixel, so colours can follow vertices, errors and fields
+    bool bands = false;            // draws a range of rows of an image at a time
+    // knows the triangle of each pixel, so that colours can show vertices, errors and fields
+    bool seesTriangles = false;
 
     bool operator==(const Capabilities&) const = default;
 };

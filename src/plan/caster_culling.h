@@ -1,15 +1,16 @@
-// Whether the maps of a planned frame draw for all that may be in their partitions, or for what the image asks for.
+// The choice between two kinds of caster culling: by partition only, or also by the receivers in the image.
 #pragma once
 
 #include "plan/frame_plan.h"
 
 namespace gnomon::plan {
 
-/// Pixels of which finding out what they look up costs as much as drawing a caster triangle.
+/// Number of pixels whose receiver mask costs as much to compute as drawing one caster triangle.
 constexpr std::uint64_t kPixelsPerTriangle = 16;
 
-/// Sets `plan.casterCulling`, with a line in `plan.omitted` where receivers do not cull; by counts alone. Where the
-/// quality asks for receivers they cull whenever the plan's backend draws the image first.
+/// Sets `plan.casterCulling` from estimated counts of triangles and pixels. Adds an entry to `plan.omitted` if
+/// receivers do not cull casters. CasterCulling::Receivers in the quality is used whenever the plan's backend draws the
+/// image first.
 void chooseCasterCulling(FramePlan& plan);
 
 } // namespace gnomon::plan

@@ -1,5 +1,5 @@
-// How the cells of exact shadows lie over the light plane: with the matrices of shadow maps, which put as many cells
-// where the view has as many pixels. They change what a frame costs, never its picture.
+// The grids of cells that sort the samples of exact shadows. Each grid has the matrix of a shadow map, so regions with
+// more pixels have more cells. The grids change the cost of a frame, but not its image.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -8,15 +8,16 @@
 
 namespace gnomon::plan {
 
-/// Cells on each side of all maps of a frame together, as if they were one.
+/// Number of cells per side of the grid of a frame with one map. With n maps, each grid has 256 / sqrt(n) cells per
+/// side, so the total number of cells stays the same.
 inline constexpr int kCellSide = 256;
 
-/// Cells on each side of one of the plan's maps.
+/// Returns the number of cells per side of each of the plan's grids.
 int cellSide(const FramePlan& plan);
 
-/// The maps of `plan`, whose view, light and depth range are set, as its quality has it; nearest slice first. By
-/// default one, warped as LSPSM (Wimmer et al. 2004): more partitions have triangles cast more than once, for lists
-/// that are short enough with one.
+/// Returns the maps whose matrices define the grids, nearest slice first. `plan` must have its view, light and depth
+/// range. Its quality selects the scheme. The default is one map with the warp of LSPSM (Wimmer et al. 2004). More
+/// partitions would rasterise triangles more than once, although the lists of samples are already short with one map.
 std::vector<shadow::ShadowMap> cellMaps(const FramePlan& plan);
 
 } // namespace gnomon::plan

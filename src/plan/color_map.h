@@ -1,4 +1,4 @@
-// The colour maps that values along a line are shown in; what their colours are executor/overlay/color_map.h says.
+// The names of the colour maps for scalar values. executor/overlay/color_map.h contains their colours.
 #pragma once
 
 #include "core/words.h"
@@ -8,8 +8,8 @@
 
 namespace gnomon::plan {
 
-/// By the names that they have elsewhere. Lightness grows along each of them, evenly, so that they are read alike by
-/// eyes without green cones and in a grey print.
+/// The colour maps, with their usual names. Lightness grows evenly along each map. Readers with deuteranopia and
+/// readers of a grey print therefore see the same order.
 enum class ColorMap : std::uint8_t { Viridis, Cividis, Grey };
 inline constexpr std::array kColorMaps = {
     Word<ColorMap>{ColorMap::Viridis, "viridis"},

@@ -11,9 +11,10 @@ namespace gnomon::plan {
 
 namespace {
 
-constexpr double kDefaultFloorRatio = 1e4; // far / near-floor
+constexpr double kDefaultFloorRatio = 1e4; // default far / nearFloor
 
-/// View depths of the part of `bounds` that lies before the eye; empty facts if none does.
+/// Returns the view depths of the part of `bounds` in front of the eye. Returns empty facts if no part is in front of
+/// it.
 SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     SceneFacts::Visible result;
     if (bounds.isEmpty()) return result;
@@ -27,8 +28,8 @@ SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     return result;
 }
 
-/// Far, quantised as near is where slices are stabilised, from the other side: it rises at once and falls after some
-/// frames.
+/// Sets far. For stabilised slices, far is quantised in the opposite direction to near: it rises at once and falls only
+/// after several frames.
 void setFar(
     DepthRange& range, const Quality& quality, double farthest, const std::optional<shadow::NearState>& inverseBefore) {
     range.depths.far = quality.far.value_or(farthest);
@@ -41,7 +42,8 @@ void setFar(
     if (quality.stabilize) range.memory->inverseFar = inverse;
 }
 
-/// Near, quantised, at or below the nearest thing, its floor, or that of the frame before.
+/// Sets near to the quantised step at or below the nearest surface. The floor and the hysteresis of the previous frame
+/// limit the step.
 void setNear(
     DepthRange& range,
     const Quality& quality,
@@ -55,8 +57,8 @@ void setNear(
     if (range.memory->near.framesAbove > 0) range.nearFrom = DepthSource::Held;
 }
 
-/// Gives a depth to what has none, such as a surface that faces the eye squarely. Throws Error for ends that are no
-/// range.
+/// Extends a range without depth to a ratio of kLeastRatio; a surface perpendicular to the view direction has such a
+/// range. Throws Error if the given ends are not a valid range.
 void keepApart(DepthSpan& depths, const Quality& quality) {
     constexpr double kLeastRatio = 1 + 1e-3;
     if (!(depths.near > 0) || !std::isfinite(depths.far))
@@ -78,8 +80,9 @@ void keepApart(DepthSpan& depths, const Quality& quality) {
         depths.far = depths.near * kLeastRatio;
 }
 
-/// The end of what is shown, which lies at `depth`, if that is before `end`: quantised as near is, and never under
-/// `floor`. Depths here are those before the eye, or their inverses.
+/// Returns the near end of the shown range: `end`, or a quantised step at or below `depth` if `depth` is smaller than
+/// `end`. The result is never below `floor` unless `end` is. For a far end, all arguments and the result are inverse
+/// depths.
 double shownEnd(double end, double depth, double floor, std::optional<shadow::NearState>& state) {
     const bool isBeyond = depth < end && floor < end;
     if (!isBeyond && !state) return end;
@@ -90,7 +93,7 @@ double shownEnd(double end, double depth, double floor, std::optional<shadow::Ne
     return end;
 }
 
-/// What is shown, which goes beyond depths that are given.
+/// Sets the shown range, which extends beyond given depths to the visible surfaces.
 void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::optional<DepthMemory>& memory) {
     DepthMemory& now = *range.memory;
     if (memory) now.shownNear = memory->shownNear;
@@ -101,11 +104,12 @@ void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::
         shownEnd(range.depths.near, visible.nearest, range.shown.far / kDefaultFloorRatio, now.shownNear);
 }
 
-/// The range of parallel lines of sight: just what is seen, since no depth is worth more than another; of stabilised
-/// slices, whose texels must keep their size, all that the model can reach, so that it has no hysteresis.
+/// Sets the range of a parallel view to the visible depths, because its aliasing does not depend on depth. Stabilised
+/// slices use all depths of the model instead, because their texels must keep their size. The range therefore needs no
+/// hysteresis.
 void setParallelRange(DepthRange& range, const View& view, const Quality& quality, const SceneFacts::Visible& visible) {
     constexpr double kLeastRatio = 1 + 1e-5;
-    const double nearest = glm::length(view.camera.target - view.camera.eye); // of the model
+    const double nearest = glm::length(view.camera.target - view.camera.eye); // depth of the near end of the model
     const double near = quality.stabilize ? nearest : visible.nearest * (1 - 1e-9);
     const double far = quality.stabilize ? nearest * kDistantGrowth : visible.farthest * (1 + 1e-9);
     range.depths.near = quality.near.value_or(std::min(near, quality.far.value_or(far) / kLeastRatio));

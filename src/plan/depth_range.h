@@ -1,4 +1,5 @@
-// The depth range that a frame's shadows are promised for: everything depends on its near end.
+// The depth range of a frame for which the plan bounds the aliasing of shadows. Its near end has the largest influence
+// on the aliasing.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -6,22 +7,29 @@
 
 namespace gnomon::plan {
 
-/// The range and where each end comes from.
+/// A depth range and the origin of each end.
 struct DepthRange {
-    DepthSpan depths; // near < far always
-    DepthSpan shown;  // `depths`, and what lies before and behind them of all that is in view
+    DepthSpan depths; // near < far
+    DepthSpan shown;  // `depths`, extended to the nearest and farthest visible depth
     DepthSource nearFrom = DepthSource::NothingInView;
     DepthSource farFrom = DepthSource::NothingInView;
-    bool isEmpty = false;              // nothing is in view, and the range is any
-    std::optional<DepthMemory> memory; // for the next frame; nothing where nothing is in view, or sight is parallel
+    bool isEmpty = false; // true: nothing is in view, and the range is arbitrary
+    // for the next frame; empty if nothing is in view or the projection is parallel
+    std::optional<DepthMemory> memory;
 };
 
-/// Near is the least view depth of anything drawn, not under the floor, down to a quantised step of 2^(1/4): it falls
-/// at once, and rises only when the frames before have allowed that for kFramesBeforeNearRises. Far is the greatest
-/// depth; stabilised slices, whose texels must keep their size, have it quantised too. What is shown beyond a given end
-/// moves as near does, and begins no nearer than far/10,000. Where lines of sight are parallel both ends are those of
-/// what is seen, or of the model where slices are stabilised, and shadows are shown on all of it. Throws Error for
-/// given ends that are no range.
+/// Returns the depth range of a frame.
+///
+/// For a perspective view, near is the smallest view depth of a drawn surface, but at least the floor, rounded down to
+/// a step of 2^(1/4). It falls at once. It rises only after kFramesBeforeNearRises frames that permit a higher step.
+/// Far is the largest view depth. Stabilised slices quantise far too, because their texels must keep their size. If
+/// `quality` gives an end, `shown` can extend beyond it. The ends of `shown` have the same hysteresis as near, and its
+/// near end is at least far / 10,000.
+///
+/// For a parallel view, the ends are those of the visible surfaces, or of the model if slices are stabilised, and
+/// shadows are shown on all visible surfaces.
+///
+/// Throws Error if the given ends are not a valid range.
 DepthRange depthRange(
     const View& view, const Quality& quality, const SceneFacts& scene, const std::optional<DepthMemory>& memory);
 

@@ -1,5 +1,5 @@
-// A frame as a value: what will be drawn, with which volumes, matrices and texels, what it promises, and why everything
-// else is left out. Made without GL, files or a clock; backends only carry it out.
+// The plan of a frame, as a value: its passes with their volumes, matrices, texels and aliasing bounds, and the reason
+// for each skipped effect. A plan is made without GL, files or a clock, and a backend draws it.
 #pragma once
 
 #include "core/camera.h"
@@ -23,28 +23,28 @@
 
 namespace gnomon::plan {
 
-/// A lamp: light from one point, that falls off with the square of the distance.
+/// A point light, whose light decreases with the square of the distance.
 struct PointLight {
-    glm::dvec3 at{0}; // world space, on the model's grid
-    double reach = 1; // world units, above 0: so far away it is as bright as the sun
+    glm::dvec3 at{0}; // position in world space, on the model's grid
+    double reach = 1; // distance at which it is as bright as the sun, in world units; above 0
 
     bool operator==(const PointLight&) const = default;
 };
 
-/// What is looked at, from where, towards which light.
+/// The camera, the image size, the light and the section planes of a frame.
 struct View {
     Camera camera;
     int width = 800; // pixels, at least 1
     int height = 800;
-    glm::dvec3 towardsLight{0.4, 1, 0.3}; // world space, any length above 0; light() is drawn by
-    glm::dvec3 up{0, 1, 0};               // towards the sky, likewise of any length above 0
-    std::optional<PointLight> pointLight; // in place of what towardsLight says, which then is roughly where it is
-    double sunAngleRadians = 0;           // across the disc of the light; 0: a point
-    std::optional<double> eyeMovedBack;   // by distantView, world units
-    std::vector<Plane> sections;          // world space; only what lies on the inner side of all of them is seen
-    bool cutsCasters = true;              // nor does anything else cast shadows
+    glm::dvec3 towardsLight{0.4, 1, 0.3}; // in world space, of any length above 0; drawing uses light() instead
+    glm::dvec3 up{0, 1, 0};               // towards the zenith, of any length above 0
+    std::optional<PointLight> pointLight; // replaces towardsLight, which is then the approximate direction to it
+    double sunAngleRadians = 0;           // angle of the light's disc; 0: the light is a point
+    std::optional<double> eyeMovedBack;   // distance by which distantView moved the eye, in world units
+    std::vector<Plane> sections;          // in world space; a point is visible only on the inner side of all planes
+    bool cutsCasters = true;              // true: the removed side of the sections casts no shadows
 
-    /// The light that is drawn by: rounded here, and nowhere else.
+    /// Returns the light direction that drawing uses. Only this function rounds it.
     IntegerLight light() const { return roundedLight(towardsLight); }
 
     double aspect() const { return static_cast<double>(width) / height; }
@@ -56,8 +56,8 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-/// How the cells of exact shadows lie: as the texels of one map or of four slices, and of a warp or not. Changes no
-/// picture.
+/// The layout of the cells of exact shadows: one map or four slices, with or without a warp. The image is the same for
+/// all layouts.
 enum class CellScheme : std::uint8_t { WarpedMap, Map, WarpedSlices, Slices };
 inline constexpr std::array kCellSchemes = {
     Word<CellScheme>{CellScheme::WarpedMap, "map+w"},
@@ -73,8 +73,11 @@ inline constexpr std::array kChoices = {
     Word<Choice>{Choice::Auto, "auto"},
 };
 
-/// What a map draws: Off all there is, On what can throw a shadow into its partition, Receivers of these what can
-/// change a pixel of the image. Auto is one of the last two.
+/// The casters that a map draws.
+/// - Off: the whole model.
+/// - On: the casters that can throw a shadow into the map's partition.
+/// - Receivers: the casters of On that can change a pixel of the image.
+/// - Auto: On or Receivers.
 enum class CasterCulling : std::uint8_t { Auto, On, Off, Receivers };
 inline constexpr std::array kCasterCullings = {
     Word<CasterCulling>{CasterCulling::Auto, "auto"},
@@ -83,39 +86,40 @@ inline constexpr std::array kCasterCullings = {
     Word<CasterCulling>{CasterCulling::Receivers, "receivers"},
 };
 
-/// What the user asked for; the names are those of the command line.
+/// The settings of the user. The names are those of the command line.
 struct Quality {
-    ShadowMode shadows = ShadowMode::Maps;   // Auto: decideShadows returns the kind
-    std::optional<ShadowReason> mapsBecause; // the reason why Auto means maps; nothing: the backend decides
+    ShadowMode shadows = ShadowMode::Maps; // decideShadows replaces Auto
+    // the reason why Auto means Maps; nullopt: the backend determines the kind
+    std::optional<ShadowReason> mapsBecause;
     shadow::Warp warp;
-    std::optional<int> zPartitions = 4; // nothing: auto
+    std::optional<int> zPartitions = 4; // nullopt: auto
     double splitLambda = 1;
     Choice facePartitions = Choice::Off;
-    int shadowTexelsWidth = 2048; // a count: all maps together, gutters included
+    int shadowTexelsWidth = 2048; // with the height, the number of texels of all maps together, borders included
     int shadowTexelsHeight = 2048;
     double maxAliasing = 4;
-    int filter = 0; // PCF kernel in texels
+    int filter = 0; // width of the PCF kernel in texels; 0: a single lookup
     CasterCulling cullCasters = CasterCulling::Auto;
     bool stabilize = false;
-    CellScheme cellScheme = CellScheme::WarpedMap; // no option: only a report compares them
-    std::optional<double> near;                    // nothing: auto
+    CellScheme cellScheme = CellScheme::WarpedMap; // has no option; only a report compares the values
+    std::optional<double> near;                    // nullopt: auto
     std::optional<double> far;
-    std::optional<double> nearFloor; // nothing: far / 10000
+    std::optional<double> nearFloor; // nullopt: far / 10000
     double errorPixels = 1;
     std::optional<std::uint64_t> maxTriangles;
-    Choice occlusion = Choice::Auto; // the image is drawn without what it hides; Auto: where that pays
+    Choice occlusion = Choice::Auto; // skips the hidden clusters of the image; Auto: if this reduces the cost
     Look look;
-    double lightError = 0.05; // of the share of the light's disc that reaches a point, at most
+    double lightError = 0.05; // max error of the visible share of the light's disc at a point
     SkyLight sky;
 
     bool operator==(const Quality&) const = default;
 };
 
-/// What is known of the scene in this view before its geometry was asked, and after.
+/// The known properties of the scene in a view. Some are known only after the traversal of the hierarchy.
 struct SceneFacts {
-    Box bounds; // world space
+    Box bounds; // of the model and its ground, in world space
 
-    /// Least and largest view depth of anything drawn in the frustum; nothing before the hierarchy was asked.
+    /// The smallest and largest view depth of the surfaces drawn in the frustum.
     struct Visible {
         double nearest = 0;
         double farthest = 0;
@@ -124,74 +128,80 @@ struct SceneFacts {
 
     std::optional<Visible> visible;
 
-    /// Some clusters that could cast shadows into the view, together.
+    /// A set of clusters that can throw shadows into the view.
     struct CasterBlock {
         Box box; // world axes, relative to the eye
         std::uint64_t triangles = 0;
     };
 
-    /// What the light finds in the view.
+    /// The receivers and casters in the view.
     struct Light {
-        std::vector<DepthSpan> lit;         // depths of visible surfaces that face it, apart and in order
-        bool canBeShadowed = true;          // something may stand between it and one of them
-        std::vector<CasterBlock> casters;   // all that can throw a shadow into the view
-        std::vector<shadow::SeenPart> seen; // all that is in view, by depth
+        std::vector<DepthSpan> lit;         // depths of the visible surfaces that face the light: disjoint and sorted
+        bool canBeShadowed = true;          // false: no caster can lie between the light and these surfaces
+        std::vector<CasterBlock> casters;   // all casters that can throw a shadow into the view
+        std::vector<shadow::SeenPart> seen; // the visible slabs, by depth
     };
 
     std::optional<Light> light;
-    bool isTurnedFromLight = false; // all that is in view, for sure
+    bool isTurnedFromLight = false; // true: certainly no visible surface faces the light
 };
 
-/// One shadow map and how this frame draws it.
+/// A shadow map and how this frame draws it.
 struct ShadowPass {
     shadow::ShadowMap map;
-    bool clampsDepth = true;              // a caster may be nearer to the light than the map begins
-    std::uint64_t estimatedTriangles = 0; // of its casters
-    bool isReused = false;                // the frame before left just these texels: they are not drawn again
+    bool clampsDepth = true;              // true: a caster may be nearer to the light than the depth range of the map
+    std::uint64_t estimatedTriangles = 0; // number of caster triangles
+    // true: the texture already contains this map from the previous frame, so it is not drawn again
+    bool isReused = false;
 };
 
-/// The plan of a frame.
+/// The plan of a frame: the view, the settings and the passes.
 struct FramePlan {
     View view;
-    Quality quality;      // its shadows are the drawn ones, never Auto
-    Capabilities backend; // of the backend that the plan is for
+    Quality quality;      // `shadows` is the drawn kind, never Auto
+    Capabilities backend; // the backend that the plan is made for
     ShadowReason shadowReason = ShadowReason::Requested;
     CameraBasis basis;
-    IntegerLight light;               // the view's
-    glm::dvec3 towardsLight{0, 1, 0}; // the same: unit, camera space
-    double near = 0;                  // the range that shadows are promised for
+    IntegerLight light;               // the light of the view
+    glm::dvec3 towardsLight{0, 1, 0}; // the same direction as a unit vector in camera space
+    double near = 0;                  // near end of the depth range with an aliasing bound
     double far = 0;
-    DepthSpan shown; // [near, far] and what is in view beyond it, whose shadows are drawn and not promised
+    // [near, far], extended to all visible depths; shadows outside [near, far] have no aliasing bound
+    DepthSpan shown;
     DepthSource nearFrom = DepthSource::Given;
     DepthSource farFrom = DepthSource::Given;
     double lightAngleRadians = 0;
-    std::vector<double> splits; // of the slices; empty without maps
+    std::vector<double> splits; // depths between the slices, with both ends; empty without maps
     bool hasFaces = false;
-    shadow::PartitionSelector selector; // which partition owns a point
-    std::vector<int> passOfPartition;   // by the selector's index, of a lamp by shadow::cubeFaceOf; -1: no map
+    shadow::PartitionSelector selector; // finds the partition of a point
+    // by the index from `selector`, or from shadow::cubeFaceOf for a lamp; -1: no map
+    std::vector<int> passOfPartition;
     std::vector<ShadowPass> passes;
-    std::vector<shadow::ShadowMap> cellMaps; // of exact shadows: their matrices lay out the cells of the samples
-    shadow::Aliasing promised;               // the largest over all passes
+    std::vector<shadow::ShadowMap> cellMaps; // maps whose matrices define the cells of exact shadows
+    shadow::Aliasing promised;               // max aliasing bound over all passes, per axis
     double storageFactor = 0;
     CasterCulling casterCulling = CasterCulling::On; // never Auto
-    bool promiseKept = true;                         // only `auto` promises anything: at most quality.maxAliasing
-    std::uint64_t texelsThatWouldDo = 0; // for that; with several schemes to choose from the least of them; 0: none
-    std::uint64_t cost = 0;              // counted: estimated caster triangles + texels / 16
-    Penumbra penumbra;                   // of pictures that are the mean of frames
-    SkyLight sky;                        // likewise
+    // false: no scheme that `auto` can choose has an aliasing bound of at most quality.maxAliasing
+    bool promiseKept = true;
+    // Texels required for quality.maxAliasing; 0: no number suffices. If no open scheme meets it within the budget, the
+    // min over these schemes.
+    std::uint64_t texelsThatWouldDo = 0;
+    std::uint64_t cost = 0; // estimated caster triangles + texels / 16
+    Penumbra penumbra;      // for images that are the mean of frames
+    SkyLight sky;           // for images that are the mean of frames
     std::vector<Omission> omitted;
-    bool skipsHidden = false; // the image is drawn without what it hides: the same picture
-    int textureWidth = 0;     // of the depth texture; 0 without maps
+    bool skipsHidden = false; // true: the image pass skips hidden clusters; the image is the same
+    int textureWidth = 0;     // size of the depth texture; 0 without maps
     int textureHeight = 0;
 };
 
-/// `depth`, from the eye that `plan` is made for, as it is from the eye that was asked for.
+/// Converts `depth` from the eye of `plan` to the requested eye. The two differ for orthographic views.
 inline double depthFromAskedEye(const FramePlan& plan, double depth) {
     return depth - plan.view.eyeMovedBack.value_or(0);
 }
 
-/// The word for the scheme in the log: "off", "rays", "map", "zp4", "fp", "fp+zp4", with "+w" where a map is warped,
-/// "+log" where its rows are logarithmic; "cube" of a lamp.
+/// Returns the name of the scheme for the log: "off", "rays", "exact", "none", "map", "zp4", "fp" or "fp+zp4". "+w"
+/// marks warped maps and "+log" logarithmic maps. The scheme of a lamp is "cube".
 std::string schemeName(const FramePlan& plan);
 
 } // namespace gnomon::plan

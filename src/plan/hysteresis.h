@@ -1,36 +1,38 @@
-// Every threshold that keeps a plan steady from frame to frame: for how long, and by how much, before something
-// changes. (How fast a map may roll about the light is shadow's: shadow/warp/orientation.h.)
+// The thresholds of the hysteresis between plans: the min number of frames and the min gain before a plan changes. The
+// speed limit for the rotation of a map about the light is in shadow/warp/orientation.h.
 #pragma once
 
 namespace gnomon::plan {
 
-/// How many frames in a row must allow a higher near, or with stabilised slices a lower far, before it moves there. The
-/// other way it moves at once.
+/// Number of consecutive frames that must permit a higher near depth before it rises. The same number applies to a
+/// lower far depth of stabilised slices. Near falls and far rises at once.
 inline constexpr int kFramesBeforeNearRises = 12;
 
-/// The frames after which the slices that have been empty all the while lose their maps, all at once. A receiver in a
-/// slice without a map begins them anew.
+/// Length in frames of a period of empty slices. At its end, all slices without receivers during the whole period lose
+/// their maps together. A receiver in a slice without a map starts a new period.
 inline constexpr int kFramesBeforeMapsGo = 96;
 
-/// How many frames in a row another scheme must dominate before it takes the place of that of the frame before; a
-/// promise that would be broken waits for nothing.
+/// Number of consecutive frames in which another scheme must dominate before it replaces the scheme of the previous
+/// frame. If the old scheme exceeds the max aliasing and another scheme does not, the replacement is immediate.
 inline constexpr int kFramesBeforeSchemeGoes = 96;
 
-/// A scheme dominates another scheme if it costs less than this share of the other scheme's cost.
+/// A scheme dominates another scheme if its cost is below this share of the other cost.
 inline constexpr double kCheaper = 0.75;
 
-/// And, where none keeps what was asked, promises less than this share of what the other promises.
+/// If no scheme meets the max aliasing, a scheme dominates another if its aliasing bound is below this share of the
+/// other bound.
 inline constexpr double kLower = 0.85;
 
-/// An effect has to lower the promise to this share of what it is without it.
+/// An effect is used if it multiplies the aliasing bound by at most this factor.
 inline constexpr double kWorthwhile = 0.95;
 
-/// And is kept from frame to frame while it lowers it to this share.
+/// An effect of the previous frame stays in use if it multiplies the aliasing bound by at most this factor.
 inline constexpr double kStillWorthwhile = 0.99;
 
-/// Views one after the other that differ by more than one of these are no motion but a jump, behind which nothing is
-/// kept (plan/view_jump.h): the way of the eye, as a share of the farthest depth that was seen; the turn of the view,
-/// of what is up in it, or of the light; and the factor between the sizes at which things are seen.
+/// Limits of a continuous motion between two views. A larger change is a camera cut, after which no state is kept
+/// (plan/view_jump.h). kJumpShare limits the movement of the eye, as a share of the largest visible depth. kJumpDegrees
+/// limits the rotation of the view direction, of the up direction and of the light. kJumpZoom limits the ratio of the
+/// image scales.
 inline constexpr double kJumpShare = 0.25;
 inline constexpr double kJumpDegrees = 30;
 inline constexpr double kJumpZoom = 1.25;

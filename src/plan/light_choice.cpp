@@ -10,14 +10,14 @@ namespace gnomon::plan {
 
 namespace {
 
-/// Why there is no shadow whose edge could be soft; nothing if there is.
+/// Returns the reason why the image has no soft shadows, or nullopt if it can have them.
 std::optional<OmissionReason> reasonForNoSoftness(const Quality& quality) {
     if (isWithoutSun(quality.look.shading)) return OmissionReason::NoSun;
     if (quality.shadows == ShadowMode::Off) return OmissionReason::NoShadows;
     return std::nullopt;
 }
 
-/// The tiles whose bound is at least `least`; null if all are.
+/// Returns the tiles whose bound is at least `least`, or null if these are all tiles.
 std::shared_ptr<const shadow::TileMask> softTiles(const PenumbraBound& bound, double least) {
     shadow::TileMask mask{bound.tiles, {}};
     for (const double width : bound.byTile)

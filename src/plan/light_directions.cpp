@@ -13,7 +13,8 @@ namespace {
 
 using UnitTurn = std::complex<double>;
 
-/// `times` golden angles, pi (3 - sqrt 5), by products alone: no library's cosine has a part in a direction.
+/// Returns the rotation by `times` golden angles, pi (3 - sqrt 5). It uses only products, so the result does not depend
+/// on a library's cosine.
 UnitTurn goldenTurn(int times) {
     UnitTurn power(-0.7373688780783197, 0.6754902942615238);
     UnitTurn turn(1, 0);
@@ -24,7 +25,8 @@ UnitTurn goldenTurn(int times) {
     return turn;
 }
 
-/// The place of number `i` in an order in which neighbours lie a golden section of all apart; the first stays.
+/// Returns the position of item `i` in a reordered list, in which consecutive items are about 0.618 (golden section) of
+/// the list apart. Item 0 stays first.
 int spreadPlace(int i, int count) {
     constexpr double kGolden = 0.61803398874989485;
     auto stride = std::max(static_cast<std::int64_t>(std::llround(kGolden * count)), std::int64_t{1});
@@ -37,7 +39,7 @@ struct AxesAcross {
     glm::dvec3 right, up;
 };
 
-/// Two directions across `axis`, which is of unit length, and each other.
+/// Returns two unit vectors that are perpendicular to each other and to `axis` (unit length).
 AxesAcross axesAcross(const glm::dvec3& axis) {
     glm::dvec3 other(0);
     other[std::abs(axis.x) < 0.5 ? 0 : 1] = 1;

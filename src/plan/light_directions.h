@@ -1,4 +1,5 @@
-// Directions that stand for the disc of the sun and for the sky: low-discrepancy sets, whose mean is the light.
+// Low-discrepancy sets of directions that sample the disc of the sun and the sky. The mean over a set approximates the
+// light.
 #pragma once
 
 #include "plan/light_sampling.h"
@@ -8,57 +9,60 @@
 
 namespace gnomon::plan {
 
-/// A number of directions over a disc, and how far the share of them on one side of any line may be from that of the
-/// disc: the largest error of a point's lit share where a straight edge shadows it.
+/// A number of directions over a disc and its error. The error is the max difference, over all straight lines, between
+/// the share of directions on one side and the share of the disc's area there. It is the largest error of the lit share
+/// of a point that a straight edge shadows.
 struct DiscSampling {
     int directions = 1;
     double error = 1;
-    /// So many of the first points, or more, stand for the disc beside a penumbra at most a pixel wide: where a
-    /// straight edge casts it, the mean over a pixel is off by at most 0.106 of the width, as it is of the middle
-    /// alone.
+    /// Min number of first points that represent the disc for penumbrae of at most one pixel. For a straight edge, the
+    /// error of the mean over a pixel is at most 0.106 of the penumbra's width. The centre of the disc alone has the
+    /// same error.
     int first = 1;
 };
 
-/// The numbers of directions that are chosen among, rising.
+/// The available numbers of directions, ascending.
 extern const std::array<DiscSampling, 23> kDiscSamplings;
 
-/// The fewest directions whose error is at most 0.85 of `lightError`, what the places of the frames within the pixels
-/// leave of it; the most there are where none are enough.
+/// Returns the smallest number of directions whose error is at most 0.85 of `lightError`. The subpixel positions of the
+/// frames cause the remaining error. Returns the largest number if none is sufficient.
 int directionsFor(double lightError);
 
-/// The width of a penumbra, in pixels across the beam, that a point light is as good as, within `lightError` of full
-/// light in the mean over a pixel: along a straight edge the two differ there by at most 2 / (3 pi) of half the width.
-/// What a surface that slants away from the light stretches a penumbra by, its cosine takes off its light again.
+/// Returns the penumbra width, in pixels perpendicular to the beam, up to which a point light replaces the disc. The
+/// error of the mean over a pixel is then at most `lightError` of full light. For a straight edge, this error is at
+/// most 2 / (3 pi) of half the width. On a slanted surface the penumbra is wider, but the cosine reduces the light by
+/// the same factor.
 double leastPenumbra(double lightError);
 
-/// Point `i` of `count`, i < count, of a disc of radius 1 (Vogel 1979): the first is the middle, and those that follow
-/// each other lie apart, so that few of them are spread as all are, and so that they go together with the places of
-/// frame::subpixelOffset of the same number.
+/// Returns point `i` of `count` (i < count) in a disc of radius 1 (Vogel 1979). The first point is the centre.
+/// Consecutive points are far apart, so the first few points are also evenly distributed. The order also fits the pixel
+/// positions of frame::subpixelOffset with the same number.
 glm::dvec2 discPoint(int i, int count);
 
-/// DiscSampling::first of so many directions; all of any other number.
+/// Returns DiscSampling::first for `directions`, or `directions` if the table does not contain this number.
 int leastFirstPoints(int directions);
 
-/// The direction, of unit length, through a point of the disc about `middle`, of any length above 0, that is
-/// `angleRadians` across.
+/// Returns the unit direction through `point` of the light's disc. The disc has the centre direction `middle`, of any
+/// length above 0, and the angular diameter `angleRadians`.
 glm::dvec3 towardsDisc(const glm::dvec3& middle, double angleRadians, const glm::dvec2& point);
 
-/// A part of the sky: its direction, of unit length, and what it weighs, twice its brightness. The mean of weight times
-/// cosine over all of them is the light of a surface that sees all of the sky, 1 where it is level.
+/// A part of the sky with its unit direction and its weight, which is twice its brightness. The mean of weight times
+/// cosine over all parts is the light of a surface that sees the whole sky. This mean is 1 for a level surface.
 struct SkyPart {
     glm::dvec3 direction{0, 1, 0};
     double weight = 2;
 };
 
-/// Part `i` of `count`, of equal solid angles (a Fibonacci lattice), around `up`, of any length above 0.
+/// Returns part `i` of `count` around `up`, which has any length above 0. All parts have the same solid angle
+/// (Fibonacci lattice).
 SkyPart skyPart(int i, int count, SkyModel model, const glm::dvec3& up);
 
-/// That mean: the lattice of `count` parts has it nearly.
+/// Returns the mean of weight times cosine over `count` parts for a level surface. The result is close to 1.
 double levelSkyLight(int count, SkyModel model);
 
-/// How far the light of a surface may be off that is the mean over so many parts, 1 being that of a level one that sees
-/// all of the sky: where straight edges, up to two, hide some of it. More, in as much as parts of an overcast sky are
-/// brighter.
+/// Returns the max error of a surface's light from the mean over `parts` directions. 1 is the light of a level surface
+/// that sees the whole sky. The estimate is for a sky behind at most two straight edges. It grows with the max
+/// brightness of the sky, which is 9/7 for an overcast sky.
 double skyError(int parts, SkyModel model);
 
 } // namespace gnomon::plan

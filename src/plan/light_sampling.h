@@ -1,5 +1,5 @@
-// How many directions the light of a picture is summed over: of the sun's disc, where its penumbrae show, and of the
-// sky, where anything stands in its way.
+// The number of directions of light over which an image is averaged. Images with visible penumbrae sample the sun's
+// disc. Images in which geometry hides a part of the sky sample the sky.
 #pragma once
 
 #include "core/words.h"
@@ -12,15 +12,16 @@
 
 namespace gnomon::plan {
 
-/// How bright the sky is. Uniform: everywhere alike. Overcast: the CIE's standard overcast sky, three times as bright
-/// at the zenith as at the horizon (Moon, Spencer 1942). A surface that sees all of it gets the same light of both.
+/// The distribution of brightness over the sky. Uniform has the same brightness everywhere. Overcast is the CIE
+/// standard overcast sky, three times as bright at the zenith as at the horizon (Moon, Spencer 1942). A level surface
+/// that sees the whole sky receives the same light from both.
 enum class SkyModel : std::uint8_t { Uniform, Overcast };
 inline constexpr std::array kSkyModels = {
     Word<SkyModel>{SkyModel::Uniform, "uniform"},
     Word<SkyModel>{SkyModel::Overcast, "overcast"},
 };
 
-/// From how many directions the light of the sky is to be summed up; 0: it is not, and nothing hides any of it.
+/// The sampling of the sky's light. With 0 directions, geometry does not occlude the sky.
 struct SkyLight {
     int directions = 0;
     SkyModel model = SkyModel::Uniform;
@@ -28,17 +29,18 @@ struct SkyLight {
     bool operator==(const SkyLight&) const = default;
 };
 
-/// What a plan says of penumbrae.
+/// The penumbrae of a plan.
 struct Penumbra {
-    double widestPixels = 0; // none in view is wider, across the beam
-    double leastPixels = 0;  // under that the light is a point
-    int directions = 1;      // over the disc of the light; 1: a point
-    /// Where they may be at least so wide, of more than one direction; null: anywhere.
+    double widestPixels = 0; // upper bound of the penumbra widths in view, in pixels perpendicular to the beam
+    double leastPixels = 0;  // narrower penumbrae are drawn as if the light were a point
+    int directions = 1;      // samples of the light's disc; 1: the light is a point
+    /// The tiles that can contain penumbrae of at least leastPixels, if there is more than one direction. Null means
+    /// all tiles.
     std::shared_ptr<const shadow::TileMask> tiles{};
 };
 
-/// How wide penumbrae are in the tiles of an image, at most, across the beam, in its pixels. Without tiles no penumbra
-/// is wider than `widest`, wherever it is.
+/// Upper bounds of the penumbra widths per tile of an image, in pixels perpendicular to the beam. Without tiles,
+/// `widest` is the bound for the whole image.
 struct PenumbraBound {
     double widest = 0;
     shadow::ImageTiles tiles;
@@ -47,17 +49,19 @@ struct PenumbraBound {
 
 struct FramePlan;
 
-/// What the frame calls for that `plan` plans, whose view and quality are set, if no penumbra in it is wider than
-/// `bound` says. Says in `plan` what is left out.
+/// Sets `plan.penumbra` for penumbrae that are at most as wide as `bound`. `plan` must have its view and quality. Adds
+/// an entry to `plan.omitted` if the light is drawn as a point.
 void planPenumbra(FramePlan& plan, const PenumbraBound& bound);
 
-/// Likewise for the sky; `isAnythingHidden` is whether anything may stand between a visible surface and a part of it.
+/// Sets `plan.sky`, or adds an entry to `plan.omitted`. `isAnythingHidden` is true if geometry may lie between a
+/// visible surface and the sky.
 void planSky(FramePlan& plan, bool isAnythingHidden);
 
-/// Leaves both out of `plan` after all: the picture turned out to have no sun.
+/// Removes penumbrae and sky light from `plan`. Call this if the finished image has no sun.
 void leaveLightSamplingOut(FramePlan& plan);
 
-/// Frames that a picture of `plan` takes in which each has a direction of its own; 1 where the light needs no more.
+/// Returns the number of frames of an image in which each frame has its own direction of light. Returns 1 if the light
+/// needs only one frame.
 int lightFrames(const FramePlan& plan);
 
 } // namespace gnomon::plan

@@ -1,5 +1,4 @@
-// What the picture looks like besides its shadows: where the light of a surface comes from, what lies behind it and
-// under it. Of all this a plan depends on the ground alone.
+// The shading, the background and the ground of an image.
 #pragma once
 
 #include "core/words.h"
@@ -9,9 +8,12 @@
 
 namespace gnomon::plan {
 
-/// Where the light of a surface comes from. Lit: the sun, where no shadow lies, the sky and the ground. Flat: likewise,
-/// with each triangle's own normal. Headlight: the eye. Unlit: nowhere, colours are shown as they are. Auto: Lit if the
-/// picture has a ground or the sun reaches at least 0.5% of its pixels, else Headlight.
+/// The light of a surface.
+/// - Lit: the sun with its shadows, the sky and the ground.
+/// - Flat: as Lit, with the normal of each triangle.
+/// - Headlight: a light at the eye.
+/// - Unlit: colours without any light.
+/// - Auto: Lit if the image has a ground or the sun reaches at least 0.5% of its pixels, otherwise Headlight.
 enum class Shading : std::uint8_t { Auto, Lit, Headlight, Flat, Unlit };
 inline constexpr std::array kShadings = {
     Word<Shading>{Shading::Auto, "auto"},
@@ -21,25 +23,25 @@ inline constexpr std::array kShadings = {
     Word<Shading>{Shading::Unlit, "unlit"},
 };
 
-/// Whether `shading` shows no shadows.
+/// Returns true if `shading` has no sun, and thus no shadows.
 constexpr bool isWithoutSun(Shading shading) {
     return shading == Shading::Headlight || shading == Shading::Unlit;
 }
 
-/// What is seen where no surface is.
+/// The colour of pixels without a surface.
 struct Background {
     enum class Kind : std::uint8_t { Color, Sky, Transparent };
     Kind kind = Kind::Sky;
-    std::array<std::uint8_t, 3> color{}; // sRGB; of Kind::Color
+    std::array<std::uint8_t, 3> color{}; // sRGB; only for Kind::Color
 
     bool operator==(const Background&) const = default;
 };
 
 struct Look {
     Shading shading = Shading::Auto;
-    double ambient = 1; // of the light of sky and ground, as a multiple of the usual
+    double ambient = 1; // factor for the light of sky and ground; 1: the default light
     Background background;
-    bool ground = false; // the model's shadow on a plane under it is seen, and nothing else of that
+    bool ground = false; // true: shows the model's shadow on a plane under it; the plane itself is invisible
 
     bool operator==(const Look&) const = default;
 };

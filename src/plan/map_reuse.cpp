@@ -27,8 +27,8 @@ bool isSameCamera(const FramePlan& a, const FramePlan& b) {
            a.basis.view == b.basis.view;
 }
 
-/// Whether two maps cover the same of the world, texel by texel: stabilised ones wherever the camera is, others seen
-/// from the same place alone.
+/// Returns true if the texels of two maps cover the same points of the world. Stabilised maps are compared by their
+/// place in the world, and may have different cameras. All other maps need the same camera.
 bool isSamePlace(
     const FramePlan& now, const FramePlan& before, const shadow::ShadowMap& a, const shadow::ShadowMap& b) {
     if (a.shift != b.shift) return false;

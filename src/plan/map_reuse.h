@@ -1,17 +1,17 @@
-// Which shadow maps of a frame are those that the frame before left in the depth texture.
+// Tests whether a frame can reuse a shadow map that the previous frame left in the depth texture.
 #pragma once
 
 #include "plan/frame_plan.h"
 
 namespace gnomon::plan {
 
-/// Whether pass `pass` of `now` covers, texel by texel, the map that the same pass of `before` did, at the same place
-/// of the texture and under the same light: a stabilised one at the same place of the world, another from the same
-/// camera. Its casters are not looked at.
+/// Returns true if pass `pass` has the same map in both plans: the same texels at the same place in the texture, for
+/// the same light. A stabilised map must have the same place in the world. Any other map needs the same camera. The
+/// function does not compare the casters.
 bool isSameMap(const FramePlan& now, const FramePlan& before, std::size_t pass);
 
-/// Whether both plans draw one image: the view, every setting and every map are equal. Maps that receivers culled
-/// (CasterCulling::Receivers) are valid for no other image.
+/// Returns true if both plans draw the same image: their views, settings and maps are equal. Maps that receivers culled
+/// (CasterCulling::Receivers) are valid only for the same image.
 bool isSameImage(const FramePlan& now, const FramePlan& before);
 
 } // namespace gnomon::plan

@@ -1,17 +1,17 @@
-// Whether an image is drawn without what it hides.
+// The choice of occlusion culling for the image of a plan.
 #pragma once
 
 #include "plan/frame_plan.h"
 
 namespace gnomon::plan {
 
-/// With fewer layers over a pixel than this, `auto` finds too little hidden to look for it. Measured, two cores: at 1.6
-/// (a plant from outside) the image took 10% more time; from 3 on (flights, rooms, a toy from outside) at most 1% more
-/// and down to a fifth.
+/// Min number of layers per pixel for which `auto` uses occlusion culling. Measured on two cores: with 1.6 layers (a
+/// plant from outside), the image took 10% more time. With 3 layers or more (flights, rooms, a toy from outside), it
+/// took between a fifth of the time and 1% more.
 inline constexpr double kLeastLayers = 2;
 
-/// Says in `plan`, one of planFrame's, whether its image is drawn without what is hidden, and why not if not; `layers`
-/// is how many drawn clusters lie over a pixel on average, by their boxes, and counts where `auto` decides.
+/// Sets `plan.skipsHidden` in a plan from planFrame. Adds the reason to `plan.omitted` if the image is drawn with its
+/// hidden clusters. `layers` is the mean number of drawn clusters per pixel, by their boxes. Only Choice::Auto uses it.
 void chooseOcclusion(FramePlan& plan, double layers);
 
 } // namespace gnomon::plan

@@ -1,4 +1,5 @@
-// What a view does not call for, and why: for programs to compare; sentences are made where they are shown.
+// The effects that a plan skips, and the reasons. Programs compare these values; the parts that display them make the
+// sentences.
 #pragma once
 
 #include <cstddef>
@@ -6,16 +7,16 @@
 
 namespace gnomon::plan {
 
-/// What a plan can go without.
+/// The effects that a plan can skip.
 enum class Effect : std::uint8_t {
     ShadowMaps,
     ExactShadows,
-    MapOfSlice, // one slice's
+    MapOfSlice, // the map of one slice
     FacePartitions,
     ZPartitions,
     Warp,
-    LogRows,     // of warped maps
-    Orientation, // chosen about the light
+    LogRows,     // logarithmic rows of warped maps
+    Orientation, // rotation of a map about the light
     Stabilization,
     MapReuse,
     Filter,
@@ -23,62 +24,66 @@ enum class Effect : std::uint8_t {
     PartitionCulling,
     ReceiverMasks,
     OcclusionCulling,
-    LateCasters, // of exact shadows: what was still to be cast
-    Penumbra,    // of the light's disc
-    SkyLight,    // direction by direction
+    LateCasters, // exact shadows: the remaining casters
+    Penumbra,    // shadows from several directions of the light's disc
+    SkyLight,    // light from several directions of the sky
 };
 
 enum class OmissionReason : std::uint8_t {
     SwitchedOff,
-    RayTraced,          // shadows are
-    DecidedExactly,     // shadows are, point by point
-    NothingInView,      //
-    NothingFacesLight,  // of what is seen in the view, or in the slice
-    NoCasterInReach,    // of a visible surface
-    SlicesStabilized,   // which rules the effect out
-    NotStabilized,      // which the effect needs
-    LightGrazesFaces,   // every one of the view
-    FacesGiveIt,        // the maps of faces follow their edges
-    GainTooSmall,       // Omission::gain is less than 1 - kWorthwhile
-    NoGain,             // the promise would not be lower
-    BetterWithout,      // cheaper where the promise is kept, or lower by 1 - kWorthwhile
-    OneSliceSuffices,   // it is the best at this promise
-    NoCasterBeforeMaps, // all lie within their depths
-    MapsComeFirst,      // the backend draws no image before them
-    MapsAreKept,        // for views that see other receivers
-    FewCasters,         // beside the pixels: finding out who receives light would cost more than they do
-    BackendDrawsAll,    // whatever hides it
-    BackendHasEvenRows, // and no others
-    SlicesGiven,        // so many, and with them the scheme
-    FewLayers,          // of clusters over a pixel
-    ParallelSight,      // lines of sight are: nothing is nearer than anything else, and no perspective is to be matched
-    AllAreDark,         // the visible points that face the light, before all casters were looked at
-    NarrowPenumbrae,    // of at most Omission::pixels
-    NoShadows,          // are asked for
-    NoSun,              // the shading has none
-    NothingHidesTheSky, // from what is seen
-    FacesOfCube,        // about a lamp are its maps
+    RayTraced,         // rays compute the shadows
+    DecidedExactly,    // exact shadows are computed per visible point
+    NothingInView,     // no surface is in view
+    NothingFacesLight, // no visible surface, in the view or in the slice, faces the light
+    NoCasterInReach,   // no caster can shadow a visible surface
+    SlicesStabilized,  // stabilised slices exclude the effect
+    NotStabilized,     // the effect needs stabilised slices
+    LightGrazesFaces,  // the light grazes every face of the frustum
+    FacesGiveIt,       // the maps of face partitions follow the edges of the faces
+    GainTooSmall,      // Omission::gain is less than 1 - kWorthwhile
+    NoGain,            // the effect would not lower the aliasing bound
+    // without it, the scheme is cheaper, or the aliasing bound grows by too little (kWorthwhile)
+    BetterWithout,
+    OneSliceSuffices,   // one slice is the best scheme for this aliasing bound
+    NoCasterBeforeMaps, // no caster is nearer to the light than the depth range of its map
+    MapsComeFirst,      // the backend draws the maps before the image
+    MapsAreKept,        // later frames reuse the maps, but see other receivers
+    // there are so few caster triangles per pixel that finding the receivers would cost more than drawing them
+    FewCasters,
+    BackendDrawsAll,    // the backend also draws hidden clusters
+    BackendHasEvenRows, // the backend does not draw logarithmic rows
+    SlicesGiven,        // the user gave the number of slices, which fixes the scheme
+    FewLayers,          // too few clusters overlap per pixel
+    // the projection is parallel: pixels have the same size at all depths, so there is no perspective aliasing
+    ParallelSight,
+    // all visible points that face the light were in shadow before all casters were tested
+    AllAreDark,
+    NarrowPenumbrae,    // all penumbrae are narrower than Omission::pixels
+    NoShadows,          // the user requested no shadows
+    NoSun,              // the shading has no sun
+    NothingHidesTheSky, // no geometry hides the sky from a visible surface
+    FacesOfCube,        // the maps of a lamp are the faces of a cube
 };
 
-/// Something that this view does not call for.
+/// An effect that a plan skips, and the reason.
 struct Omission {
     Effect effect = Effect::ShadowMaps;
     OmissionReason reason = OmissionReason::SwitchedOff;
-    std::size_t slice = 0; // of MapOfSlice
-    double gain = 0;       // of GainTooSmall: the share by which it would lower the promise
-    double pixels = 0;     // of NarrowPenumbrae: a width
+    std::size_t slice = 0; // for MapOfSlice
+    double gain = 0;       // for GainTooSmall: the share by which the effect would lower the aliasing bound
+    double pixels = 0;     // for NarrowPenumbrae: a width
 
     bool operator==(const Omission&) const = default;
 };
 
-/// Where an end of the depth range comes from.
+/// The origin of an end of the depth range.
 enum class DepthSource : std::uint8_t {
     Given,
-    NearestSurface, // in view
+    NearestSurface, // the nearest surface in view
     FarthestSurface,
-    ModelBounds, // the hierarchy was not asked yet
-    Floor,       // what is nearer is not promised for
-    Held,        // from the frame before
+    ModelBounds, // the hierarchy has not been traversed yet
+    Floor,       // the smallest permitted near depth; nearer surfaces have no aliasing bound
+    Held,        // the value of the previous frame (hysteresis)
     NothingInView,
 };
 

@@ -33,7 +33,7 @@ void requireValid(const View& view) {
         throw Error("light direction", "this is no direction", "a finite length above 0", formatted("%g", lightLength));
 }
 
-/// Why this view calls for no map at all; nothing if it does.
+/// Returns the reason why this view needs no maps, or nullopt if it needs them.
 std::optional<OmissionReason> reasonForNoMaps(
     const Quality& quality, const SceneFacts& scene, const DepthRange& range) {
     if (quality.shadows == ShadowMode::Off) return OmissionReason::SwitchedOff;
@@ -45,7 +45,7 @@ std::optional<OmissionReason> reasonForNoMaps(
     return std::nullopt;
 }
 
-/// Why exact shadows are asked for and there is nothing that they could decide; nothing if there may be.
+/// Returns the reason why exact shadows have no sample to compute, or nullopt if they may have one.
 std::optional<OmissionReason> reasonForNoDecision(const SceneFacts& scene, const DepthRange& range) {
     if (range.isEmpty) return OmissionReason::NothingInView;
     if (scene.isTurnedFromLight) return OmissionReason::NothingFacesLight;
@@ -56,8 +56,8 @@ shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
     return {range.near, range.far, view.camera.fovYRadians / 2, view.aspect()};
 }
 
-/// What parallel lines of sight leave of the quality: all their pixels are alike, so the limit of every warp is none,
-/// and that of each face the whole.
+/// Removes the warp and the face partitions for a parallel view. All its pixels have the same size, so no warp and no
+/// faces are optimal.
 void unwarp(Quality& quality) {
     quality.warp.rule = shadow::WarpRule::None;
     quality.facePartitions = Choice::Off;

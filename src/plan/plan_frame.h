@@ -1,5 +1,5 @@
-// Planning a frame: from a view, a quality, what is known of the scene and the memory of the frame before, to a plan
-// and the memory for the next. A pure function: no GL, files or clock.
+// The function that plans a frame. It converts a view, settings, scene facts and the memory of the previous frame to a
+// plan and the memory for the next frame. It is a pure function without GL, files or a clock.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -7,21 +7,22 @@
 
 namespace gnomon::plan {
 
-/// All of space (camera space) that can throw a shadow onto something seen between the depths of `range`.
+/// Returns the volume, in camera space, of all casters that can throw a shadow onto a visible point between the depths
+/// of `range`.
 ConvexVolume sweptView(const View& view, const DepthSpan& range);
 
-/// The depths that the plan of `view` will lie within, before the hierarchy was asked; nothing if it draws no maps.
-/// `quality.shadows` is not Auto.
+/// Returns a depth range that contains the range of the plan, before the hierarchy has been traversed. Returns nullopt
+/// if the plan draws no maps. `quality.shadows` must not be Auto.
 std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds);
 
-/// A plan, and what the plan of the next frame is to be told.
+/// A plan, and the memory for the plan of the next frame.
 struct PlannedFrame {
     FramePlan plan;
     PlanMemory memory;
 };
 
-/// The plan for `view` with `quality`; `memory`, that of the frame before, steadies what must not jump from frame to
-/// frame; `backend` is what will carry it out. Throws Error if the view is impossible.
+/// Returns the plan for `view` with `quality`. `memory` comes from the previous frame and provides hysteresis.
+/// `backend` describes the backend that draws the plan. Throws Error if the view or a given depth range is invalid.
 PlannedFrame planFrame(
     const View& view,
     const Quality& quality,

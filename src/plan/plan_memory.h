@@ -1,4 +1,4 @@
-// What the plan of the next frame has to know of this one: nothing else carries over from frame to frame.
+// The state that a plan passes to the plan of the next frame. No other state is passed from frame to frame.
 #pragma once
 
 #include "core/depth_span.h"
@@ -12,41 +12,44 @@
 
 namespace gnomon::plan {
 
-/// The ends of the depth range, of a frame in which anything was in view.
+/// The ends of the depth range of a frame with visible surfaces.
 struct DepthMemory {
     shadow::NearState near;
-    std::optional<shadow::NearState> inverseFar; // 1 / far, which moves as near does; of stabilised slices
-    std::optional<shadow::NearState> shownNear;  // where shadows are shown from, while that is before near
+    // 1 / far of stabilised slices, which has the same hysteresis as near
+    std::optional<shadow::NearState> inverseFar;
+    std::optional<shadow::NearState> shownNear; // near end of the shown range; empty unless it is below near
     std::optional<shadow::NearState> inverseShownFar;
 };
 
-/// At which depths visible surfaces have faced the light of late: maps do not go while receivers come and go.
+/// The recent depths of the visible surfaces that face the light. With them, a slice keeps its map while receivers
+/// appear and disappear.
 struct LitMemory {
-    std::optional<std::vector<DepthSpan>> before; // over the last whole stretch of frames; nothing: it is not over yet
-    std::vector<DepthSpan> since;                 // over the stretch that goes on; apart and in order, both
-    int frames = 0;                               // that it has gone on for
+    // depths during the last complete period; nullopt before the end of the first period
+    std::optional<std::vector<DepthSpan>> before;
+    std::vector<DepthSpan> since; // depths during the current period; both lists are disjoint and sorted
+    int frames = 0;               // length of the current period
 };
 
-/// Which scheme a plan came to.
+/// The scheme of a plan.
 struct SchemeChoice {
     int slices = 1;
     bool faces = false;
-    bool lightRoll = true; // the maps are rolled about the light for the least storage
-    bool logRows = false;  // where `auto` chose the warp
+    bool lightRoll = true; // true: the maps are rotated about the light to minimise the storage factor
+    bool logRows = false;  // true: `auto` chose logarithmic maps
     bool operator==(const SchemeChoice&) const = default;
 };
 
-/// The scheme of a frame with maps, or whose every slice went without one.
+/// The scheme of a frame with maps, or of a frame in which all slices are empty.
 struct SchemeMemory {
     SchemeChoice choice;
     shadow::OrientationState orientation;
-    std::uint64_t emptySlices = 0; // bit i: slice i went without a map
+    std::uint64_t emptySlices = 0; // bit i: slice i has no map
     std::size_t maps = 0;
     LitMemory lit;
-    int framesDominated = 0; // for how many frames, that one included, another scheme has dominated it
+    int framesDominated = 0; // number of consecutive frames, including this frame, in which another scheme dominates
 };
 
-/// All of it; empty before the first frame.
+/// The complete memory between plans. It is empty before the first frame.
 struct PlanMemory {
     std::optional<DepthMemory> depth;
     std::optional<SchemeMemory> scheme;

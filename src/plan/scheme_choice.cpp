@@ -15,7 +15,7 @@ std::uint64_t budgetOf(const Quality& quality) {
            static_cast<std::uint64_t>(quality.shadowTexelsHeight);
 }
 
-/// The next quantised step of 2^(1/4) from `texels` up, so that the texture does not change its size all the time.
+/// Rounds `texels` up to a step of 2^(1/4), so that the size of the texture does not change in every frame.
 std::uint64_t quantizeTexels(std::uint64_t texels) {
     return static_cast<std::uint64_t>(std::ceil(std::exp2(std::ceil(std::log2(static_cast<double>(texels)) * 4) / 4)));
 }
@@ -55,7 +55,7 @@ shadow::ShadowMapSetup setupOf(const SchemeContext& context, const shadow::Shado
     return shadow::shadowMapSetup(context.view, options, orientation);
 }
 
-/// Completes `candidate` from its options.
+/// Computes the maps, the caster triangles and the cost of `candidate` from its options.
 void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate) {
     candidate.setup = setupOf(context, candidate.options);
     candidate.casterTriangles.clear();
@@ -78,14 +78,15 @@ std::uint64_t casterSum(const SchemeCandidate& candidate) {
     return sum;
 }
 
-/// Whether faces are worth it where the slices are given: by what they promise with the texels that are left when
-/// their further caster triangles are bought. `gain` is by what share they lower the promise.
+/// Returns true if face partitions pay off for a given number of slices. The comparison is at equal cost: texels are
+/// removed from the maps with faces to pay for their additional caster triangles. `gain` is the share by which the
+/// faces then lower the aliasing bound.
 bool areFacesWorthIt(
     const SchemeContext& context, const SchemeCandidate& whole, const SchemeCandidate& faces, double& gain) {
     const std::uint64_t extra = casterSum(faces) - std::min(casterSum(faces), casterSum(whole));
     const std::uint64_t budget = budgetOf(context.quality);
     gain = 0;
-    if (extra * kTexelsPerTriangle * 2 > budget) return false; // half the texels less: 1.4 times the error
+    if (extra * kTexelsPerTriangle * 2 > budget) return false; // half the texels increase the aliasing 1.4 times
     SchemeCandidate atSameCost;
     atSameCost.options = faces.options;
     atSameCost.options.texels = budget - extra * kTexelsPerTriangle;
@@ -110,21 +111,23 @@ SchemeCandidate chosenFaces(
     return whole;
 }
 
-/// The lesser of two numbers of texels that would do; 0 is none.
+/// Returns the smaller required number of texels, where 0 means that no number suffices.
 std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
     return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
 }
 
-/// Whether `best` is better by far than the scheme of the frame before; neither or both keep the promise.
+/// Returns true if `best` is better than the scheme of the previous frame by a clear margin. Either both or neither
+/// must meet the max aliasing.
 bool dominates(const SchemeCandidate& best, const SchemeCandidate& before) {
     if (best.keepsPromise) return static_cast<double>(before.cost) * kCheaper > static_cast<double>(best.cost);
     return before.promise() * kLower > best.promise();
 }
 
-/// The scheme of the frame before, worked out for this one, if it stays although `best` is better.
+/// Returns the scheme of the previous frame, evaluated for this frame, if hysteresis preserves it although `best` is
+/// better.
 std::optional<SchemeCandidate> held(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
-    // Where maps have to come, they may come with another scheme as well.
+    // A slice that needs a map again changes the image anyway, so the scheme can change in the same frame.
     if (!context.before || context.receivers.haveArrived) return std::nullopt;
     const SchemeChoice& before = context.before->choice;
     const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const SchemeCandidate& a) {
@@ -137,8 +140,8 @@ std::optional<SchemeCandidate> held(
     return result;
 }
 
-/// Of those that `best` does not dominate the one with as many maps as the frame before, or nearest to that: what has
-/// to change changes the number of maps the least.
+/// Returns the candidate whose number of maps is closest to the previous frame, among the candidates that `best` does
+/// not dominate. A change of scheme thus changes as few maps as possible.
 SchemeCandidate nearestInMaps(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
     if (!context.before) return best;
@@ -163,8 +166,9 @@ std::vector<SchemeCandidate> candidatesOf(const SchemeContext& context, const st
     return candidates;
 }
 
-/// All choices worked out. Where none keeps the promise, with no map that this very frame does not need if one does
-/// then.
+/// Returns a candidate per choice. If none meets the max aliasing, the function ignores the hysteresis of empty slices
+/// and removes all maps that this frame does not need. It returns these candidates if one of them meets the max
+/// aliasing.
 std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const auto keepsPromise = [](const SchemeCandidate& candidate) { return candidate.keepsPromise; };
     std::vector<SchemeCandidate> candidates = candidatesOf(context, choices);
@@ -179,7 +183,8 @@ std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const 
     return std::any_of(bare.begin(), bare.end(), keepsPromise) ? bare : candidates;
 }
 
-/// The best of all slices and faces; what the frame before had unless another is better by far.
+/// Returns the best candidate. The scheme of the previous frame is preserved unless another scheme dominates it for
+/// long enough.
 SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const std::vector<SchemeCandidate> candidates = bestCandidates(context, choices);
     const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
@@ -192,13 +197,14 @@ SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeCho
     return chosen;
 }
 
-/// `chosen`, or the same in the plain orientation where a roll about the light is not worth it.
+/// Returns `chosen`, or the same scheme in the plain orientation if a rotation about the light does not pay off.
 SchemeCandidate inWorthwhileOrientation(
     const SchemeContext& context, SchemeCandidate chosen, std::vector<Omission>& omitted) {
     SchemeChoice plainChoice = chosen.choice;
     plainChoice.lightRoll = false;
     SchemeCandidate plain = evaluate(context, plainChoice);
-    // What the roll is worth once it is reached: from frame to frame it is only approached.
+    // Without `before`, the rotation is complete at once. This measures its full gain, because the speed limit delays
+    // it over several frames.
     SchemeContext afresh = context;
     afresh.before.reset();
     SchemeCandidate rolled = plain;
@@ -218,7 +224,7 @@ SchemeCandidate inWorthwhileOrientation(
 
 std::uint64_t trianglesIn(
     const ConvexVolume& volume, const CameraBasis& basis, std::span<const SceneFacts::CasterBlock> blocks) {
-    ConvexVolume aroundEye; // in world axes, as the blocks are
+    ConvexVolume aroundEye; // in world axes, as the blocks
     for (const Plane& plane : volume.planes)
         aroundEye.planes.push_back({toWorld(basis, plane.normal), plane.offset});
     std::uint64_t triangles = 0;

@@ -1,5 +1,5 @@
-// Which of the schemes that the user leaves open a view calls for: counted costs, kept promises, and hysteresis towards
-// the scheme of the frame before.
+// The choice of a scheme among those that the user's settings permit. The choice compares estimated costs and aliasing
+// bounds, with hysteresis in favour of the previous scheme.
 #pragma once
 
 #include "plan/empty_slices.h"
@@ -10,61 +10,64 @@
 
 namespace gnomon::plan {
 
-/// All that decides between schemes.
+/// The input of the choice.
 struct SchemeContext {
     shadow::ShadowView view;
     CameraBasis basis;
     Quality quality;
     const SceneFacts* scene = nullptr;
     Capabilities backend;
-    std::optional<SchemeMemory> before; // of the frame before, if it had a scheme
-    Receivers receivers;                // after it
-    bool ignoreHistory = false;         // slices are empty where nothing in this very frame needs them
+    std::optional<SchemeMemory> before; // the previous frame, if it had a scheme
+    Receivers receivers;                // the receivers after `before`, including this frame
+    // true: a slice is empty if it has no receiver in this frame, whatever earlier frames had
+    bool ignoreHistory = false;
 };
 
-/// A scheme worked out.
+/// A scheme with its maps, its cost and its aliasing bound.
 struct SchemeCandidate {
     SchemeChoice choice;
     shadow::ShadowOptions options;
     shadow::ShadowMapSetup setup;
-    std::vector<std::uint64_t> casterTriangles; // by map, estimated
-    std::uint64_t cost = 0;                     // see kTexelsPerTriangle
-    std::uint64_t texelsThatWouldDo = 0;        // to keep quality.maxAliasing; 0: none
+    std::vector<std::uint64_t> casterTriangles; // estimated number per map
+    std::uint64_t cost = 0;              // in caster triangles: texels / kTexelsPerTriangle + weighted caster triangles
+    std::uint64_t texelsThatWouldDo = 0; // number required for quality.maxAliasing; 0: no number suffices
     bool keepsPromise = false;
-    int framesDominated = 0; // see SchemeMemory
+    int framesDominated = 0; // as in SchemeMemory
 
     double promise() const { return setup.worst().worst(); }
 };
 
-/// Texels that are cleared and kept for the cost of a caster triangle.
+/// Number of texels whose clearing and storage cost as much as one caster triangle.
 constexpr std::uint64_t kTexelsPerTriangle = 16;
 
-/// What a caster triangle counts for in a map whose rows are logarithmic, in halves of one in a map of even rows: such
-/// maps are drawn at 0.73 of the rate of others where triangles are small, and slower where they are large.
+/// Cost of a caster triangle in a logarithmic map, in halves of its cost in a map with even rows. Logarithmic maps are
+/// drawn at 0.73 of the rate of even rows if triangles are small, and more slowly if they are large.
 constexpr std::uint64_t kHalvesOfLogTriangle = 3;
 
-/// The most slices that `auto` considers.
+/// Max number of slices that `auto` considers.
 constexpr int kMostSlices = 12;
 
-/// `choice` worked out. Where the number of slices is left open it takes no more texels than the promise asks for, in
-/// quantised steps of 2^(1/4); else all of the budget.
+/// Returns the candidate for `choice`. If the number of slices is open, the candidate uses only the texels that the max
+/// aliasing requires, rounded up to a step of 2^(1/4). Otherwise, or if the budget is too small for the max aliasing,
+/// it uses the whole budget.
 SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choice);
 
-/// The schemes that the quality leaves open, fewest maps first; logarithmic rows where slices and warp both are and the
-/// backend draws them: in one slice, as logarithms add, and more slices lower nothing.
+/// Returns the schemes that the quality permits, fewest slices first. Logarithmic maps are included if both the number
+/// of slices and the warp are open and the backend draws them. They use one slice: logarithms of depth ratios add up,
+/// so more slices do not reduce the storage.
 std::vector<SchemeChoice> openChoices(const SchemeContext& context);
 
-/// Whether `a` is to be preferred to `b`: a kept promise, then, where both keep it, the lower cost, else the lower
-/// promise.
+/// Returns true if `a` is better than `b`. A candidate that meets the max aliasing is better than one that exceeds it.
+/// If both meet it, the lower cost is better. If both exceed it, the lower aliasing bound is better.
 bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b);
 
-/// The receivers of the frame that is asked about.
+/// Returns the receivers of the context's frame, together with the memory of earlier frames.
 Receivers receiversOf(const SchemeContext& context);
 
-/// The scheme for the view, with a line in `omitted` for each effect that it goes without.
+/// Returns the scheme for the view. Adds an entry to `omitted` for each effect that it skips.
 SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<Omission>& omitted);
 
-/// The triangles of the blocks that touch `volume` (camera space).
+/// Returns the number of triangles in the blocks that intersect `volume` (camera space).
 std::uint64_t trianglesIn(
     const ConvexVolume& volume, const CameraBasis& basis, std::span<const SceneFacts::CasterBlock> blocks);
 

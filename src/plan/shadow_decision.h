@@ -1,11 +1,11 @@
-// The kind of shadows that a frame draws, and the reason for it. This is the only place that decides it.
+// The choice of the kind of shadows of a frame, with its reason. No other file makes this choice.
 #pragma once
 
 #include "plan/frame_plan.h"
 
 namespace gnomon::plan {
 
-/// The kind of shadows of a frame, and the reason.
+/// The kind of shadows of a frame and the reason.
 struct ShadowDecision {
     ShadowMode mode = ShadowMode::Maps; // never Auto
     ShadowReason reason = ShadowReason::Requested;

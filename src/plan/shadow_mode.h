@@ -8,8 +8,8 @@
 
 namespace gnomon::plan {
 
-/// The kinds of shadows. Maps looks up shadow maps, Exact decides each visible point in integers, Rays traces rays.
-/// Auto is one of the others: `decideShadows` says which.
+/// The kinds of shadows. Maps looks up shadow maps, Exact computes each visible point with integers, and Rays traces
+/// rays. `decideShadows` replaces Auto by one of the other kinds.
 enum class ShadowMode : std::uint8_t { Off, Maps, Exact, Rays, Auto };
 inline constexpr std::array kShadowModes = {
     Word<ShadowMode>{ShadowMode::Off, "off"},
@@ -21,11 +21,11 @@ inline constexpr std::array kShadowModes = {
 
 /// The reason for the kind of shadows of a frame.
 enum class ShadowReason : std::uint8_t {
-    Requested,      // by its name
+    Requested,      // the user named the kind
     NoSun,          // the shading has no sun, so nothing casts shadows
-    MapsRequested,  // by an option, an overlay or a proof of shadow maps
-    FrameTime,      // exact shadows take longer than the frame time that the window aims at
-    BackendHasMaps, // the backend draws shadow maps only
+    MapsRequested,  // an option, an overlay or a validation of shadow maps needs maps
+    FrameTime,      // exact shadows take longer than the target frame time of the window
+    BackendHasMaps, // the backend draws only shadow maps
     BackendIsExact, // the backend draws exact shadows
 };
 

@@ -9,11 +9,11 @@ namespace gnomon::plan {
 
 namespace {
 
-/// Whether something that can throw a shadow into the map of `pass` is nearer to the light than its depth begins.
+/// Returns true if a caster of the map of `pass` can be nearer to the light than the map's depth range.
 bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const SceneFacts& scene) {
     if (!scene.light) return true;
     const glm::dmat4 rows = glm::transpose(pass.map.lightClipFromCamera());
-    const glm::dvec3 normal(rows[2]); // depth w; w is above 0 in front of whatever can cast
+    const glm::dvec3 normal(rows[2]); // depth times w; w is above 0 for all possible casters
     const double length = glm::length(normal);
     ConvexVolume before = pass.map.casterVolume;
     before.planes.push_back({-normal / length, -rows[2].w / length});
@@ -28,13 +28,13 @@ OmissionReason warpReason(const FramePlan& plan) {
     return OmissionReason::NoGain;
 }
 
-/// Why rows are even where the warp is left open.
+/// Returns the reason why the rows are even although the warp is open.
 OmissionReason rowsReason(const FramePlan& plan) {
     if (!plan.backend.unevenRows) return OmissionReason::BackendHasEvenRows;
     return plan.quality.zPartitions ? OmissionReason::SlicesGiven : OmissionReason::BetterWithout;
 }
 
-/// A line for each effect that the maps go without and that no choice has spoken of.
+/// Adds an entry for each skipped effect that has no entry yet.
 void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
     std::vector<Omission>& omitted = plan.omitted;
     const Quality& quality = plan.quality;

@@ -1,4 +1,4 @@
-// The shadow maps of a frame: how many, of what, with which texels.
+// The planning of a frame's shadow maps: their number, partitions and texels.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -6,8 +6,9 @@
 
 namespace gnomon::plan {
 
-/// Fills the splits, passes, promise and texture of `plan`, whose view, quality, light and depth range are set;
-/// `before` is the memory of the frame before, and that of this one is returned.
+/// Sets the splits, the passes, the aliasing bound and the texture size of `plan`. The view, quality, light and depth
+/// range of `plan` must be set. `before` is the memory of the previous frame; the result is the memory for the next
+/// frame.
 SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const std::optional<SchemeMemory>& before);
 
 } // namespace gnomon::plan

@@ -1,5 +1,5 @@
-// Which views follow each other as those of one motion do, so that the plan of the second may be steadied by that of
-// the first.
+// Tests whether two consecutive views belong to one continuous motion. Only then does the plan of the second view use
+// the memory of the first.
 #pragma once
 
 #include "core/angle.h"
@@ -11,11 +11,11 @@
 
 namespace gnomon::plan {
 
-/// Whether `now` shows so much else than the view before it, in which nothing lay farther than `farthest` (world units;
-/// 0: it showed nothing), that a plan must not be steadied by that one's (plan/hysteresis.h): another projection or
-/// kind of light, or a move of the eye, a turn of its view or of the light, or a change of its angle by more than
-/// hysteresis is for. By parallel lines the distance to the target stands for `farthest`, since it is what the picture
-/// scales with.
+/// Returns true if there is a camera cut between `before` and `now`, so that the plan must not use the memory of the
+/// first view. A camera cut is a change of the projection or of the kind of light, or a change above a limit in
+/// plan/hysteresis.h: a movement of the eye, a rotation of the view or of the light, or a zoom. `farthest` is the
+/// largest visible depth of `before` in world units, or 0 if nothing was visible. Parallel views use the distance to
+/// the target instead, because it sets the scale of the image.
 inline bool hasJumped(const View& before, double farthest, const View& now) {
     if (before.camera.projection != now.camera.projection) return true;
     if (before.pointLight.has_value() != now.pointLight.has_value()) return true;
@@ -32,15 +32,15 @@ inline bool hasJumped(const View& before, double farthest, const View& now) {
     return isTurned || glm::dot(before.light().unit(), now.light().unit()) < leastCosine;
 }
 
-/// A frame as it was asked for.
+/// The requested view and settings of a frame.
 struct AskedFrame {
     const View& view;
     const Quality& quality;
 };
 
-/// Whether `now` can be the next frame of the motion that `before` belongs to. During a motion the camera, the light
-/// and the image size change, and so do the settings that a time target lowers. A change of any other setting ends the
-/// motion, and so does a change of any setting while camera and light stand still.
+/// Returns true if `now` can be the next frame of the motion of `before`. During a motion, the camera, the light, the
+/// image size and the settings that a time target changes can vary. A change of any other setting ends the motion. A
+/// change of any setting while camera and light do not move also ends it.
 inline bool isSameMotion(const AskedFrame& before, const AskedFrame& now) {
     View view = before.view;
     view.camera = now.view.camera;

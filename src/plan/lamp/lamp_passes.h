@@ -1,15 +1,15 @@
-// The shadow maps of a lamp's frame.
+// The planning of the shadow maps of a point light (lamp).
 #pragma once
 
 #include "plan/frame_plan.h"
 
 namespace gnomon::plan {
 
-/// Where the point light of `view`, which has one, stands in camera space.
+/// Returns the position of the point light of `view` in camera space. Requires that `view` has a point light.
 glm::dvec3 lampInCamera(const View& view);
 
-/// Gives `plan`, whose range and basis are set and whose view has a point light, a map for each face of a cube about
-/// that through which anything is seen.
+/// Adds one shadow map to `plan` per face of a cube around the point light, for faces with visible surfaces. The depth
+/// range and basis of `plan` must be set, and its view must have a point light.
 void planLampPasses(FramePlan& plan, const SceneFacts& scene);
 
 } // namespace gnomon::plan

@@ -10,7 +10,7 @@ namespace gnomon::frame {
 
 namespace {
 
-/// `place` 2^32ths, around, in [-1/2, 1/2).
+/// Converts `place`, in units of 2^-32, to the value in [-1/2, 1/2) that differs by an integer.
 double aroundMiddle(std::uint32_t place) {
     return std::ldexp(static_cast<double>(static_cast<std::int32_t>(place)), -32);
 }
@@ -18,7 +18,7 @@ double aroundMiddle(std::uint32_t place) {
 } // namespace
 
 glm::dvec2 subpixelOffset(int sample) {
-    // The directions of both dimensions: those of van der Corput, and of the polynomial x + 1.
+    // The direction numbers of the two Sobol dimensions: van der Corput, and the polynomial x + 1.
     std::uint32_t x = 0;
     std::uint32_t y = 0;
     std::uint32_t directionX = std::uint32_t{1} << 31U;
@@ -35,7 +35,7 @@ glm::dvec2 subpixelOffset(int sample) {
 }
 
 glm::dvec2 mapShift(int sample) {
-    // The inverse of the plastic number, and its square.
+    // The inverse of the plastic number, and its square (Roberts 2018).
     const glm::dvec2 place = static_cast<double>(sample) * glm::dvec2(0.7548776662466927, 0.5698402909980532);
     return place - glm::floor(place + 0.5);
 }
@@ -44,7 +44,7 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     renderer_ = &renderer;
     frame_ = &frame;
     wanted_ = std::max(samples, plan::lightFrames(plan()));
-    const bool hasSky = plan().sky.directions > 0; // which is seen from everywhere
+    const bool hasSky = plan().sky.directions > 0; // sky light affects all tiles
     whole_ = hasSky ? wanted_ : std::max(samples, plan::leastFirstPoints(wanted_));
     const executor::FrameDrawing drawing = renderer.drawing(frame, frame.options);
     shown_ = executor::shownAs(drawing);
@@ -70,7 +70,7 @@ void Accumulation::leaveSkyOut(FrameOptions& options) const {
     options.groundShade = onGround_.sun;
 }
 
-/// Where frame `sample` is drawn; null: everywhere.
+/// Returns the tiles in which frame `sample` is drawn. Null means all tiles.
 const std::shared_ptr<const shadow::TileMask>& Accumulation::tilesOf(int sample) const {
     return sample < whole_ ? frame_->options.tiles : plan().penumbra.tiles;
 }
@@ -86,14 +86,14 @@ void Accumulation::drawSunlit(int sample) {
     if (plan().penumbra.directions > 1) {
         const glm::dvec2 point = plan::discPoint(sample, wanted_);
         renderer_->drawTowards(*frame_, plan::towardsDisc(view.towardsLight, view.sunAngleRadians, point), options);
-    } else if (hasSky) { // the part of the sky before took the place of the frame
+    } else if (hasSky) { // the last part of the sky has replaced the prepared frame
         renderer_->drawTowards(*frame_, view.towardsLight, options);
     } else {
         renderer_->drawSample(*frame_, options);
     }
 }
 
-/// Adds what was drawn last, with a part of the sky.
+/// Adds the last drawn image to the sum. With sky light, first adds the image of a part of the sky.
 void Accumulation::take(int sample) {
     executor::Executor& executor = renderer_->executor();
     if (plan().sky.directions == 0) return sum_.add(executor.light(), tilesOf(sample).get());

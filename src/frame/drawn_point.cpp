@@ -12,7 +12,8 @@ namespace gnomon::frame {
 
 namespace {
 
-/// A line of sight in cells from draw space's origin; parameters along it are depths from the eye, world units.
+/// A line of sight in grid cells, relative to the origin of draw space. The parameter along the line is the depth from
+/// the eye in world units.
 struct SightLine {
     glm::dvec3 start{0};
     glm::dvec3 direction{0};
@@ -35,7 +36,8 @@ SightLine sightLine(const executor::FrameDrawing& drawing, const glm::ivec2& pix
         lens.depth.isParallel ? lens.depth.clip.near : 0};
 }
 
-/// Whether the line may meet a box of cells: grown by one, so that rounding loses nothing.
+/// Returns true if the line may intersect a box of cells. The box is one cell larger on each side, so that rounding
+/// loses no intersection.
 bool mayMeet(const SightLine& line, const glm::dvec3& low, const glm::dvec3& high) {
     double near = line.least;
     double far = std::numeric_limits<double>::infinity();
@@ -54,12 +56,12 @@ bool mayMeet(const SightLine& line, const glm::dvec3& low, const glm::dvec3& hig
 
 struct Crossing {
     double depth = 0;
-    glm::dvec3 point{0}; // cells, as are the corners, which lie relative to the line's start
+    glm::dvec3 point{0}; // in cells; `corners` are also in cells, but relative to the start of the line
     std::array<glm::dvec3, 3> corners{};
 };
 
-/// Where the line goes through a triangle, its corners relative to the line's start. Neighbours compute the same volume
-/// for the edge that they share, but for its sign: no line slips through between them.
+/// Returns the intersection of the line with a triangle, whose corners are relative to the line's start. Two triangles
+/// with a common edge compute the same volume for it, with opposite signs. Therefore no line passes between them.
 std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dvec3, 3>& corners) {
     const auto& [a, b, c] = corners;
     const glm::dvec3 volumes(
@@ -76,7 +78,7 @@ std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dv
     return Crossing{depth, line.start + onTriangle, corners};
 }
 
-/// The first crossing of the drawn clusters that section planes leave.
+/// The first intersection of the line with the drawn clusters, outside the regions that section planes remove.
 class FirstCrossing {
 public:
     FirstCrossing(const SightLine& line, const executor::FrameDrawing& drawing)
@@ -101,10 +103,11 @@ public:
 
     const std::optional<Crossing>& first() const { return first_; }
 
-    /// How far the first is from the source, world units.
+    /// Returns the max distance of the first intersection from the source, in world units.
     double error() const { return error_; }
 
-    /// Where the line comes in to what all sections leave; nothing if it begins there.
+    /// Returns the parameter along the line at which it enters the region that no section plane removes. Returns
+    /// nullopt if the line starts inside this region.
     std::optional<double> entry() const {
         std::optional<double> last;
         for (const Plane& plane : sections_) {
@@ -134,7 +137,7 @@ private:
     double error_ = 0;
 };
 
-/// The corner that is nearest to the crossing.
+/// Returns the corner of the triangle that is nearest to the intersection.
 glm::dvec3 nearestCorner(const Crossing& crossing, const SightLine& line) {
     const glm::dvec3 point = crossing.point - line.start;
     return line.start +
@@ -159,7 +162,7 @@ std::optional<DrawnPoint> drawnPoint(
             found.add(*page, page->clusters[range.firstCluster + i], snapError);
     }
     const std::optional<double> entry = found.entry();
-    if (entry) { // a cap is no triangle: the image alone knows of it
+    if (entry) { // no triangle covers the cap of a section, so the depth buffer tells whether the pixel shows it
         const float seen = renderer.executor().viewDepth().at(pixel.x, pixel.y);
         const double depth = *entry - frame.plan.view.eyeMovedBack.value_or(0);
         if (std::abs(seen - depth) <= 1e-5 * std::abs(*entry))

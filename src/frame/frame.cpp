@@ -16,16 +16,14 @@
 
 #include <utility>
 
-// The frame, told in the words of the README:
-// residency -> plan -> cut -> cull per partition -> shadow passes -> image pass -> log.
-// Where shadows are decided point by point, or casters are culled by what the image looks up, the executor finds what
-// is visible first, and shades it last.
+// The sequence of a frame: residency -> plan -> cut -> cull per partition -> shadow passes -> image pass -> log. For
+// exact shadows, and for casters that receivers cull, the executor finds the visible points first and shades them last.
 
 namespace gnomon::frame {
 
 namespace {
 
-/// Moves the grids of all maps, which then have to be drawn.
+/// Shifts the texel grids of all maps. The maps must then be drawn again.
 void moveMaps(plan::FramePlan& plan, const glm::dvec2& shift) {
     for (plan::ShadowPass& pass : plan.passes) {
         pass.map.shift = shift;
@@ -43,7 +41,7 @@ telemetry::DrawnDetail detailOf(const PreparedFrame& frame) {
 
 } // namespace
 
-/// What `memory` has to hold of the picture: all of it, or the sums of a picture of several frames.
+/// Returns the memory of the image that must be reserved: the complete image, or only the sums of an accumulation.
 Bytes Renderer::picturePart(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) const {
     if (residency_.holdsPictures()) return pictureBytes(view, quality, options);
     if (!options.isAccumulated) return {};
@@ -114,8 +112,9 @@ PreparedFrame Renderer::prepareShadows(
     plan::Quality quality = asked;
     quality.shadows = plan::decideShadows(asked, capabilities()).mode;
     residency_.keepRayTrees(quality.shadows == plan::ShadowMode::Rays);
-    double streamMs = 0; // all that waiting costs: the rounds but the last are made for it
-    // A cap finds its error among all clusters that are there.
+    // time of waiting: all rounds except the cut of the last round, because only waiting causes them
+    double streamMs = 0;
+    // A cap on triangles searches its error limit among all resident clusters, so it needs the ancestors.
     addTime(streamMs, [&] { residency_.admitLoaded(waiting, quality.maxTriangles.has_value()); });
     for (;;) {
         const Stopwatch round;
@@ -126,7 +125,9 @@ PreparedFrame Renderer::prepareShadows(
             plan::widestRange(view, quality, withGround(model.bounds, ground_.get()));
         frame.errorPixels = quality.errorPixels;
         double surveyedPixels = 0;
-        do { // once, but for a cap that casters raise the error under: what is surveyed has to be what is drawn
+        // The loop repeats only if casters increase the error limit under a cap. The facts must come from the clusters
+        // that are drawn.
+        do {
             addTime(frame.selectMs, [&] { cutImage(frame, {view, margin}, quality, range, residency_, model.grid); });
             surveyedPixels = frame.errorPixels;
             addTime(frame.cullMs, [&] {
@@ -157,7 +158,8 @@ executor::DrawStatistics Renderer::draw(PreparedFrame& frame, const FrameOptions
     if (frame.isExact()) return executor_->drawExactly(drawing);
     if (frame.isRayTraced()) return executor::drawByRays(*executor_, drawing, residency_.rayTrees());
     executor::DrawStatistics statistics = executor_->draw(drawing);
-    if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace(); // nothing to decide
+    // no visible point needs a shadow computation
+    if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace();
     heldMaps_.hold(frame, options, statistics.culled.has_value());
     return statistics;
 }
@@ -167,7 +169,7 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     view.towardsLight = towardsLight;
     const hierarchy::ModelSummary& model = model_->summary();
     if (options.lightPart == executor::LightPart::SkyDirection) view.pointLight.reset();
-    // Where the sky's light is a sum of directions, all of them are seen on the same ground.
+    // All directions of the sky must use the same ground.
     const bool hasSky = frame.plan.sky.directions > 0;
     ground_ = groundOf(
         hasSky ? frame.plan.view : view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()}, hasSky);

@@ -20,14 +20,14 @@ void cut(PreparedFrame& frame, const plan::Quality& quality, const Residency& re
     frame.cut = culling::cutFrame(cutQuery(residency, frame));
 }
 
-/// What the image shows and `margin` pixels on each side of it.
+/// Returns the view pyramid of the image with `margin` more pixels on each side.
 ConvexVolume imageVolume(selection::DetailView detail, const CutView& cutView) {
     detail.tanHalfX *= 1 + 2 * cutView.margin / cutView.view.width;
     detail.tanHalfY *= 1 + 2 * cutView.margin / cutView.view.height;
     return selection::viewPyramid(detail);
 }
 
-/// The section planes of a view in local space, whose origin is `origin`.
+/// Returns the section planes of a view in local space. `origin` is the origin of local space in world space.
 std::vector<Plane> localSections(const plan::View& view, const glm::dvec3& origin) {
     std::vector<Plane> planes;
     for (const Plane& plane : view.sections)
@@ -35,7 +35,7 @@ std::vector<Plane> localSections(const plan::View& view, const glm::dvec3& origi
     return planes;
 }
 
-/// Leaves of `volume` what the sections leave.
+/// Clips `volume` by the section planes.
 void clipBySections(const plan::View& view, const glm::dvec3& origin, ConvexVolume& volume) {
     for (const Plane& plane : localSections(view, origin))
         volume.planes.push_back(plane);
@@ -107,7 +107,7 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
     std::vector<selection::CasterDetail> casters;
     for (const plan::ShadowPass& pass : frame.plan.passes) {
         if (!seen.pointLight) casters.push_back(culling::casterDetail(view, pass.map));
-        // Without culling every map draws all there is, at the detail that the maps call for.
+        // Without culling, every map draws the whole model at the detail that the maps require.
         const bool isCulled = frame.plan.quality.cullCasters != plan::CasterCulling::Off;
         frame.volumes.push_back(isCulled ? culling::localVolume(pass.map.casterVolume, view) : ConvexVolume{});
     }

@@ -22,9 +22,9 @@ struct FrameOptions {
     executor::Overlay overlay = executor::Overlay::None;
     bool wantsSurfaces = false; // stores the result of the executor's `surfaces`
     bool reusesMaps = true;     // reuses maps that are identical to maps of the previous frame
-    // draws complete maps for another use than this image, so receivers cull no casters
+    // the caller also reads the maps themselves, so receivers cull no casters
     bool wantsWholeMaps = false;
-    // keeps the image for another use than its colours, so it is not drawn in bands
+    // the caller also reads other data than the colours, so the image is not drawn in bands
     bool wantsWholeImage = false;
     // shows the view's frame from another camera: its cut, its casters and its maps
     std::optional<Camera> observerCamera;

@@ -27,7 +27,7 @@ void setCulled(const executor::CulledCasters& culled, telemetry::FrameRow& row) 
     row.castersKept = toCount(culled.clustersKept);
 }
 
-/// What the passes of shadow maps drew, and what was looked at for them.
+/// Sets the counts of the shadow passes: drawn maps, triangles, and tested casters.
 void setCasters(const PreparedFrame& frame, const executor::DrawStatistics& drawn, telemetry::FrameRow& row) {
     const plan::FramePlan& plan = frame.plan;
     row.shadowMapsDrawn = 0;
@@ -47,7 +47,7 @@ void setCasters(const PreparedFrame& frame, const executor::DrawStatistics& draw
     if (drawn.culled) setCulled(*drawn.culled, row);
 }
 
-/// How the casters of the plan's maps were culled.
+/// Returns the caster culling that the maps used.
 std::string_view cullingOf(const plan::FramePlan& plan, const executor::DrawStatistics& drawn) {
     const bool isWhole = !drawn.culled && plan.casterCulling == plan::CasterCulling::Receivers;
     return wordOf(plan::kCasterCullings, isWhole ? plan::CasterCulling::On : plan.casterCulling);

@@ -14,13 +14,14 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr double kMostShadow = 16;   // of the model's diagonal
-constexpr double kLeastLight = 1e-4; // the sine of its height
-constexpr double kSkyReach = 8;      // of the model's height: beyond, even a wide wall takes under 0.4% of the sky
+constexpr double kMostShadow = 16;   // max length of a shadow, in diagonals of the model
+constexpr double kLeastLight = 1e-4; // min sine of the light's elevation
+// in heights of the model: beyond this distance, even a wide wall hides less than 0.4% of the sky
+constexpr double kSkyReach = 8;
 
 using Polygon = std::vector<glm::dvec3>;
 
-/// The least of `up` . p over the model's pages.
+/// Returns the min of dot(up, p) over the page boxes of the model.
 double lowestPoint(const ModelExtent& model, const glm::dvec3& up) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const hierarchy::PageInfo& page : model.pages) {
@@ -30,7 +31,7 @@ double lowestPoint(const ModelExtent& model, const glm::dvec3& up) {
     return lowest + glm::dot(up, model.grid.origin);
 }
 
-/// What of a convex polygon lies on the inner side of a plane.
+/// Returns the part of a convex polygon on the inner side of a plane.
 Polygon clipped(const Polygon& polygon, const Plane& plane) {
     Polygon result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -50,7 +51,8 @@ Polygon clipped(Polygon polygon, const ConvexVolume& volume) {
     return polygon;
 }
 
-/// The convex hull of points of a plane across `up`, around against the clock as seen from above (Andrew 1979).
+/// Returns the convex hull of points in a plane perpendicular to `up`, counter-clockwise as seen from above (Andrew
+/// 1979).
 Polygon hullOf(Polygon points, const glm::dvec3& up) {
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
     const auto flat = [&](const glm::dvec3& p) {
@@ -78,7 +80,7 @@ Polygon hullOf(Polygon points, const glm::dvec3& up) {
     };
     half(points.begin(), points.end());
     half(points.rbegin(), points.rend());
-    std::reverse(hull.begin(), hull.end()); // front points towards the viewer: right x front is down
+    std::reverse(hull.begin(), hull.end()); // right x front points down, because front points towards the viewer
     return hull;
 }
 
@@ -92,7 +94,8 @@ std::array<glm::dvec3, 8> cornersOf(const Box& bounds) {
     return corners;
 }
 
-/// Adds what the model's box throws onto the plane `up` . p = `height`, and no further than the longest shadow.
+/// Adds the corners of the shadow that the model's box throws onto the plane dot(up, p) = `height`, limited to the max
+/// length.
 void addShadow(
     const Box& bounds, const glm::dvec3& up, double height, const glm::dvec3& towardsLight, Polygon& points) {
     const double longest = kMostShadow * glm::length(bounds.extent());
@@ -107,7 +110,8 @@ void addShadow(
     }
 }
 
-/// Adds what lies within kSkyReach of its heights around the box, and its shadow from all over the sun's disc.
+/// Adds points at kSkyReach times the height of each corner around the box, and the corners of its shadow for the whole
+/// disc of the sun.
 void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up, double height, Polygon& points) {
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
     const double aslant = std::sqrt(0.5);
@@ -125,10 +129,10 @@ void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up
     }
 }
 
-/// The hull of points of the plane across `up`, as far as the grid reaches.
+/// Returns the convex hull of points in the plane perpendicular to `up`, clipped to the range of the grid.
 Polygon outlineOf(const ModelExtent& model, const glm::dvec3& up, Polygon points) {
     const Box& bounds = model.bounds;
-    // Differences of the grid's coordinates are 32 bits wide.
+    // The clipping keeps differences of grid coordinates within 32 bits.
     const double widest = std::max({bounds.extent().x, bounds.extent().y, bounds.extent().z});
     const double reach = 0.99 * model.grid.step() * hierarchy::kMaxGridCoordinate - widest;
     ConvexVolume within;
@@ -141,11 +145,12 @@ Polygon outlineOf(const ModelExtent& model, const glm::dvec3& up, Polygon points
     return clipped(hullOf(std::move(points), up), within);
 }
 
-/// A fan of triangles on the grid, under the plane by as much as rounding may lift it and a step more.
+/// Returns the polygon as a fan of triangles on the grid, below the plane. The corners are rounded down, after a shift
+/// of one grid step down, so that rounding never lifts them above the plane.
 hierarchy::Page pageOf(const Polygon& outline, const hierarchy::Grid& grid, const glm::dvec3& up) {
     hierarchy::Page page;
     hierarchy::Cluster cluster;
-    // What is below 0 wraps, as differences of coordinates do.
+    // Negative coordinates wrap modulo 2^32; differences of coordinates are still correct.
     const auto point = [](const glm::dvec3& cells) {
         const glm::i64vec3 whole(cells);
         return hierarchy::GridPoint{

@@ -15,7 +15,8 @@ namespace gnomon::frame {
 
 namespace {
 
-/// The same bound for the ground: of the longest way of a shadow, seen as near as anything is.
+/// Returns an upper bound of the penumbra widths on the ground, in pixels. It combines the longest shadow with the
+/// smallest visible depth.
 double onGround(const PreparedFrame& frame, const culling::DiscLight& light) {
     if (!frame.ground || !frame.facts.visible) return 0;
     const selection::DetailView& view = frame.rule->view();
@@ -48,13 +49,13 @@ void planLightSampling(PreparedFrame& frame, const Residency& residency) {
         const culling::DiscLight light{plan.light.unit(), 2 * std::tan(plan.view.sunAngleRadians / 2)};
         const std::span<const selection::DrawList> lists(frame.cut.lists);
         const std::size_t behindImage = lists.size() - 1;
-        // The last lists are what lies near the sections.
+        // The last lists contain the clusters near the section planes; they are no casters.
         const auto casters = lists.subspan(1, behindImage - std::min(behindImage, plan.view.sections.size()));
         const culling::TiledView seen = tiledView(frame);
         const std::vector<double> byTile = culling::penumbraWidths(query, image, casters, light, seen);
         plan::PenumbraBound bound{*std::max_element(byTile.begin(), byTile.end()), seen.tiles, byTile};
         bound.widest = std::max(bound.widest, onGround(frame, light));
-        // Neither the ground nor what sections cut open is among the clusters whose tiles are known.
+        // The bounds per tile cover clusters only, but not the ground or the caps of sections.
         if (frame.ground || !plan.view.sections.empty()) bound.byTile = {};
         plan::planPenumbra(plan, bound);
     }

@@ -11,18 +11,19 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr std::uint64_t kFinished = sizeof(executor::Rgb) + sizeof(std::uint8_t); // a pixel, with its coverage
+// bytes per pixel: colour and coverage
+constexpr std::uint64_t kFinished = sizeof(executor::Rgb) + sizeof(std::uint8_t);
 
 /// Returns the kind of shadows that the software backend draws.
 plan::ShadowMode shadowsOf(const plan::Quality& quality) {
     return plan::decideShadows(quality, plan::kSoftwareCapabilities).mode;
 }
 
-/// What a pixel of an image takes while it is drawn.
+/// Returns the bytes per pixel while an image is drawn.
 std::uint64_t bytesPerPixel(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     constexpr std::uint64_t kAwaited = 3 * sizeof(std::uint32_t) + sizeof(float) + sizeof(std::uint8_t);
     constexpr std::uint64_t kMapOfLamp = sizeof(std::int32_t);
-    std::uint64_t bytes = sizeof(std::uint64_t) + 2 * sizeof(executor::Rgb); // visibility buffer, picture and its copy
+    std::uint64_t bytes = sizeof(std::uint64_t) + 2 * sizeof(executor::Rgb); // visibility buffer, image and its copy
     if (options.wantsSurfaces) bytes += sizeof(executor::SurfaceSample);
     if (options.isAccumulated)
         bytes += executor::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
@@ -35,7 +36,7 @@ std::uint64_t bytesPerPixel(const plan::View& view, const plan::Quality& quality
     return bytes;
 }
 
-/// What does not depend on the image's size: the depth texture and its masks, and the cells of exact shadows.
+/// Returns the memory that does not depend on the image size: the depth texture, or the cells of exact shadows.
 std::uint64_t fixedBytes(const plan::Quality& quality) {
     constexpr std::uint64_t kCells = mebibytes(8).count;
     const auto texels =
@@ -45,7 +46,7 @@ std::uint64_t fixedBytes(const plan::Quality& quality) {
     return shadows == plan::ShadowMode::Exact ? kCells : 0;
 }
 
-/// Whether the image can be drawn a few rows at a time: nothing asks for all of it at once.
+/// Returns true if the image can be drawn in bands of rows, because the caller does not need all rows at once.
 bool canHaveBands(const plan::View& view, const FrameOptions& options) {
     return options.overlay == executor::Overlay::None && !options.wantsSurfaces && !options.wantsWholeImage &&
            !options.wantsWholeMaps && !options.observerCamera && view.sections.empty();
@@ -62,7 +63,7 @@ Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const F
 
 std::vector<executor::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory) {
-    constexpr int kMinRows = 64; // a multiple of what is shaded together and of what is masked
+    constexpr int kMinRows = 64; // a multiple of the block heights of shading and of masks
     const bool fits = pictureBytes(view, quality, options).count <= memory.count / 2;
     if (fits || !canHaveBands(view, options)) return {{0, view.height}};
     const std::uint64_t perStripe =

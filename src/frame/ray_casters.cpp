@@ -9,7 +9,7 @@ namespace gnomon::frame {
 
 namespace {
 
-/// The frustum of all that is drawn, whatever range the shadows are promised for.
+/// Returns the frustum of all visible surfaces, also outside the depth range with an aliasing bound.
 shadow::ViewFrustum visibleFrustum(const plan::FramePlan& plan, const plan::SceneFacts& facts) {
     double near = plan.near;
     double far = plan.far;
@@ -17,7 +17,7 @@ shadow::ViewFrustum visibleFrustum(const plan::FramePlan& plan, const plan::Scen
         near = std::min(near, facts.visible->nearest);
         far = std::max(far, facts.visible->farthest);
     }
-    constexpr double kLeastRatio = 1e-9; // a frustum wants a near plane
+    constexpr double kLeastRatio = 1e-9; // min near / far; a frustum needs a near plane
     return {std::max(near, kLeastRatio * far), far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
 }
 
@@ -28,7 +28,7 @@ shadow::Region wholeRegion(const plan::FramePlan& plan, const plan::SceneFacts& 
     return shadow::partitionRegion(frustum, selector, 0);
 }
 
-/// The corners of what is seen between two depths, camera space.
+/// Returns the corners of the view frustum between two depths, in camera space.
 std::vector<glm::dvec3> cornersBetween(const plan::View& view, double near, double far) {
     std::vector<glm::dvec3> corners;
     for (const double depth : {near, far})
@@ -38,12 +38,12 @@ std::vector<glm::dvec3> cornersBetween(const plan::View& view, double near, doub
     return corners;
 }
 
-/// Where the point light of a view is, camera space.
+/// Returns the position of the view's point light in camera space.
 glm::dvec3 pointInCamera(const plan::FramePlan& plan) {
     return toCamera(plan.basis, plan.view.pointLight->at - plan.view.camera.eye);
 }
 
-/// What casts from a point light onto what is seen between two depths.
+/// Returns the required detail of the casters between a point light and the visible points between two depths.
 selection::CasterDetail slabDetail(const PreparedFrame& frame, double near, double far) {
     const plan::FramePlan& plan = frame.plan;
     const std::vector<glm::dvec3> corners = cornersBetween(plan.view, near, far);
@@ -74,7 +74,7 @@ ConvexVolume rayCasterVolume(const PreparedFrame& frame) {
 selection::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
     const plan::FramePlan& plan = frame.plan;
     const shadow::Region region = wholeRegion(plan, frame.facts);
-    selection::CasterDetail detail; // without texels
+    selection::CasterDetail detail; // without texels: rays have none
     detail.casters = rayCasterVolume(frame);
     detail.receivers = culling::localVolume(region.volume, frame.rule->view());
     detail.receiverNear = region.frustum.near;

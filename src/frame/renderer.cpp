@@ -16,7 +16,7 @@ bool cullsByReceivers(const PreparedFrame& frame, const FrameOptions& options) {
     return frame.plan.casterCulling == plan::CasterCulling::Receivers && !wantsWhole;
 }
 
-/// Clips nothing within `bounds` that the parallel lines of sight of `camera` meet.
+/// Sets the clip planes such that an orthographic image of `camera` shows all geometry within `bounds`.
 void clipAround(const Camera& camera, const Box& bounds, executor::FrameDrawing& drawing) {
     constexpr double kBeyond = 1.01;
     const glm::dvec3 view = cameraBasis(camera).view;
@@ -44,17 +44,17 @@ bool Renderer::continuesMotion(const plan::View& view, const plan::Quality& qual
            !plan::hasJumped(motion_.view, motion_.farthest, view);
 }
 
-/// What the frame before drew stays known.
+/// The plan of the previous frame is preserved; only its memory is removed.
 std::shared_ptr<const plan::PlannedFrame> Renderer::frameBefore(
     const plan::View& view, const plan::Quality& quality) const {
     if (!motion_.previous || continuesMotion(view, quality)) return motion_.previous;
     return std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{motion_.previous->plan, {}});
 }
 
-/// Whether Shading::Auto leaves the sun out of `frame`, which was just drawn with it: the sun reaches next to nothing.
-/// Returns nothing if that is not known yet.
+/// Returns true if Shading::Auto uses no sun for `frame`, because the sun reaches too few pixels in the drawn image.
+/// Returns nullopt if the number of lit pixels is not known yet.
 std::optional<bool> Renderer::isWithoutSun(const Frame& frame) const {
-    if (ground_) return false; // nothing but the sun's shadow shows it
+    if (ground_) return false; // only the sun's shadow makes the ground visible
     if (frame.options.observerCamera || !frame.facts.visible || !frame.facts.visible->anything) return std::nullopt;
     const std::optional<std::uint64_t> litPixels = executor_->litPixels();
     if (!litPixels) return std::nullopt;
@@ -62,11 +62,12 @@ std::optional<bool> Renderer::isWithoutSun(const Frame& frame) const {
 }
 
 bool Renderer::isNextToNothing(std::uint64_t litPixels, const plan::View& view) {
-    constexpr double kNextToNothing = 0.005; // of the pixels
+    constexpr double kNextToNothing = 0.005; // share of the pixels
     return static_cast<double>(litPixels) < kNextToNothing * view.width * view.height;
 }
 
-/// The first frame of a motion decides for all of it, so that no walk switches between sun and headlight.
+/// The first frame of a motion chooses the shading for the whole motion, so that it does not switch between sun and
+/// headlight.
 executor::DrawStatistics Renderer::drawWithOrWithoutSun(Frame& frame) {
     const bool isLeftOpen = frame.plan.quality.look.shading == plan::Shading::Auto;
     frame.isSunless = isLeftOpen && !ground_ && motion_.isSunless.value_or(false);
@@ -94,7 +95,8 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
     drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {
         return *resident[page];
     };
-    // Reversed float depth is as precise anywhere; only triangles that cross the near plane want it not too near.
+    // Reversed float depth has the same precision for any near plane. The limit is only for triangles that cross a near
+    // plane close to the eye.
     const plan::SceneFacts::Visible visible = frame.facts.visible.value_or(plan::SceneFacts::Visible{});
     const double least = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
     drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, least);

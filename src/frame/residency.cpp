@@ -12,15 +12,16 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr Milliseconds kUnreadPause{2000}; // before a server is asked again for what it did not give
+constexpr Milliseconds kUnreadPause{2000}; // pause before a failed read from a server is repeated
 
-/// How far ahead pages are prefetched. At 30 frames a second a third of a second: longer than it takes to load a page
-/// with all that it hangs from.
+/// Number of frames that prefetching looks ahead: a third of a second at 30 frames per second. This is longer than
+/// loading a page with all its ancestors takes.
 constexpr double kFramesAhead = 10;
 
-constexpr Bytes kProgram = mebibytes(64); // of the process before it opens a model
+constexpr Bytes kProgram = mebibytes(64); // memory of the process before it opens a model
 
-/// What `options` leave to tables, pages and pictures of a model that can be drawn.
+/// Returns the memory for tables, pages and images. Throws Error if the model cannot be drawn, or if the memory is too
+/// small for its tables.
 Bytes memoryBesideProgram(const hierarchy::ModelFile& model, const ResidencyOptions& options) {
     if (const auto fault = hierarchy::drawingFault(model.pages(), model.summary().grid))
         throw Error(model.path(), *fault);
@@ -43,7 +44,8 @@ bool hasMoved(const selection::DetailView& a, const selection::DetailView& b) {
 } // namespace
 
 Bytes tableBytes(const hierarchy::ModelFile& model) {
-    // A row of the table, its links to children and parents, the store's entry and the tree's item and node.
+    // The row of the page table, links to children and parents, the entry of the store, and the item and node of the
+    // tree.
     constexpr std::uint64_t kBytesPerPage = sizeof(hierarchy::PageInfo) + 320;
     constexpr std::uint64_t kBytesPerLink = 8;
     std::uint64_t links = 0;
@@ -91,7 +93,8 @@ void Residency::reservePicture(Bytes bytes) {
             "at least " + readableBytes({least.count + kProgram.count}),
             readableBytes({memory_.count + kProgram.count}));
     const Bytes reserved{bytes.count + working};
-    // Pages that are there already would be in the way of a picture that takes more than the ones before.
+    // A smaller image keeps the larger reservation. Otherwise pages would fill the memory, and the next large image
+    // would have to evict them.
     if (reserved == picture_ || (holdsPictures_ && reserved < picture_)) return;
     store_.reserve({reserved.count + reserved_.count});
     picture_ = reserved;
@@ -104,7 +107,7 @@ void Residency::keepRayTrees(bool areKept) {
 }
 
 void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
-    // Where frames do not wait what stands above is drawn meanwhile.
+    // Frames that never wait draw the coarser ancestors until finer pages are loaded, so they need the ancestors.
     hasNotWaited_ = hasNotWaited_ || waiting == Waiting::Never;
     isOpen_ = !hasNotWaited_ && !needsAllAbove;
     if (waiting == Waiting::Never) store_.admitLoaded();
@@ -112,11 +115,12 @@ void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
 
 streaming::DemandOutcome Residency::serve(
     const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting) {
-    // A frame that waits takes level after level and nothing that it may not need: it is there no later, even over a
-    // network, and a sixth less is read.
+    // A frame that waits loads level after level without prefetching. It is complete equally early, even over a
+    // network, and reads a sixth fewer bytes.
     if (waiting == Waiting::UntilComplete) {
         streaming::DemandOutcome outcome = store_.load({.used = cut.used, .wanted = cut.wanted, .isOpen = isOpen_});
-        // Once it has to be closed it stays so, that this comes to an end.
+        // If the store requires ancestor-complete pages once, the following passes require them too. Otherwise the
+        // frame could alternate between both modes without end.
         if (std::exchange(isOpen_, store_.isOpen()) != isOpen_) outcome.hasChanged = true;
         return outcome;
     }
@@ -171,7 +175,7 @@ std::vector<hierarchy::PageDemand> rankedByBoxes(
     const selection::CutQuery& query,
     std::span<const hierarchy::PageDemand> demands,
     std::span<const hierarchy::PageInfo> pages) {
-    constexpr double kOutOfView = 1e-15; // asked for after all that is in view, before what is prefetched
+    constexpr double kOutOfView = 1e-15; // lower priority than all pages in view, but higher than prefetched pages
     std::vector<hierarchy::PageDemand> result(demands.begin(), demands.end());
     for (hierarchy::PageDemand& demand : result) {
         const hierarchy::PageInfo& info = pages[demand.page];
@@ -188,7 +192,7 @@ selection::DetailView continued(const selection::DetailView& before, const selec
     camera.eye = now.eye + frames * (now.eye - before.eye);
     const glm::dvec3 view = now.basis.view + frames * (now.basis.view - before.basis.view);
     const glm::dvec3 up = now.basis.up + frames * (now.basis.up - before.basis.up);
-    // A camera that jumps or spins leads nowhere that could be foreseen.
+    // For a camera that jumps or spins, the extrapolated direction is useless.
     const bool isSteady = glm::dot(view, now.basis.view) > 0.5 && glm::dot(up, now.basis.up) > 0.5;
     camera.target = camera.eye + (isSteady ? view : now.basis.view);
     camera.up = isSteady ? up : now.basis.up;

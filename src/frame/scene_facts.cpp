@@ -12,7 +12,7 @@ namespace gnomon::frame {
 
 namespace {
 
-/// What the light finds of the image between the depths of `seen`.
+/// Returns the receivers and casters of the image between the depths of `seen`.
 plan::SceneFacts::Light lightFacts(
     const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut, const DepthSpan& seen) {
     const selection::DetailView& detail = query.rule->view();
@@ -25,7 +25,7 @@ plan::SceneFacts::Light lightFacts(
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
     light.seen = culling::seenParts(query, cut.lists[0], seen);
-    if (view.pointLight) { // nobody has looked for surfaces that are turned from it
+    if (view.pointLight) { // lit sides are computed only for directional lights, so all depths count as lit
         light.lit = {seen};
         return light;
     }
@@ -43,7 +43,8 @@ selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye) 
     detail.basis = cameraBasis(view.camera);
     detail.tanHalfX = view.tanHalfX();
     detail.tanHalfY = view.tanHalfY();
-    // A distant eye counts pixels where the model ends for the largest, and no pixel may get more error than is asked.
+    // In a distant view, a pixel at the far end of the model is kDistantGrowth times as large as requested. The larger
+    // pixel count compensates for this, so that no pixel has more error than requested.
     detail.heightPixels = view.camera.isParallel() ? view.height * plan::kDistantGrowth : view.height;
     return detail;
 }
@@ -61,7 +62,7 @@ plan::SceneFacts sceneFacts(
     const std::optional<culling::VisibleDepths> seen = culling::visibleDepthRange(query, cut.lists[0], scratch);
     if (!seen || !(seen->span.far > 0)) return facts;
     facts.visible = {seen->span.near, seen->span.far, true};
-    // What is nearer than the widest range, which ends at a floor, is as good as at its near end.
+    // The widest range ends at the floor of near. Nearer depths are clamped to its near end.
     if (range)
         facts.light = lightFacts(
             view, query, cut, {std::max(seen->span.near, range->near), std::max(seen->span.far, range->near)});
@@ -69,7 +70,7 @@ plan::SceneFacts sceneFacts(
 }
 
 bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut) {
-    if (view.pointLight) return false; // nobody has looked
+    if (view.pointLight) return false; // lit sides are computed only for directional lights
     return !culling::mayFaceLight(query, cut.lists[0], view.light().unit());
 }
 

@@ -15,9 +15,9 @@ namespace gnomon::plan {
 struct DiscSampling {
     int directions = 1;
     double error = 1;
-    /// Min number of first points that represent the disc for penumbrae of at most one pixel. For a straight edge, the
-    /// error of the mean over a pixel is at most 0.106 of the penumbra's width. The centre of the disc alone has the
-    /// same error.
+    /// Number of points that suffices if no penumbra is wider than one pixel: the first `first` points, or more. For a
+    /// straight edge, the error of the mean over a pixel is then at most 0.106 of the penumbra's width. The centre of
+    /// the disc alone has the same error.
     int first = 1;
 };
 

@@ -58,7 +58,8 @@ SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choic
 std::vector<SchemeChoice> openChoices(const SchemeContext& context);
 
 /// Returns true if `a` is better than `b`. A candidate that meets the max aliasing is better than one that exceeds it.
-/// If both meet it, the lower cost is better. If both exceed it, the lower aliasing bound is better.
+/// If both meet it, the lower cost is better. If both exceed it, the lower aliasing bound is better. Face partitions
+/// and logarithmic rows must then lower the bound by a factor of kWorthwhile each.
 bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b);
 
 /// Returns the receivers of the context's frame, together with the memory of earlier frames.

@@ -8,10 +8,10 @@
 
 namespace gnomon::frame {
 
-/// Returns the subpixel position of frame `sample` (0, 1, ...) of an accumulation: pixels to the right and up from the
-/// pixel's centre, each in [-1/2, 1/2). The positions are the first two dimensions of the Sobol sequence (1967),
-/// shifted by half a pixel. The first is the centre. Of the first 2^m positions, each elementary rectangle with area
-/// 2^-m contains exactly one.
+/// Returns the subpixel position of frame `sample` (0, 1, ...) of an accumulation, relative to the pixel's centre. The
+/// unit is pixels to the right and up, each in [-1/2, 1/2). The positions are the first two dimensions of the Sobol
+/// sequence (1967), shifted by half a pixel. The first is the centre. Of the first 2^m positions, each elementary
+/// rectangle with area 2^-m contains exactly one.
 glm::dvec2 subpixelOffset(int sample);
 
 /// Returns the shift of the texel grids of frame `sample` (0, 1, ...) of an accumulation, in texels, each in [-1/2,
@@ -20,9 +20,9 @@ glm::dvec2 subpixelOffset(int sample);
 glm::dvec2 mapShift(int sample);
 
 /// The accumulation of frames of one view, and their mean. If the plan of the first frame samples the light's disc,
-/// each frame has one direction to the disc. If the plan samples the sky, each frame is the sum of two images: one with
-/// the light of the sun, the ground and the headlight, and one with the light of a part of the sky. Frames that only
-/// add directions to the disc are drawn only in the tiles with penumbrae.
+/// each frame has one direction to the disc. If the plan samples the sky, each frame is the sum of two images. The
+/// first has the light of the sun, the ground and the headlight. The second has the light of a part of the sky. Frames
+/// that only add directions to the disc are drawn only in the tiles with penumbrae.
 class Accumulation {
 public:
     /// Starts a new accumulation with `frame`, the last frame of `renderer`. This frame must have `isAccumulated` and

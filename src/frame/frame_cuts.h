@@ -11,7 +11,7 @@ namespace gnomon::frame {
 /// Returns the query that computes the cut of `frame`.
 selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame);
 
-/// An image and the margin of its cut.
+/// An image whose cut extends beyond its edges.
 struct CutView {
     const plan::View& view;
     double margin = 0; // pixels on each side of the image

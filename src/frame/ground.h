@@ -1,4 +1,4 @@
-// The ground: a plane under the model, of which only the shadows are visible.
+// The ground: an invisible plane under the model, which shows only the model's shadows.
 #pragma once
 
 #include "hierarchy/model.h"

@@ -1,4 +1,5 @@
-// The memory of a frame's image, without the pages of the model, and the division of a large image into bands.
+// The memory of a frame's image, without the pages of the model. An image that is too large is divided into bands of
+// rows.
 #pragma once
 
 #include "frame/frame_options.h"

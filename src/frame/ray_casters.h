@@ -12,7 +12,7 @@ ConvexVolume rayCasterVolume(const PreparedFrame& frame);
 /// ratio of 2. Near receivers thus increase only the detail of casters that shadow them.
 std::vector<selection::CasterDetail> pointCasterDetails(const PreparedFrame& frame);
 
-/// Returns the required detail of the casters of those rays for a directional light.
+/// Returns the required detail of all casters that rays can hit, for a directional light.
 selection::CasterDetail rayCasterDetail(const PreparedFrame& frame);
 
 } // namespace gnomon::frame

@@ -54,7 +54,7 @@ public:
     /// must be the image's.
     streaming::DemandOutcome serve(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
 
-    /// Returns the pages that `cut` of `query` needs. The result is exact if the cut wants no pages, and otherwise a
+    /// Returns the pages that `cut` of `query` needs. The result is exact if `cut.wanted` is empty, and otherwise a
     /// superset.
     std::vector<std::uint32_t> pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const;
 
@@ -75,14 +75,14 @@ public:
 
     /// Reserves `bytes` for an image, in addition to `reserve`. With `holdsPictures`, a third of the remaining memory
     /// is also reserved for the temporary memory of drawing, and the largest reservation so far is preserved. Throws
-    /// Error with the required memory if the image does not fit beside the pinned pages.
+    /// Error with the required memory if the image and the pinned pages do not fit together.
     void reservePicture(Bytes bytes);
 
     /// Returns true if `memory` includes the images.
     bool holdsPictures() const { return holdsPictures_; }
 
     /// Reserves memory for a ray tree per page, within the same memory limit, or deletes the trees and releases their
-    /// memory. Throws Error if they do not fit beside the pinned pages.
+    /// memory. Throws Error if the trees and the pinned pages do not fit together.
     void keepRayTrees(bool areKept);
 
     /// Returns the ray trees of resident pages. Requires keepRayTrees(true). The tree of a page is deleted when the
@@ -114,10 +114,10 @@ private:
     std::optional<selection::DetailView> before_; // view of the previous frame
 };
 
-/// Returns `demands` with priorities that use the boxes of their pages (rows of `pages`), so that the most urgent pages
-/// are first in a limited budget. Pages out of view come last, unless shadows need them. A group's sphere encloses the
-/// spheres of all finer groups. Inside a model, most spheres therefore contain the eye, and all pages would seem
-/// urgent. A priority is never increased, and pages with a root group are unchanged.
+/// Returns `demands` with priorities that use the boxes of their pages (rows of `pages`). The most urgent pages are
+/// then first in a limited budget. Pages out of view come last, unless shadows need them. Boxes are used because the
+/// sphere of a group encloses the spheres of all finer groups. Inside a model, most spheres therefore contain the eye,
+/// and all pages would seem urgent. A priority is never increased, and pages with a root group are unchanged.
 std::vector<hierarchy::PageDemand> rankedByBoxes(
     const selection::CutQuery& query,
     std::span<const hierarchy::PageDemand> demands,

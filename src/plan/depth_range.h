@@ -20,14 +20,14 @@ struct DepthRange {
 
 /// Returns the depth range of a frame.
 ///
-/// For a perspective view, near is the smallest view depth of a drawn surface, but at least the floor, rounded down to
-/// a step of 2^(1/4). It falls at once. It rises only after kFramesBeforeNearRises frames that permit a higher step.
-/// Far is the largest view depth. Stabilised slices quantise far too, because their texels must keep their size. If
-/// `quality` gives an end, `shown` can extend beyond it. The ends of `shown` have the same hysteresis as near, and its
-/// near end is at least far / 10,000.
+/// For a perspective view, near is the smallest view depth of a drawn surface, rounded down to a step of 2^(1/4). It is
+/// never below the floor. It falls at once. It rises only after kFramesBeforeNearRises frames that permit a higher
+/// step. Far is the largest view depth. Stabilised slices quantise far too, because their texels must keep their size.
+/// If `quality` gives an end, `shown` can extend beyond it. The ends of `shown` have the same hysteresis as near, and
+/// its near end is at least far / 10,000.
 ///
-/// For a parallel view, the ends are those of the visible surfaces, or of the model if slices are stabilised, and
-/// shadows are shown on all visible surfaces.
+/// For a parallel view, the range contains the visible surfaces. With stabilised slices, it contains the whole model.
+/// All visible surfaces show shadows.
 ///
 /// Throws Error if the given ends are not a valid range.
 DepthRange depthRange(

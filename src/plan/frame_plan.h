@@ -86,7 +86,7 @@ inline constexpr std::array kCasterCullings = {
     Word<CasterCulling>{CasterCulling::Receivers, "receivers"},
 };
 
-/// The settings of the user. The names are those of the command line.
+/// The user's settings, with the names of the command line.
 struct Quality {
     ShadowMode shadows = ShadowMode::Maps; // decideShadows replaces Auto
     // the reason why Auto means Maps; nullopt: the backend determines the kind
@@ -183,8 +183,8 @@ struct FramePlan {
     CasterCulling casterCulling = CasterCulling::On; // never Auto
     // false: no scheme that `auto` can choose has an aliasing bound of at most quality.maxAliasing
     bool promiseKept = true;
-    // Texels required for quality.maxAliasing; 0: no number suffices. If no open scheme meets it within the budget, the
-    // min over these schemes.
+    // ^Number of texels required for quality.maxAliasing; 0: no number suffices. If all open schemes require more than
+    // the budget, this is the smallest of their numbers.
     std::uint64_t texelsThatWouldDo = 0;
     std::uint64_t cost = 0; // estimated caster triangles + texels / 16
     Penumbra penumbra;      // for images that are the mean of frames

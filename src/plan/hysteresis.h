@@ -16,11 +16,11 @@ inline constexpr int kFramesBeforeMapsGo = 96;
 /// frame. If the old scheme exceeds the max aliasing and another scheme does not, the replacement is immediate.
 inline constexpr int kFramesBeforeSchemeGoes = 96;
 
-/// A scheme dominates another scheme if its cost is below this share of the other cost.
+/// A scheme dominates another scheme if its cost is below this share of the other scheme's cost.
 inline constexpr double kCheaper = 0.75;
 
-/// If no scheme meets the max aliasing, a scheme dominates another if its aliasing bound is below this share of the
-/// other bound.
+/// If all schemes exceed the max aliasing, a scheme dominates another scheme if its aliasing bound is below this share
+/// of the other scheme's bound.
 inline constexpr double kLower = 0.85;
 
 /// An effect is used if it multiplies the aliasing bound by at most this factor.
@@ -29,10 +29,10 @@ inline constexpr double kWorthwhile = 0.95;
 /// An effect of the previous frame stays in use if it multiplies the aliasing bound by at most this factor.
 inline constexpr double kStillWorthwhile = 0.99;
 
-/// Limits of a continuous motion between two views. A larger change is a camera cut, after which no state is kept
-/// (plan/view_jump.h). kJumpShare limits the movement of the eye, as a share of the largest visible depth. kJumpDegrees
-/// limits the rotation of the view direction, of the up direction and of the light. kJumpZoom limits the ratio of the
-/// image scales.
+/// Limits of a continuous motion between two views. A larger change is a camera cut, which clears all memory between
+/// frames (plan/view_jump.h). kJumpShare limits the movement of the eye, as a share of the largest visible depth.
+/// kJumpDegrees limits the rotation of the view direction, of the up direction and of the light. kJumpZoom limits the
+/// ratio of the image scales.
 inline constexpr double kJumpShare = 0.25;
 inline constexpr double kJumpDegrees = 30;
 inline constexpr double kJumpZoom = 1.25;

@@ -17,7 +17,7 @@ std::optional<OmissionReason> reasonForNoSoftness(const Quality& quality) {
     return std::nullopt;
 }
 
-/// Returns the tiles whose bound is at least `least`, or null if these are all tiles.
+/// Returns the tiles whose penumbra bound is at least `least` pixels, or null if these are all tiles of the image.
 std::shared_ptr<const shadow::TileMask> softTiles(const PenumbraBound& bound, double least) {
     shadow::TileMask mask{bound.tiles, {}};
     for (const double width : bound.byTile)

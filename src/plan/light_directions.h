@@ -25,7 +25,7 @@ struct DiscSampling {
 extern const std::array<DiscSampling, 23> kDiscSamplings;
 
 /// Returns the smallest number of directions whose error is at most 0.85 of `lightError`. The subpixel positions of the
-/// frames cause the remaining error. Returns the largest number if none is sufficient.
+/// frames cause the remaining error. Returns the largest number in the table if all errors are too large.
 int directionsFor(double lightError);
 
 /// Returns the penumbra width, in pixels perpendicular to the beam, up to which a point light replaces the disc. The

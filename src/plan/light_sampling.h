@@ -39,8 +39,8 @@ struct Penumbra {
     std::shared_ptr<const shadow::TileMask> tiles{};
 };
 
-/// Upper bounds of the penumbra widths per tile of an image, in pixels perpendicular to the beam. Without tiles,
-/// `widest` is the bound for the whole image.
+/// Upper bounds of the penumbra widths, one per tile of an image, in pixels perpendicular to the beam. If `byTile` is
+/// empty, `widest` is the bound for the whole image.
 struct PenumbraBound {
     double widest = 0;
     shadow::ImageTiles tiles;

@@ -28,7 +28,7 @@ constexpr bool isWithoutSun(Shading shading) {
     return shading == Shading::Headlight || shading == Shading::Unlit;
 }
 
-/// The colour of pixels without a surface.
+/// The background: the colour of pixels without a surface.
 struct Background {
     enum class Kind : std::uint8_t { Color, Sky, Transparent };
     Kind kind = Kind::Sky;

@@ -166,9 +166,9 @@ std::vector<SchemeCandidate> candidatesOf(const SchemeContext& context, const st
     return candidates;
 }
 
-/// Returns a candidate per choice. If none meets the max aliasing, the function ignores the hysteresis of empty slices
-/// and removes all maps that this frame does not need. It returns these candidates if one of them meets the max
-/// aliasing.
+/// Returns a candidate per choice. If no candidate meets the max aliasing, the function evaluates them again without
+/// hysteresis: slices without a receiver in this frame have no map. It returns the second list if one of its candidates
+/// meets the max aliasing.
 std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const auto keepsPromise = [](const SchemeCandidate& candidate) { return candidate.keepsPromise; };
     std::vector<SchemeCandidate> candidates = candidatesOf(context, choices);
@@ -183,8 +183,7 @@ std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const 
     return std::any_of(bare.begin(), bare.end(), keepsPromise) ? bare : candidates;
 }
 
-/// Returns the best candidate. The scheme of the previous frame is preserved unless another scheme dominates it for
-/// long enough.
+/// Returns the best candidate, or the scheme of the previous frame if hysteresis preserves it.
 SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const std::vector<SchemeCandidate> candidates = bestCandidates(context, choices);
     const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);

@@ -1,5 +1,5 @@
-// The choice of a scheme among those that the user's settings permit. The choice compares estimated costs and aliasing
-// bounds, with hysteresis in favour of the previous scheme.
+// The choice of a scheme from the schemes that the user's settings permit. The choice compares estimated costs and
+// aliasing bounds, with hysteresis in favour of the previous scheme.
 #pragma once
 
 #include "plan/empty_slices.h"
@@ -19,7 +19,7 @@ struct SchemeContext {
     Capabilities backend;
     std::optional<SchemeMemory> before; // the previous frame, if it had a scheme
     Receivers receivers;                // the receivers after `before`, including this frame
-    // true: a slice is empty if it has no receiver in this frame, whatever earlier frames had
+    // true: a slice without a receiver in this frame is empty, even if earlier frames had receivers there
     bool ignoreHistory = false;
 };
 
@@ -57,9 +57,9 @@ SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choic
 /// so more slices do not reduce the storage.
 std::vector<SchemeChoice> openChoices(const SchemeContext& context);
 
-/// Returns true if `a` is better than `b`. A candidate that meets the max aliasing is better than one that exceeds it.
-/// If both meet it, the lower cost is better. If both exceed it, the lower aliasing bound is better. Face partitions
-/// and logarithmic rows must then lower the bound by a factor of kWorthwhile each.
+/// Returns true if `a` is better than `b`. A candidate that meets the max aliasing is better than a candidate that
+/// exceeds it. If both meet it, the lower cost is better. If both exceed it, the lower aliasing bound is better. Face
+/// partitions and logarithmic rows must then lower the bound by a factor of kWorthwhile each.
 bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b);
 
 /// Returns the receivers of the context's frame, together with the memory of earlier frames.

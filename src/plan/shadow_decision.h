@@ -1,11 +1,11 @@
-// The choice of the kind of shadows of a frame, with its reason. No other file makes this choice.
+// The choice between shadow maps, exact shadows, rays and no shadows for a frame. No other file makes this choice.
 #pragma once
 
 #include "plan/frame_plan.h"
 
 namespace gnomon::plan {
 
-/// The kind of shadows of a frame and the reason.
+/// The chosen kind of shadows of a frame, and the reason for it.
 struct ShadowDecision {
     ShadowMode mode = ShadowMode::Maps; // never Auto
     ShadowReason reason = ShadowReason::Requested;

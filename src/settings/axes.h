@@ -1,4 +1,4 @@
-// The axes of a bench: settings with the values that each takes, and all their combinations.
+// The axes of a bench: each swept setting with its list of values, and all combinations of the values.
 #pragma once
 
 #include "settings/setting.h"
@@ -9,16 +9,17 @@
 
 namespace gnomon::settings {
 
-/// A setting and the values that it takes, at least one.
+/// A swept setting and its values, at least one.
 struct Axis {
     const Setting* setting = nullptr;
     std::vector<Value> values;
 };
 
-/// The axis of `list`, values with commas between them, each once. Throws UsageError that names `option`.
+/// Parses a list of values that are separated by commas. Throws UsageError that names `option` if a value is invalid or
+/// occurs twice.
 Axis parseAxis(const Setting& setting, const std::string& option, const std::string& list);
 
-/// `fixed` with every combination of the values of `axes`; the last axis varies fastest.
+/// Returns a copy of `fixed` for each combination of the values of `axes`. The last axis varies fastest.
 std::vector<Settings> combinations(const Settings& fixed, std::span<const Axis> axes);
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// The choice of the backend that draws, and the options that only the software backend can draw.
+// The choice of the backend, and the options that only the software backend can draw.
 #pragma once
 
 #include "settings/settings.h"
@@ -9,49 +9,49 @@
 
 namespace gnomon::settings {
 
-/// The commands that draw. `Render` stands for each command that draws pictures without a path of frames to measure.
+/// The kinds of commands that draw. `Render` includes all commands except bench and view.
 enum class DrawingCommand : std::uint8_t { Render, Bench, View };
 
 /// An option that the backends of OpenGL cannot draw.
 struct BackendNeed {
-    std::string option; // as it is written, with its value
-    std::string reason; // "only the software backend draws sections"
+    std::string option; // with its value, as on the command line: "--ground on"
+    std::string reason; // half a sentence: "only the software backend draws sections"
 };
 
-/// The facts that decide the backend.
+/// The input of `chooseBackend`.
 struct BackendRequest {
     Backend requested = Backend::Auto;
     DrawingCommand command = DrawingCommand::Render;
-    int pictures = 1;                // of a render
-    bool hasGpu = false;             // of a view: the window's OpenGL is that of a GPU
-    std::optional<BackendNeed> need; // of the requested options
+    int pictures = 1;                // number of pictures of a render
+    bool hasGpu = false;             // for a view: the OpenGL of the window runs on a GPU
+    std::optional<BackendNeed> need; // the first requested option that only the software backend can draw
 };
 
-/// A backend, never Auto, and the reason for it.
+/// A backend (never Auto) and the reason for the choice.
 struct BackendChoice {
     Backend backend = Backend::Software;
     std::string reason; // half a sentence: "this machine has no GPU"
 };
 
-/// Returns the requested backend, or chooses one. The software backend draws one picture in less time than a GPU takes
-/// to open, so `auto` uses a GPU for two or more pictures, for a bench and in the window. It never uses a GPU for
-/// options with a need.
+/// Returns the requested backend, or chooses one for `auto`. The software backend draws one picture in less time than a
+/// GPU takes to open. Therefore `auto` uses a GPU only for two or more pictures, for a bench and in the window. It uses
+/// the software backend if an option needs it.
 BackendChoice chooseBackend(const BackendRequest& request);
 
-/// Returns the capabilities of `backend`, which is not Auto.
+/// Returns the capabilities of `backend`, which must not be Auto.
 plan::Capabilities capabilitiesOf(Backend backend);
 
-/// Returns "only the software backend draws sections" for the capability `sections`, and so on.
+/// Returns a half sentence for a capability: "only the software backend draws sections" for `sections`.
 std::string onlySoftware(bool plan::Capabilities::*capability);
 
-/// Returns the first option that a backend with `capabilities` cannot draw; nothing if it can draw all options.
+/// Returns the first option that a backend with `capabilities` cannot draw, or nullopt if it can draw all options.
 std::optional<BackendNeed> unmetNeed(
     const Settings& settings, const ValueColors& colors, const plan::Capabilities& capabilities);
 
-/// Returns the first option that only the software backend can draw.
+/// Returns the first option that only the software backend can draw, or nullopt.
 std::optional<BackendNeed> softwareNeed(const Settings& settings, const ValueColors& colors = {});
 
-/// Throws UsageError if the requested backend cannot draw the requested options.
+/// Throws UsageError if the requested backend cannot draw the requested options. Accepts Auto.
 void requireCapable(const Settings& settings, const ValueColors& colors = {});
 
 } // namespace gnomon::settings

@@ -1,4 +1,5 @@
-// How values are written: for each type of value what reads it from text, what writes it, and what a text must be.
+// Codecs between text and values: for each type of setting a function that parses it, a function that writes it, and
+// the expected form for error messages.
 #pragma once
 
 #include "core/units.h"
@@ -17,16 +18,16 @@
 
 namespace gnomon::settings {
 
-/// How values of one type are written. Writing a value that was read gives a text that reads back as the same value.
+/// The conversion between text and values of one type. `write` returns a text from which `read` returns the same value.
 template <class T>
 struct Codec {
-    std::function<std::optional<T>(const std::string& text)> read; // nothing: the text is none
+    std::function<std::optional<T>(const std::string& text)> read; // nullopt: the text is invalid
     std::function<std::string(const T& value)> write;
-    std::string expected;             // of a text, for whom is refused
-    std::vector<std::string> words{}; // all texts, where they are words of a list
+    std::string expected;             // the valid texts, for error messages
+    std::vector<std::string> words{}; // all valid texts, if the type is a list of words
 };
 
-/// The value of `text`. Throws UsageError that names `option`.
+/// Returns the value of `text`. Throws UsageError that names `option` if the text is invalid.
 template <class T>
 T parsed(const Codec<T>& codec, const std::string& option, const std::string& text) {
     std::optional<T> value = codec.read(text);
@@ -34,54 +35,62 @@ T parsed(const Codec<T>& codec, const std::string& option, const std::string& te
     return *value;
 }
 
-/// The shortest text that reads back as `value`: "0.1".
+/// Returns the shortest text that reads back as `value`: "0.1".
 std::string shortest(double value);
 
-/// Finite numbers that `isAllowed`; `expected` names them.
+/// Returns the codec for finite numbers for which `isAllowed` returns true. `expected` describes these numbers in error
+/// messages.
 Codec<double> number(std::string expected, bool (*isAllowed)(double));
+
+/// Returns the codec for finite numbers.
 Codec<double> anyNumber();
+
+/// Returns the codec for finite numbers above 0.
 Codec<double> positiveNumber();
 
-/// A distance whose ratios and products a float can still hold.
+/// Returns the codec for distances from 1e-15 to 1e15. Ratios and products of two such distances do not overflow a
+/// float.
 Codec<double> distance();
 
-/// Whole numbers in [low, high].
+/// Returns the codec for whole numbers in [low, high].
 Codec<int> whole(int low, int high);
 
-/// A whole number from 0 to 2^64 - 1.
+/// Returns the codec for the seed of a random generator, a whole number from 0 to 2^64 - 1.
 Codec<std::uint64_t> seed();
 
-/// "on" and "off".
+/// Returns the codec for "on" and "off".
 Codec<bool> onOff();
 
-/// "x,y,z".
+/// Returns the codec for "x,y,z", three finite numbers.
 Codec<glm::dvec3> vector();
 
-/// "x,y,z" of a length that is finite and above 0.
+/// Returns the codec for "x,y,z", a vector whose length is finite and above 0.
 Codec<glm::dvec3> direction();
 
-/// Stands for "auto" where a direction is asked for.
+/// The value of "auto" in `upDirection`.
 constexpr glm::dvec3 kAutoUp{0};
 
-/// A direction, the name of an axis ("z", "-x"), or "auto".
+/// Returns the codec for an up direction: "x,y,z", the name of an axis ("z", "-x"), or "auto".
 Codec<glm::dvec3> upDirection();
 
-/// "WxH", both at least 1, that `isAllowed`; `limit` says what of them is, behind a comma.
+/// Returns the codec for "WxH" with W and H of at least 1. It rejects sizes for which `isAllowed` returns false.
+/// `limit` describes this condition in error messages: "WxH, LIMIT".
 Codec<std::array<int, 2>> size(const std::string& limit, bool (*isAllowed)(const std::array<int, 2>& size));
 
-/// A count above 0 such as 500k or 2M.
+/// Returns the codec for a count above 0, such as 500k or 2M (powers of 1000).
 Codec<std::uint64_t> count();
 
-/// A memory size above 0 such as 512M or 2G.
+/// Returns the codec for a memory size above 0, such as 512M or 2G (powers of 1024).
 Codec<Bytes> memory();
 
-/// Any text.
+/// Returns the codec that accepts any text.
 Codec<std::string> text();
 
-/// The parts of `list` between commas: at least one, none of them empty. Throws UsageError that names `option`.
+/// Splits `list` at its commas and returns the items, at least one. Throws UsageError that names `option` if an item is
+/// empty.
 std::vector<std::string> listItems(const std::string& option, const std::string& list);
 
-/// "auto", which is nothing, and what `codec` reads.
+/// Returns a codec that also accepts "auto". The value of "auto" is nullopt.
 template <class T>
 Codec<std::optional<T>> orAuto(Codec<T> codec) {
     const std::string expected = "auto or " + codec.expected;
@@ -95,7 +104,7 @@ Codec<std::optional<T>> orAuto(Codec<T> codec) {
         expected};
 }
 
-/// What `codec` reads; nothing, which has no text, is what was not given.
+/// Returns a codec for an option that can be missing. A missing option has the value nullopt and an empty text.
 template <class T>
 Codec<std::optional<T>> ifGiven(Codec<T> codec) {
     return {
@@ -107,7 +116,7 @@ Codec<std::optional<T>> ifGiven(Codec<T> codec) {
         codec.expected};
 }
 
-/// The words of a list (core/words.h). A value that has none is written as nothing.
+/// Returns the codec for the words of a list (core/words.h). A value without a word has an empty text.
 template <class Words>
 auto oneOf(const Words& words) {
     using T = std::decay_t<decltype(std::begin(words)->value)>;

@@ -1,4 +1,4 @@
-// The settings of what a picture looks like besides its shadows.
+// The settings for the look of a picture, except its shadows.
 #pragma once
 
 #include "settings/setting.h"
@@ -7,13 +7,14 @@
 
 namespace gnomon::settings {
 
-/// Projection, shading, ambient light and background. No bench sweeps them.
+/// Returns the settings for projection, shading, ambient light, background, ground and sections. A bench does not sweep
+/// them.
 std::vector<Setting> lookSettings();
 
-/// "PX,PY,PZ,NX,NY,NZ", several with semicolons between.
+/// Returns the codec for 1 to kMostSections planes "PX,PY,PZ,NX,NY,NZ" (a point and a normal), separated by semicolons.
 Codec<std::vector<Section>> sections();
 
-/// "sky", "transparent", "white", or a colour as "#rrggbb", which is sRGB.
+/// Returns the codec for a background: "sky", "transparent", "white", or an sRGB colour "#rrggbb".
 Codec<plan::Background> background();
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// What `gnomon path` is asked for.
+// The options of `gnomon path`.
 #pragma once
 
 #include "path/walk.h"
@@ -12,13 +12,16 @@ inline constexpr const char* kPathKindHelp =
     "through rooms, doors and stairs, or around a thing that has no floor. Orbit, flyby and approach take 12 s. Source "
     "writes the cameras of the source, a glTF, a second apart";
 
+/// The kind of the camera path and the options of a walk.
 struct PathOptions {
-    std::string kind;
+    std::string kind; // "walk", "orbit", "flyby", "approach" or "source"
     path::WalkOptions walk;
 };
 
-/// Throws UsageError where there is no such kind of path, where options of a walk are given with another one, or where
-/// they are no storey (0 or more) or height (finite, above 0).
+/// Throws UsageError in these cases:
+/// - the kind of path is unknown,
+/// - an option of a walk is given for another kind,
+/// - the storey is negative, or the eye height is not finite and above 0.
 void checkPathOptions(const PathOptions& options);
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// Pictures in number as they are asked for: along a camera path, or all around the model.
+// The options of a series of pictures, along a camera path or on a turntable around the model.
 #pragma once
 
 #include "settings/settings.h"
@@ -8,20 +8,21 @@
 
 namespace gnomon::settings {
 
-/// Which pictures, and where they go.
+/// The options for the cameras and the output of a series.
 struct PictureSeries {
-    std::string path;          // a camera path; empty: none
-    std::optional<int> frames; // of it, evenly; nothing: 60
-    int turntable = 0;         // or so many all around the target; 0: none
-    std::string output;        // a pattern of file names such as frame%04d.png, or "-" for YUV4MPEG2
+    std::string path;          // file of a camera path; empty: no path
+    std::optional<int> frames; // number of pictures at even times along the path; nullopt: 60
+    int turntable = 0;         // number of pictures in a full turn around the target; 0: no turntable
+    std::string output;        // pattern of file names such as frame%04d.png, or "-" for a YUV4MPEG2 stream
 
     bool isAsked() const { return !path.empty() || turntable > 0; }
 };
 
-/// Throws UsageError for what contradicts itself. `isNumbered` if the output's name has a number in it.
+/// Throws UsageError if options contradict each other. `isNumbered` is true if the name of the output contains a number
+/// pattern.
 void requireSound(const PictureSeries& series, const Settings& settings, bool isNumbered, bool hasOverlay);
 
-/// Throws UsageError for an overlay, whose legend lies on the background, where that is transparent.
+/// Throws UsageError for an overlay with a transparent background, because the legend is drawn on the background.
 void requireLegendShown(const Settings& settings, bool hasOverlay);
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// A frame's plan as a JSON document and as text: what `gnomon explain` prints.
+// The output of `gnomon explain`: the plan of a frame as JSON or as text.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -10,11 +10,11 @@
 
 namespace gnomon::settings {
 
-/// Returns the JSON document of `gnomon explain`: the plan, and the backend that it is for. Matrices and planes are in
-/// world space: a plane (x, y, z, offset) contains the points whose product with (point, 1) is at least 0.
+/// Returns the JSON document of `gnomon explain`: the plan and its backend. Matrices and planes are in world space. A
+/// matrix has 16 numbers, row by row. A point p is inside a plane (x, y, z, offset) if dot((x, y, z), p) + offset >= 0.
 nlohmann::ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend);
 
-/// Returns the same as text.
+/// Returns the plan and its backend as text for people.
 std::string planText(const plan::FramePlan& plan, const BackendChoice& backend);
 
 } // namespace gnomon::settings

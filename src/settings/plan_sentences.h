@@ -1,4 +1,5 @@
-// What a plan goes without, and where its depth range comes from, in sentences: the one place for all who show them.
+// The words for a plan: its skipped effects with their reasons, its shadows, its light and the source of its depth
+// range. The window, the report and `gnomon explain` all use these words.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -7,22 +8,23 @@
 
 namespace gnomon::settings {
 
-/// The name of what is left out: "warp", "map of slice 2".
+/// Returns the name of the skipped effect: "warp", "map of slice 2".
 std::string effectInWords(const plan::Omission& omission);
 
-/// Why, as half a sentence: "switched off".
+/// Returns the reason for the skipped effect, as half a sentence: "switched off".
 std::string reasonInWords(const plan::Omission& omission);
 
-/// Returns the reason for the kind of shadows of a frame, as half a sentence.
+/// Returns the reason for the choice of shadow maps, exact shadows or others, as half a sentence.
 std::string reasonInWords(plan::ShadowReason reason);
 
-/// Returns the kind of shadows of a plan and the reason, as one line.
+/// Returns one line with the kind of the plan's shadows and its reason: "shadows exact: they are requested".
 std::string shadowsInWords(const plan::FramePlan& plan);
 
-/// From how many directions the light of the plan's pictures comes, a line each; empty where one will do.
+/// Returns lines with the numbers of light directions for penumbrae and for the sky. Returns an empty text if one
+/// direction is sufficient.
 std::string lightInWords(const plan::FramePlan& plan);
 
-/// Where an end of the depth range comes from: "the nearest surface in view".
+/// Returns the source of an end of the depth range: "the nearest surface in view".
 std::string sourceInWords(plan::DepthSource source);
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// From settings to the view and the quality that they ask for together, contradictions refused.
+// Conversion of settings to the view and the quality of a frame, with errors for settings that contradict each other.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -10,42 +10,45 @@
 
 namespace gnomon::settings {
 
-/// What is written behind options, by the names of their settings.
+/// The texts of the given options, by the name of the setting.
 using SettingTexts = std::map<std::string, std::string>;
 
-/// Those settings, the others as they are by default; likewise those that a bench sweeps, but `withSwept`. Throws
-/// UsageError for texts that are no value, for names that are none of a setting, and for maps asked for beside exact
-/// shadows.
+/// Returns settings with the values of `texts`, and the default for all others. Without `withSwept`, settings that a
+/// bench sweeps have their default too. Throws UsageError for an invalid text, for an unknown name, and for options of
+/// shadow maps together with exact shadows.
 Settings settingsOf(const SettingTexts& texts, bool withSwept = true);
 
-/// Throws UsageError if `texts` ask for exact shadows beside `option`, which is about shadow maps.
+/// Throws UsageError if `texts` request exact shadows. `option` applies to shadow maps only.
 void requireMapsFor(const std::string& option, const SettingTexts& texts);
 
-/// Whether the settings say where the camera is or what it is like.
+/// Returns true if the settings give a camera file, an eye, a target, a side of the model or an angle of view.
 bool isPosed(const Settings& settings);
 
-/// Whether the eye is where it sees the whole model, for nothing says where else.
+/// Returns true if no option gives the position of the eye, so that the camera frames the whole model.
 bool isFramed(const Settings& settings);
 
-/// The view that is asked for; where no camera is given, `outline` (path/outline.h) is framed, or the bounds of
-/// `summary` where it is empty. An up that is auto is the model's own. Reads the camera file, if there is one. Throws
-/// UsageError for contradictions, Error for a file that is no camera.
+/// Returns the requested view. Reads the camera file, if one is given. Without a given camera, the view frames the
+/// points of `outline` (path/outline.h), or the bounds in `summary` if `outline` is empty. The up direction `auto`
+/// gives the up direction that the model stores. Throws UsageError for contradictions, and Error if the file is not a
+/// camera.
 plan::View viewOf(
     const Settings& settings, const hierarchy::ModelSummary& summary, std::span<const glm::dvec3> outline = {});
 
-/// `settings` with the up that they ask for: by the shape of `model` where it is auto, for which coarse pages are read.
+/// Returns `settings` with a known up direction. `auto` is replaced by an estimate from the shape of `model`, for which
+/// the function reads coarse pages.
 Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model);
 
-/// The same with that up and the outline of `model`, whose coarse pages it reads where it has to frame it.
+/// Returns the requested view with the up direction of `uprightIn`. If the camera has to frame the model, the function
+/// reads coarse pages for the outline.
 plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model);
 
-/// Gives `view` the sections that are asked for.
+/// Sets the section planes of `view` (world space), and whether they also cut casters.
 void setSections(const Settings& settings, plan::View& view);
 
-/// Throws UsageError where a point light is asked for beside `option`, which knows none.
+/// Throws UsageError if a point light is requested. `option` applies to directional lights only.
 void requireDirectionalLight(const Settings& settings, const std::string& option);
 
-/// The quality that is asked for. Throws UsageError for contradictions.
+/// Returns the requested quality. Throws UsageError for contradictions.
 plan::Quality qualityOf(const Settings& settings);
 
 } // namespace gnomon::settings

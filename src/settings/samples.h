@@ -1,4 +1,4 @@
-// How many frames a picture is the mean of, --samples.
+// The number of frames that are averaged for a picture (--samples).
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@ namespace gnomon::settings {
 inline constexpr int kUsualSamples = 16;
 inline constexpr int kMostSamples = 65535;
 
-/// What was asked for beside --samples that has to do with it.
+/// The other options of the command that restrict the number of frames. True: the option is given.
 struct BesideSamples {
     bool overlay = false;
     bool values = false;
@@ -17,13 +17,14 @@ struct BesideSamples {
     bool depth = false;
     bool shadowDepth = false;
     bool reference = false;
-    bool sunAngle = false; // asked for, and no point
+    bool sunAngle = false; // with an angle above 0
     bool sky = false;
 };
 
-/// As many as `asked` for; else kUsualSamples, but 1 beside options whose figures or colours are those of one frame,
-/// and beside --reference, which may have been one. Throws UsageError where several frames are asked for beside the
-/// former, or one beside what one frame cannot show.
+/// Returns the number of frames for a picture: `asked`, or a default. The default is kUsualSamples. It is 1 with
+/// options whose values or colours describe one frame, and with --reference, because the reference may be one frame.
+/// Throws UsageError if several frames are requested with an option that describes one frame, or if one frame has to
+/// show penumbrae or the sky.
 int samplesOf(const std::optional<int>& asked, const BesideSamples& beside);
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// One setting: its name, its help and how its value is read, written, found and changed, whatever its type.
+// A setting of any type: its name, its help, and functions that parse, write, get and set its value.
 #pragma once
 
 #include "settings/codec.h"
@@ -15,38 +15,39 @@
 
 namespace gnomon::settings {
 
-/// A value of the type of its setting.
+/// The value of a setting, with the type of the setting.
 using Value = std::any;
 
-/// What kind of value a setting has, for those who offer it: words, on and off, int, std::optional<int>, double,
-/// std::array<int, 2>, or anything else.
+/// The kind of a setting's value. It decides the control in the window and the steps of keys. In order: a list of
+/// words, bool, int, std::optional<int>, double, std::array<int, 2>, and all other types.
 enum class Kind : std::uint8_t { Words, Switch, Whole, WholeOrAuto, Number, Size, Other };
 
-/// How a window offers a setting.
+/// The control of a setting in the window.
 struct Offer {
-    std::string title{}; // empty: it does not
-    double least = 0;    // of numbers, and of each side of a size
-    double most = 0;
-    std::vector<int> steps{}; // of a whole number: those that its key steps through; empty: all
+    std::string title{};      // empty: the window has no control for it
+    double least = 0;         // min of a number, and of each side of a size
+    double most = 0;          // max of the same
+    std::vector<int> steps{}; // the values of a whole number that its key steps through; empty: all numbers
 };
 
-/// What is said of a setting.
+/// The name, the help and the properties of a setting.
 struct Description {
     std::string name; // "error-pixels"
-    std::string form; // of its text, for the help: "T"; empty: its words
+    std::string form; // placeholder for the value in the help: "T"; empty: the list of words
     std::string help;
-    bool isRepeated = false;    // may be given several times; its text is all of them with semicolons between
-    bool isSwept = false;       // a bench takes a list of values
-    bool isOfMaps = false;      // it says how shadow maps are, and contradicts shadows without them
-    bool changesPicture = true; // else the picture is the same for all its values, but for the time that it takes
-    std::string statedAs{};     // under which key a bench states it and a baseline must agree; empty: it does not
-    std::string quantity{};     // what errors of the engines call it: "image size"
+    bool isRepeated = false;    // the option can occur several times; semicolons separate the values in its text
+    bool isSwept = false;       // a bench accepts a list of values
+    bool isOfMaps = false;      // it applies to shadow maps only, and contradicts exact shadows
+    bool changesPicture = true; // false: it changes only the time, and the picture is the same for all values
+    std::string statedAs{};     // key in the context of a bench, which must equal the baseline's; empty: no key
+    std::string quantity{};     // its name in error messages of lower layers: "image size"
     Offer offer{};
 };
 
+/// One setting of any type.
 class Setting {
 public:
-    /// The setting that `codec` reads and writes, `get` finds and `set` changes.
+    /// Makes a setting. `codec` parses and writes its value, `get` reads the value from Settings, and `set` writes it.
     template <class T, class Get, class Set>
     Setting(Description description, const Codec<T>& codec, Get get, Set set)
         : description_(std::move(description)),
@@ -69,20 +70,21 @@ public:
 
     Kind kind() const { return kind_; }
 
-    /// All its texts, where they are words of a list.
+    /// Returns all valid texts if the kind is Words or Switch; otherwise an empty list.
     const std::vector<std::string>& words() const { return words_; }
 
-    /// "--error-pixels".
+    /// Returns the option: "--error-pixels".
     std::string option() const { return "--" + description_.name; }
 
-    /// "error_pixels": in logs and in the names of runs.
+    /// Returns the name in logs and in names of runs: "error_pixels".
     std::string column() const {
         std::string text = description_.name;
         std::replace(text.begin(), text.end(), '-', '_');
         return text;
     }
 
-    /// The value of `text`. Throws UsageError that names `option`, of which there may be others than `option()`.
+    /// Returns the value of `text`. Throws UsageError that names `option`, which can differ from `option()` because
+    /// several options can set the same setting.
     Value parse(const std::string& option, const std::string& text) const {
         refuseRemovedWord(this->option(), text);
         return parse_(option, text);
@@ -92,7 +94,7 @@ public:
 
     std::string text(const Value& value) const { return write_(value); }
 
-    /// The text of its value in `settings`; empty for what was not given.
+    /// Returns the text of the value in `settings`. The text is empty for an option that is not given.
     std::string text(const Settings& settings) const { return write_(get_(settings)); }
 
     Value value(const Settings& settings) const { return get_(settings); }

@@ -1,4 +1,4 @@
-// The values of all settings, each of its own type; table.h says how each is called, written and changed.
+// The values of all settings. The table of settings (table.h) contains the name, the text form and the help of each.
 #pragma once
 
 #include "core/units.h"
@@ -15,7 +15,7 @@
 
 namespace gnomon::settings {
 
-/// Where a plan is executed.
+/// The backend that draws a plan, or Auto.
 enum class Backend : std::uint8_t { Auto, Software, Osmesa, Egl, Window };
 inline constexpr std::array kBackends = {
     Word<Backend>{Backend::Auto, "auto"},
@@ -32,56 +32,56 @@ inline plan::Quality openQuality() {
     return quality;
 }
 
-/// Where and when the Sun is asked for.
+/// The place and the time for which the position of the Sun is computed.
 struct SunTime {
     sun::Place place;
     sun::CivilTime time;
 };
 
-/// A plane by a point and a direction; what lies on that side of it is cut away.
+/// A section plane through `point`. It removes all geometry on the side to which `normal` points.
 struct Section {
     glm::dvec3 point{0};
-    glm::dvec3 normal{0, 1, 0}; // of a finite length above 0
+    glm::dvec3 normal{0, 1, 0}; // any finite length above 0
 
     bool operator==(const Section&) const = default;
 };
 
-/// How many sections a picture may have.
+/// The max number of sections of a picture.
 inline constexpr std::size_t kMostSections = 6;
 
-/// Whether what sections cut away casts shadows.
+/// Cut: the geometry that sections remove casts no shadow. Keep: it casts shadows.
 enum class SectionCasters : std::uint8_t { Cut, Keep };
 inline constexpr std::array kSectionCasters = {
     Word<SectionCasters>{SectionCasters::Cut, "cut"},
     Word<SectionCasters>{SectionCasters::Keep, "keep"},
 };
 
-/// What a person can ask for of a view and its quality. What stands in `quality` the plan takes as it is.
+/// The requested view and quality, before contradictions are checked (settings/resolve.h).
 struct Settings {
     std::array<int, 2> imageSize{800, 800}; // pixels
-    std::string cameraFile;                 // empty: none
-    std::optional<glm::dvec3> eye;          // nothing: frames the model
+    std::string cameraFile;                 // empty: no camera file
+    std::optional<glm::dvec3> eye;          // nullopt: the camera frames the model
     std::optional<glm::dvec3> target;
     std::optional<glm::dvec3> up;
     std::optional<double> fovYDegrees;
-    std::optional<path::ViewSide> side;   // nothing: a three-quarter view
-    std::optional<Projection> projection; // nothing: the camera file's or the path's, else perspective
+    std::optional<path::ViewSide> side;   // nullopt: a three-quarter view
+    std::optional<Projection> projection; // nullopt: from the camera file or the path, else perspective
     glm::dvec3 towardsLight{0.4, 1, 0.3};
-    bool isLightGiven = false;             // towardsLight was asked for; else it stands in a world with y up
-    std::optional<glm::dvec3> lightAt;     // a point light there takes the place of towardsLight
-    std::optional<SunTime> sun;            // takes the place of towardsLight
-    std::optional<double> north;           // degrees; see --north
-    std::optional<double> sunAngleDegrees; // across the light's disc; nothing: the sun's with `sun`, else a point
+    bool isLightGiven = false;             // false: path::usualLight for the up direction replaces towardsLight
+    std::optional<glm::dvec3> lightAt;     // position of a point light, which replaces towardsLight
+    std::optional<SunTime> sun;            // replaces towardsLight by the direction of the Sun
+    std::optional<double> north;           // degrees, clockwise seen from above; see --north
+    std::optional<double> sunAngleDegrees; // diameter of the light's disc; nullopt: the Sun's with `sun`, else 0
     std::vector<Section> sections;
     SectionCasters sectionCasters = SectionCasters::Cut;
     plan::Quality quality = openQuality();
-    bool isWarpGiven = false;       // quality.warp.rule was asked for
-    std::optional<double> eta;      // takes the place of quality.warp.rule
-    std::optional<double> tsmFocus; // 0: found by itself
+    bool isWarpGiven = false;       // quality.warp.rule is requested by an option
+    std::optional<double> eta;      // replaces quality.warp.rule; [-1, 1] of Lloyd et al. 2006
+    std::optional<double> tsmFocus; // distance from near; 0: automatic
     Backend backend = Backend::Auto;
     Bytes memory = gibibytes(1);
     Bytes gpuMemory = gibibytes(1);
-    std::string shaderFolder; // empty: the built-in ones
+    std::string shaderFolder; // empty: the built-in shaders
 };
 
 } // namespace gnomon::settings

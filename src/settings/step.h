@@ -1,4 +1,4 @@
-// The steps by which keys and buttons change a setting.
+// The steps by which keys and buttons of the window change a setting.
 #pragma once
 
 #include "settings/setting.h"
@@ -7,12 +7,16 @@
 
 namespace gnomon::settings {
 
-/// Takes `step` steps: words and offered numbers go round, a switch turns over, other numbers stay within what is
-/// offered; a number goes by factors of sqrt(2), a size doubles or halves as a count. A step of 0 turns "auto" on or
-/// off where there is one.
+/// Changes `setting` by `steps` steps, by its kind:
+/// - a word, or a whole number with a list of steps, moves along its list and wraps around;
+/// - a switch is inverted;
+/// - another whole number changes by 1 per step, within the offered range;
+/// - a number changes by a factor of sqrt(2) per step, within the offered range;
+/// - a size doubles one side (if `steps` is positive) or halves one side, within the offered range.
+/// For a setting with "auto", 0 steps switch between "auto" and a number.
 void step(const Setting& setting, Settings& settings, int steps);
 
-/// The setting and its value for people: "slices: 4", "error pixels: 1.41".
+/// Returns the title and the value of a setting for people, with three digits: "slices: 4", "error pixels: 1.41".
 std::string inWords(const Setting& setting, const Settings& settings);
 
 } // namespace gnomon::settings

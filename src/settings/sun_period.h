@@ -1,12 +1,12 @@
-// A period over which hours of sun are counted, and what settings of a view mean there.
+// The period of an analysis of sun hours, and the settings that such an analysis accepts.
 #pragma once
 
 #include "settings/settings.h"
 
 namespace gnomon::settings {
 
-/// [from, to) in steps, in a world whose true north lies `northDegrees` clockwise of its own, seen from above, and in
-/// which `up` is up.
+/// The period [from, to) at a place, in steps of `stepSeconds`. `up` is the up direction of the world. True north is
+/// `northDegrees` clockwise of the model's north, seen from above (see `towardsSun`).
 struct SunPeriod {
     sun::Place place;
     sun::CivilTime from;
@@ -16,17 +16,17 @@ struct SunPeriod {
     glm::dvec3 up{0, 1, 0};
 };
 
-/// More steps than that are refused.
+/// The max number of steps of a period.
 inline constexpr double kMostSunSteps = 1e6;
 
-/// How many steps have their middles in the period. Throws UsageError where there is none, or too many.
+/// Returns the number of steps whose middle is in the period. Throws UsageError if it is 0 or above kMostSunSteps.
 std::size_t stepCount(const SunPeriod& period);
 
-/// `settings` for hours of sun: from above where they pose no camera, by exact shadows, without a light of their own.
-/// Throws UsageError for what contradicts that.
+/// Returns `settings` for sun hours: with exact shadows, the software backend, and a view from above if no camera is
+/// given. Throws UsageError if the settings give another light, other shadows or another backend.
 Settings sunHoursSettings(const Settings& settings);
 
-/// Throws UsageError where `settings` ask for a light or a view, which hours of sun of points have none of.
+/// Throws UsageError if `settings` give a light or a view. Sun hours of points or vertices use neither of them.
 void requirePointHours(const Settings& settings);
 
 } // namespace gnomon::settings

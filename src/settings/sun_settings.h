@@ -1,4 +1,4 @@
-// The Sun as a light: how its place and time are written, and which way it lies.
+// The settings of lights: the Sun at a place and time, a point light, and the sky.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -7,40 +7,42 @@
 
 namespace gnomon::settings {
 
-/// "LAT,LON", degrees; the height stays 0.
+/// Returns the codec for a place "LAT,LON" in degrees. The height is 0.
 Codec<sun::Place> place();
 
-/// "2026-06-21T12:00+02:00", ISO 8601 with an offset, in the years from 1 to 9999.
+/// Returns the codec for a time in ISO 8601 with an offset from UTC, in the years 1 to 9999: "2026-06-21T12:00+02:00".
 Codec<sun::CivilTime> moment();
 
-/// "5m", "90s", "1.5h": a time above 0, in seconds.
+/// Returns the codec for a duration above 0, such as "5m", "90s" or "1.5h". The value is in seconds.
 Codec<double> duration();
 
-/// Both, "LAT,LON,TIME".
+/// Returns the codec for a place and a time, "LAT,LON,TIME".
 Codec<SunTime> sunTime();
 
-/// "N", uniform, or "N,MODEL": directions of a sky.
+/// Returns the codec for the light of the sky: "N" directions of a uniform sky, or "N,MODEL".
 Codec<plan::SkyLight> skyLight();
 
-/// `--sun`, `--north` and what else says where light comes from: rows of the table of settings.
+/// Returns the rows of the table of settings for `--sun`, `--light-at`, `--north`, `--sun-angle`, `--light-error` and
+/// `--sky`.
 std::vector<Setting> sunSettings();
 
-/// The direction towards a Sun that stands there, of unit length, as the air shows it, above the horizon or below, in a
-/// world as below.
+/// Returns the unit vector towards the Sun at position `sun`, with refraction. The Sun can be below the horizon.
+/// `north` and `up` have the same meaning as in the next function.
 glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec3& up);
 
-/// The direction towards the Sun, of unit length, as the usual air shows it, in a world in which `up` is up. True north
-/// lies `north` degrees clockwise, seen from above, of the world's own, which is opposite its front: -z where y is up,
-/// y where z is. Throws UsageError where the Sun is down, and says when it is up.
+/// Returns the unit vector towards the Sun at a place and time, with the refraction of standard air. `up` is the up
+/// direction of the world. True north is `north` degrees clockwise of the model's north, seen from above. The model's
+/// north is -z if y is up, and y if z is up. Throws UsageError if the Sun is down. The message says when it is up.
 glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up);
 
-/// The lamp that is asked for, at the nearest point of the model's grid; nothing where there is none. It is as bright
-/// as the sun at the distance d with d^2 = a^2 + b^2, a that of the model's box and b a sixteenth of its diagonal: from
-/// far away it lights the model as the sun does. Throws UsageError beside another light, or beyond 2^51 cells.
+/// Returns the requested point light, moved to the nearest point of the model's grid; nullopt if none is requested. It
+/// is as bright as the Sun at the distance d = sqrt(a^2 + b^2), where a is its distance from the bounding box of the
+/// model and b is 1/16 of the box's diagonal. A distant point light therefore lights the model as the Sun does. Throws
+/// UsageError if another light is requested too, or if a coordinate is 2^51 cells or more from the origin of the grid.
 std::optional<plan::PointLight> pointLightOf(const Settings& settings, const hierarchy::ModelSummary& model);
 
-/// How wide the light's disc is seen, radians: what was asked for; else the Sun's at its place and time (0.5331 degrees
-/// over its distance), and 0, a point, where the light is not the Sun's.
+/// Returns the angular diameter of the light's disc in radians. It is the requested angle, else the diameter of the Sun
+/// at its place and time (0.5331 degrees divided by its distance in AU). For a light other than the Sun it is 0.
 double lightDiameter(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -1,7 +1,6 @@
-// The table of all settings: command line, axes of a bench, panel and keys of the window, report and help read it.
-// --overlay and --oracle are none: they change neither the view nor its quality but say what is painted over the
-// picture and what it is held against, their words are those of executor and proof, which lie above, and not all
-// commands have them.
+// The table of all settings. The command line, the axes of a bench, the panel and the keys of the window, the report
+// and the help all read it. --overlay and --oracle are not in the table: they do not change the view or its quality,
+// their values are defined in the layers executor and proof, and only some commands have them.
 #pragma once
 
 #include "settings/setting.h"
@@ -13,42 +12,45 @@
 
 namespace gnomon::settings {
 
-/// All settings, in the order of the help: first those that no bench sweeps.
+/// Returns all settings in the order of the help. The settings that a bench sweeps are last.
 std::span<const Setting> table();
 
-/// The one of that name, which must be there.
+/// Returns the setting with this name, which must exist.
 const Setting& named(std::string_view name);
 
-/// The option of a setting and its value, as they are written: "--eta 0.5".
+/// Returns the option of a setting with its value, as on the command line: "--eta 0.5".
 std::string written(const char* name, const Settings& settings);
 
-/// The options of the settings whose quantities `message` names, ", " between them; empty if it names none.
+/// Returns the options of all settings whose quantity occurs in `message`, separated by ", ".
 std::string optionsOf(std::string_view message);
 
-/// Whether `setting` can be given beside the rest of `settings`: what is asked of maps cannot, beside exact shadows.
+/// Returns false for a setting of shadow maps if `settings` request exact shadows; otherwise true.
 bool appliesTo(const Setting& setting, const Settings& settings);
 
-/// Whether `setting`, where it is given, says that shadows whose mode is left open are maps.
+/// Returns true if a given `setting` changes the shadow mode Auto to shadow maps.
 inline bool asksForMaps(const Setting& setting) {
-    return setting.description().isOfMaps || setting.name() == "cull-casters"; // which exact shadows leave as it is
+    return setting.description().isOfMaps ||
+           setting.name() == "cull-casters"; // allowed with exact shadows, without effect
 }
 
-/// Says that shadows whose mode is left open are maps, for an option, an overlay or a proof of maps is asked for.
+/// Changes the shadow mode Auto to shadow maps, because an option, an overlay or a validation of shadow maps is
+/// requested.
 inline void askForMaps(Settings& settings) {
     settings.quality.mapsBecause = plan::ShadowReason::MapsRequested;
 }
 
-/// Whether all settings that a bench sweeps have the same values in `a` and `b`.
+/// Returns true if all settings that a bench sweeps have the same values in `a` and `b`.
 bool areAlike(const Settings& a, const Settings& b);
 
-/// Whether pictures of `a` and `b` are the same to the bit: no setting that changes the picture differs.
+/// Returns true if `a` and `b` differ only in settings that do not change the picture. Their pictures are then
+/// identical to the bit.
 bool drawAlike(const Settings& a, const Settings& b);
 
-/// The options that give all values of `settings` that are not the default, of those that a bench sweeps or of the
-/// others, as a shell takes them.
+/// Returns the options for all values of `settings` that differ from the default, quoted for a shell. `ofSwept` selects
+/// the settings that a bench sweeps, or all others.
 std::string optionsToPaste(const Settings& settings, bool ofSwept);
 
-/// `text` as a POSIX shell takes it for one word.
+/// Returns `text` quoted as one word for a POSIX shell.
 std::string forShell(const std::string& text);
 
 } // namespace gnomon::settings

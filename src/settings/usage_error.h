@@ -1,16 +1,16 @@
-// What is wrong with how the program is used, as against what is wrong with the world.
+// Errors in the command line, which end the program with exit code 2. All other errors are gnomon::Error.
 #pragma once
 
 #include <string>
 
 namespace gnomon::settings {
 
-/// A contradiction between options, or a value that one of them cannot take: exit code 2 with `message`.
+/// A contradiction between options, or an invalid value of an option.
 struct UsageError {
     std::string message;
 };
 
-/// Throws UsageError: `option` was given as `text`, but `expected` was.
+/// Throws UsageError that says: `option` has the value `text`, but expects `expected`.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected);
 
 } // namespace gnomon::settings

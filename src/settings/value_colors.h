@@ -1,4 +1,4 @@
-// Colours that tell a value of the surface: which one, in which map, between which ends.
+// The options for colours that show a value of the surface: the value, the colour map and its range.
 #pragma once
 
 #include "plan/color_map.h"
@@ -10,9 +10,12 @@
 
 namespace gnomon::settings {
 
-/// Vertex: the stored colours themselves. Height along what is up, in the source's coordinates and unit; slope in
-/// degrees, 0 level and 90 upright; the stored error of the cluster that is drawn, the source's unit; a field that the
-/// model keeps of its vertices.
+/// The value that the colours show:
+/// - Vertex: the stored colours of the vertices, without a colour map.
+/// - Height: along the up direction, in the coordinates and the unit of the source.
+/// - Slope: in degrees, 0 for level and 90 for vertical surfaces.
+/// - Error: the stored error of the drawn cluster, in the unit of the source.
+/// - Field: a field that the model stores for its vertices.
 enum class ColorBy : std::uint8_t { None, Vertex, Height, Slope, Error, Field };
 inline constexpr std::array kColorBys = {
     Word<ColorBy>{ColorBy::None, "none"},
@@ -22,34 +25,37 @@ inline constexpr std::array kColorBys = {
     Word<ColorBy>{ColorBy::Error, "error"},
 };
 
+/// The value, the colour map and its range.
 struct ValueColors {
     ColorBy by = ColorBy::None;
-    std::string field{}; // its name, with ColorBy::Field
+    std::string field{}; // name of the field, for ColorBy::Field
     plan::ColorMap map = plan::ColorMap::Viridis;
-    std::optional<std::array<double, 2>> range{}; // values of the map's ends; nothing: all that there can be
+    std::optional<std::array<double, 2>> range{}; // values at the ends of the map; nullopt: the full range of the model
 
     bool operator==(const ValueColors&) const = default;
 };
 
-/// How a person asks for them: the text of each option, empty where it is not given.
+/// The texts of --color-by, --colormap and --color-range. A text is empty if its option is not given.
 struct ValueColorWords {
     std::string by;
     std::string map;
     std::string range;
 };
 
-/// What is asked for; a name that is none of the words above is that of a field. Throws UsageError.
+/// Returns the requested colours. A name that is not in kColorBys is the name of a field. Throws UsageError for an
+/// invalid map or range, and for a range with a value that has no colour map.
 ValueColors valueColors(const ValueColorWords& words);
 
-/// Returns whether `by` is a value of vertices or clusters. Backends with the capability `seesTriangles` can show it.
+/// Returns true if `by` is a value of vertices or clusters. Only backends with the capability `seesTriangles` can show
+/// it.
 constexpr bool isOfTriangles(ColorBy by) {
     return by == ColorBy::Vertex || by == ColorBy::Error || by == ColorBy::Field;
 }
 
-/// Returns the word of `--color-by`: "height", or the name of a field with printable characters only.
+/// Returns the value of `--color-by`: "height", or the name of a field in printable characters.
 std::string nameOf(const ValueColors& colors);
 
-/// "LO,HI", the first less than the second.
+/// Returns the codec for a range "LO,HI" with LO below HI.
 Codec<std::array<double, 2>> valueRange();
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// The files that a command line names: none that is written may be one that is read, or written twice.
+// Checks of the files on a command line: an output must not overwrite an input or another output.
 #pragma once
 
 #include <string>
@@ -6,18 +6,18 @@
 
 namespace gnomon::settings {
 
-/// A file and the option that names it; an empty path is an option that was not given.
+/// A file and the option that names it. The path is empty if the option is not given.
 struct NamedFile {
     std::string option;
     std::string path;
 };
 
-/// Throws UsageError where an output is the same file as an input or as another output, under whatever name. Devices
-/// and pipes, which keep nothing, may be named twice.
+/// Throws UsageError if an output is the same file as an input or another output, also under another path or link.
+/// Devices and pipes can occur several times, because they store nothing.
 void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// Throws UsageError where `path` ends in another extension than `extension` (".png"), which would promise another
-/// format; a name without one, like a device's, promises nothing.
+/// Throws UsageError if `path` has another extension than `extension` (".png"). A name without an extension, such as a
+/// device, is valid.
 void requireExtension(const std::string& option, const std::string& path, const std::string& extension);
 
 } // namespace gnomon::settings

@@ -30,7 +30,8 @@ struct ValueColors {
     ColorBy by = ColorBy::None;
     std::string field{}; // name of the field, for ColorBy::Field
     plan::ColorMap map = plan::ColorMap::Viridis;
-    std::optional<std::array<double, 2>> range{}; // values at the ends of the map; nullopt: the full range of the model
+    std::optional<std::array<double, 2>>
+        range{}; // values at the ends of the map; nullopt: the range of the value (values/value_picture.h)
 
     bool operator==(const ValueColors&) const = default;
 };

@@ -1,4 +1,4 @@
-// The results of an earlier bench, to hold those of a later one against.
+// A baseline: the results of an earlier bench, for comparison with a later bench.
 #pragma once
 
 #include "report/run_summary.h"
@@ -10,33 +10,35 @@
 
 namespace gnomon::measure {
 
-/// What `--json-file` wrote.
+/// The content of a file that `--json-file` wrote.
 struct Baseline {
     std::string path;
     std::map<std::string, std::string> context;
-    std::map<std::string, double> p50Ms; // by the names of the runs
+    std::map<std::string, double> p50Ms; // median frame time in ms, by the name of the run
 };
 
-/// Reads a baseline. Throws Error with path and place.
+/// Reads a baseline. Throws Error with the path and the position in the file if the file is not the result of a bench.
+/// Throws UsageError if a setting of the baseline has a value that no longer exists.
 Baseline readBaseline(const std::string& path);
 
-/// Throws Error where `context` differs from the baseline's in what makes frame times comparable: the model, the path
-/// and how it is walked, the view and its quality, the memory, and who drew it with how many threads. A setting that is
-/// swept on either side is part of the names of the runs instead.
+/// Throws Error if frame times are not comparable, because `context` and the baseline's context differ in the model,
+/// the camera path, the number of frames, the real-time mode, the view, the quality, the memory limits, the backend or
+/// the number of threads. Does not compare a setting that is swept in one of both benches, because names of runs
+/// contain it.
 void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context);
 
-/// The names of runs that only one of the baseline and `summaries` has: nothing is compared with them.
+/// Returns the names of the runs that are only in the baseline or only in `summaries`, and so cannot be compared.
 std::vector<std::string> notCompared(const Baseline& baseline, std::span<const report::RunSummary> summaries);
 
-/// Throws Error if a run drew without pages, whose time compares with nothing: damaged ones or, where frames wait for
-/// all (`waits`), missing ones.
+/// Throws Error if a run was drawn without some pages, because its time is then not comparable. Damaged pages always
+/// count. Missing pages count only if `waits` is true, which means that each frame waits for all its pages.
 void requireComplete(const Baseline& baseline, std::span<const report::RunSummary> summaries, bool waits);
 
-/// Whether a median grew by more than `failAbovePercent`.
+/// Returns true if the median `nowMs` exceeds `beforeMs` by more than `failAbovePercent` percent.
 bool isSlower(double beforeMs, double nowMs, double failAbovePercent);
 
-/// Throws Error if a run of the same name in the baseline was faster by more than `failAbovePercent`, or if there is
-/// none of any name.
+/// Throws Error if the median of a run exceeds the baseline's median for the same name by more than `failAbovePercent`
+/// percent, or if no run has a name of the baseline.
 void requireNotSlower(const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent);
 
 } // namespace gnomon::measure

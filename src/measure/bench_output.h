@@ -1,4 +1,4 @@
-// What a bench writes down: its context, its log, its benchmark document and the storage factors of its page.
+// The output of a bench: context, log, benchmark JSON, pictures and report page.
 #pragma once
 
 #include "measure/bench_runs.h"
@@ -12,35 +12,36 @@
 
 namespace gnomon::measure {
 
-/// The settings that are stated of a bench: those that no bench sweeps, and those that are the same in all of `runs`;
-/// the others are in the names of the runs.
+/// Returns the settings for the context of a bench, with their texts: the settings that a bench does not sweep, and the
+/// swept settings with the same value in all `runs`. The names of the runs contain all other settings.
 std::map<std::string, std::string> statedSettings(const std::vector<BenchRun>& runs);
 
-/// What a reader must know to judge or repeat the figures, as far as the machine, the model, the path and the walk say
-/// it.
+/// Returns the context of a bench, with which a reader can judge or repeat the results: machine, model, camera path,
+/// settings, backend and numbers of frames. It does not contain the name of the host.
 std::map<std::string, std::string> statedFacts(
     const std::vector<BenchRun>& runs, const path::CameraPath& path, const WalkOptions& walk, Session& session);
 
-/// The log: a header line and a row a frame.
+/// Returns the log as CSV: a header line and one row per frame.
 std::string csvText(const std::vector<RunResult>& results);
 
-/// A document of the shape of Google Benchmark's.
+/// Returns the context and the results as JSON in the format of Google Benchmark.
 std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results);
 
-/// Writes the pictures of run `run` into `folder`, under its number.
+/// Writes the pictures of run `run` as runN.png (the picture) and runN_KIND.png (all other kinds) into `folder`.
 void writePictures(const std::string& folder, std::size_t run, const std::vector<report::Picture>& pictures);
 
-/// Writes a PNG into `folder` under the numbers of its run and frame.
+/// Writes the bytes `png` as runN_frameMMMM.png into `folder`.
 void writeFramePicture(const std::string& folder, std::size_t run, int frame, std::span<const std::uint8_t> png);
 
-/// The runs whose pictures a report holds: those that no other beats in time and error, and the first.
+/// Returns the indices of the runs whose pictures are in the report: the Pareto front of time and error, and run 0.
 std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& summaries);
 
-/// Writes the page into `folder`, its log and its benchmark document beside it. They name no host: a report is handed
-/// around.
+/// Writes the report into `folder`: index.html, bench.csv and bench.json. The files do not contain the name of the
+/// host, because reports are given to other people.
 void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results);
 
-/// The storage factors of slices with and without warp and of faces, for the depth range of `plan`.
+/// Returns the storage factors of four schemes with 1 to 8 slices each, for the frustum and the light of `plan`:
+/// slices, warped slices, warped slices with faces, and logarithmic slices with faces.
 std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan);
 
 } // namespace gnomon::measure

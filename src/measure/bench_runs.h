@@ -1,4 +1,4 @@
-// The runs of a bench: every combination of the swept settings, walked along one camera path by whoever is free.
+// The runs of a bench: each combination of the swept settings, walked along one camera path.
 #pragma once
 
 #include "measure/bench_walk.h"
@@ -9,13 +9,15 @@
 
 namespace gnomon::measure {
 
-/// One run for each of `settings`, in their order; one for all that draw exact shadows and differ in their maps alone.
+/// Returns one run per element of `settings`, in their order. Elements that draw exact shadows and differ only in
+/// settings of shadow maps have one common run.
 std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
 
-/// The settings that the executor of all runs is made by: those of a run that needs the software backend, if one does.
+/// Returns the settings from which the executor of all runs is made: the settings of the first run that needs the
+/// software backend, or else of the first run.
 settings::Settings backendSettings(const std::vector<BenchRun>& runs);
 
-/// What a bench walks. All must outlive it.
+/// The input of the walks of a bench. All references must outlive it.
 struct BenchWalks {
     Session& session;
     const path::CameraPath& path;
@@ -23,30 +25,34 @@ struct BenchWalks {
     const WalkOptions& options;
 };
 
-/// Walks every run along the path: warm-up frames, then `frames` frames evenly over the path, as often as asked. Each
-/// repetition walks all runs before the next one begins, so that a machine that slows down slows them all alike. In
-/// real time no frame begins before its time on the path. Once all times are taken, each run is walked once more and
-/// what its pictures are held against fills its first repetition's columns of accuracy.
+/// Walks all runs along the path and returns their results. Each walk draws warm-up frames, and then `frames` frames at
+/// even times of the path. Each repetition walks all runs before the next repetition begins, so that a slower machine
+/// slows all runs equally. In real time, a frame does not begin before its time on the path. With a ground truth
+/// (option --oracle), an additional untimed walk per run fills the accuracy columns of the first repetition.
 std::vector<RunResult> walkAll(const BenchWalks& walks, Progress& progress);
 
-/// Walks `run` alone, and holds it against nothing. Progress advances by frames times repetitions.
+/// Walks only run `run`, without a comparison with the ground truth. Progress advances by frames times repetitions.
 RunResult walkAgain(const BenchWalks& walks, std::size_t run, Progress& progress);
 
-/// What all frames of a quick bench may work through, in triangles: on two cores of 2026 they then take under two
-/// minutes with their proofs.
+/// The max work of all frames of a quick bench, in triangles (see Walk::drawnWork). On two cores of 2026, such a bench
+/// takes less than two minutes with its validation.
 inline constexpr double kQuickWork = 1.2e9;
 
-/// How many frames of each run a quick bench walks: at most `options.frames`, fewer where all of them would come to
-/// more than kQuickWork, at least one. It is counted from three frames of the first run and not timed, so it repeats.
+/// Returns the number of frames per run of a quick bench, from 1 to `options.frames`, so that the estimated work is at
+/// most kQuickWork. The estimate is the max work of three frames of the first run. It uses no clock, so it is the same
+/// each time.
 int quickFrames(
     Session& session, const path::CameraPath& path, const std::vector<BenchRun>& runs, const WalkOptions& options);
 
-/// What the progress of `walkAll` counts up to.
+/// Returns the number of frames by which `walkAll` advances its progress.
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options);
 
-/// The frame in the middle of the path as a report shows it: picture, reference (the same with ray-traced shadows),
-/// difference (four times the absolute difference of the two), texels, aliasing, partitions. Progress advances by
-/// kFramesOfPictures.
+/// Draws the frame in the middle of the path and returns six pictures for the report:
+/// - picture;
+/// - reference, the same with ray-traced shadows;
+/// - difference, four times the absolute difference of both;
+/// - texels, aliasing and partitions, the picture with these overlays.
+/// Progress advances by kFramesOfPictures.
 std::vector<report::Picture> middlePictures(
     Session& session,
     const path::CameraPath& path,
@@ -54,12 +60,12 @@ std::vector<report::Picture> middlePictures(
     const WalkOptions& options,
     Progress& progress);
 
-/// Those of all `which` of the runs, one after the other. What runs that draw alike show is drawn once. Progress
-/// advances by kFramesOfPictures a run.
+/// Returns the middle pictures of the runs `which` (indices), in this order. Runs with identical pictures are drawn
+/// once. Progress advances by kFramesOfPictures per run.
 std::vector<report::Picture> middlePicturesOfAll(
     const BenchWalks& walks, const std::vector<std::size_t>& which, Progress& progress);
 
-/// The frames that `middlePictures` draws.
+/// The number of frames that `middlePictures` draws.
 constexpr std::size_t kFramesOfPictures = 5;
 
 } // namespace gnomon::measure

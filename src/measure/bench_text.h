@@ -1,5 +1,4 @@
-// What a bench prints of its runs: the table, the sentences, what budgets and bounds call for, and the changes since a
-// baseline.
+// The text that a bench prints: the table of its runs, recommended settings, and changes since a baseline.
 #pragma once
 
 #include "measure/baseline.h"
@@ -11,19 +10,22 @@
 
 namespace gnomon::measure {
 
-/// A line a run under a heading, then what a person would say of them and, of several runs, which is recommended.
+/// Returns a table with a header and one line per run. Sentences that compare the runs follow. If there are several
+/// runs, the last line is the recommended run.
 std::string tableText(std::span<const report::RunSummary> summaries);
 
-/// The setting that the budget calls for, as options to paste; `walkAgain` says whether it keeps it.
+/// Returns the options of the run with the smallest error whose median frame time is within `budgetMs` twice: in
+/// `summaries` and in the second measurement `walkAgain(run)`.
 std::string underBudgetText(
     double budgetMs,
     std::span<const report::RunSummary> summaries,
     const std::function<report::RunSummary(std::size_t)>& walkAgain);
 
-/// The setting that --max-aliasing calls for, as options to paste.
+/// Returns the options of the fastest run whose aliasing bound is at most `maxAliasing`.
 std::string underBoundText(double maxAliasing, std::span<const report::RunSummary> summaries);
 
-/// A line for each run that the baseline has as well: its median now and then, the change, and whether that passes.
+/// Returns one line per run that is also in the baseline: both medians in ms, the change in percent, and whether the
+/// change is at most `failAbovePercent`.
 std::string changesText(
     const Baseline& baseline, std::span<const report::RunSummary> summaries, double failAbovePercent);
 

@@ -1,4 +1,4 @@
-// One run of a bench: a combination of settings, walked along a camera path by this process.
+// One run of a bench: a combination of settings whose frames are drawn along a camera path.
 #pragma once
 
 #include "core/progress.h"
@@ -15,59 +15,62 @@
 
 namespace gnomon::measure {
 
-/// One combination of settings.
+/// A combination of settings with its name.
 struct BenchRun {
-    std::string name; // the settings that vary between runs, "error_pixels:1/z_partitions:4"; "run" where none does
+    std::string name; // settings that vary between runs: "error_pixels:1/z_partitions:4"; "run" if no setting varies
     settings::Settings settings;
-    std::string options; // to paste behind `gnomon render MODEL`: those that vary and those that are not the default
+    std::string options; // for `gnomon render MODEL`: the settings that vary or differ from the default
 };
 
-/// How each run is walked.
+/// The options that all runs share.
 struct WalkOptions {
     int frames = 60;
     int repetitions = 1;
     int warmup = 2;
     bool isRealTime = false;
     proof::Oracle oracle = proof::Oracle::None;
-    int provenFrames = 0;           // with an oracle: so many frames, evenly over the path, are held against it
-    bool countsWrongPixels = false; // and against integers besides
-    /// Gets the picture of every frame of the first repetition as a PNG, by the number of its run, if given.
+    int provenFrames = 0;           // number of frames, evenly over the path, that are compared with `oracle`
+    bool countsWrongPixels = false; // also compares these frames with integer arithmetic
+    /// Called with the picture of each frame of the first repetition, as the bytes of a PNG. Can be empty.
     std::function<void(std::size_t run, int frame, std::span<const std::uint8_t> png)> onPicture;
 };
 
-/// What came of one run.
+/// The measurements of one run.
 struct RunResult {
     BenchRun run;
-    std::vector<telemetry::FrameRow> rows; // repetition by repetition, each in the order of the path
-    double cpuMs = 0;                      // of all threads, a logged frame on average
-    double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, warm-up or not
+    std::vector<telemetry::FrameRow> rows; // one per frame, ordered by repetition, then by frame
+    double cpuMs = 0;                      // processor time of all threads, mean per logged frame
+    double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, with warm-up frames
 };
 
-/// A walk in this process. All must outlive it.
+/// Draws the frames of one run along a camera path. All arguments of the constructor must outlive it.
 class Walk {
 public:
     using OnFrame = std::function<void(int frame, const executor::Picture& picture)>;
 
-    /// `result` names the run and gets what comes of it.
+    /// `result.run` is the run to walk. The functions of this class add the measurements to `result`.
     Walk(Session& session, const path::CameraPath& path, const WalkOptions& options, RunResult& result);
 
-    /// Warm-up, then a row a frame. `onFrame` gets each picture, if given.
+    /// Draws the warm-up frames and then one repetition. Adds one row per frame to the result. Calls `onFrame` with
+    /// each picture if it is not empty.
     void repeat(int repetition, const OnFrame& onFrame, Progress& progress);
 
-    /// Walks the first repetition once more, untimed and with the same plans, and holds some of its frames against
-    /// the oracle.
+    /// Draws the frames of the first repetition again, without timing and with the same plans. Compares `provenFrames`
+    /// of them with the ground truth and fills their accuracy columns.
     void prove(Progress& progress);
 
-    /// Draws `frame` and returns its work: its triangles plus two per pixel, since a pixel costs about two triangles.
+    /// Draws `frame` and returns its work: the number of triangles plus two per pixel, because a pixel costs about as
+    /// much as two triangles.
     double drawnWork(int frame);
 
-    /// The middle frame, with its legend.
+    /// Draws the middle frame with `overlay` and its legend.
     executor::Picture picture(executor::Overlay overlay, Progress& progress);
 
 private:
     void warmUp(Progress& progress);
 
-    /// Frames evenly over the path, first and last among them.
+    /// Returns true if `frame` is compared with the ground truth. These frames are even over the path, with its first
+    /// and last frame. A single one is the middle frame.
     bool isProvenFrame(int frame) const;
 
     double timeOf(int frame) const { return path::frameTime(path_, frame, options_.frames); }

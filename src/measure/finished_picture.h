@@ -1,4 +1,4 @@
-// A picture as a person gets it: the mean of as many frames as it is asked to be.
+// A finished picture: the mean of the requested number of frames.
 #pragma once
 
 #include "core/progress.h"
@@ -11,14 +11,15 @@
 
 namespace gnomon::measure {
 
-/// One view drawn; the session's executor still holds its last frame.
+/// The picture of one view. The executor of the session still contains its last frame.
 struct FinishedPicture {
-    frame::Frame frame; // the first, whose pixels are sampled in their middles
+    frame::Frame frame; // the first frame, which samples the centres of the pixels
     executor::Picture picture;
-    std::optional<executor::Coverage> coverage; // where the background is transparent
+    std::optional<executor::Coverage> coverage; // only for a transparent background
 };
 
-/// The bands in which `drawFinished` draws the same picture.
+/// Returns the bands of rows in which `drawFinished` draws a picture with the same arguments, from the bottom. There is
+/// one band if the picture fits into the memory of the session.
 std::vector<executor::ImageRows> bandsOf(
     Session& session,
     const plan::View& view,
@@ -26,9 +27,10 @@ std::vector<executor::ImageRows> bandsOf(
     const frame::FrameOptions& options,
     int samples);
 
-/// Draws `view` `samples` times, at least once; where that is more than once and its plan calls for more directions of
-/// light, so many times. A picture that does not fit into the session's memory is drawn in bands, to the same bytes.
-/// `progress` advances by `samples` in all; its stage is the caller's.
+/// Draws `samples` frames of `view` (at least 1) and returns their mean. If `samples` is above 1 and the plan requires
+/// more light directions than that, draws one frame per direction. A picture that does not fit into the memory of the
+/// session is drawn in bands, with the same bytes as result. `progress` advances by `samples` in total. The caller sets
+/// its stage.
 FinishedPicture drawFinished(
     Session& session,
     const plan::View& view,

@@ -1,4 +1,4 @@
-// Measuring without a window: points by their coordinates, or by the pixels of a view in which they are seen.
+// Measures of points without a window. The points are given by coordinates or by pixels of a view.
 #pragma once
 
 #include "settings/settings.h"
@@ -10,24 +10,25 @@
 
 namespace gnomon::measure {
 
-/// Which points: those at `points`, in the source's coordinates, or those that the middles of `pixels` show, columns
-/// and rows from the upper left of the picture that `settings` ask for.
+/// The points to measure. If `pixels` is empty, they are `points`. Otherwise they are the surface points at the centres
+/// of `pixels` in the view of `settings`.
 struct PointTask {
     std::string model;
     settings::Settings settings;
     std::function<void(const std::string&)> warn;
-    std::vector<glm::dvec3> points;
-    std::vector<glm::ivec2> pixels;
-    bool takesVertices = false; // of the triangles that are drawn there: the nearest
+    std::vector<glm::dvec3> points; // in the coordinates of the source
+    std::vector<glm::ivec2> pixels; // column and row from the upper left
+    bool takesVertices = false;     // uses the nearest vertex of the drawn triangle instead of the surface point
 };
 
+/// A measure and the model that it refers to.
 struct MeasuredPoints {
     survey::Surveyed of;
     survey::Measure measure;
 };
 
-/// Measures them. Throws Error where a pixel shows nothing of the model, and where a point lies so far from it that the
-/// grid's steps to there cannot be counted.
+/// Measures the points of `task`. Throws Error if a pixel shows the background, or if a point is too far from the model
+/// for its grid (more than 2^39 steps).
 MeasuredPoints measurePoints(const PointTask& task);
 
 } // namespace gnomon::measure

@@ -1,4 +1,4 @@
-// Pictures in number: along a camera path, or all around the model.
+// Drawing of a series of pictures, along a camera path or on a turntable around the model.
 #pragma once
 
 #include "core/progress.h"
@@ -12,18 +12,18 @@
 
 namespace gnomon::measure {
 
-/// What every picture of a series shows, and what takes the bytes of a stream.
+/// The model and the settings that all pictures of a series share.
 struct SeriesTask {
     std::string model;
     executor::Overlay overlay = executor::Overlay::None;
     settings::Settings settings;
-    std::function<void(const std::string&)> warn;
-    std::function<void(const std::string& bytes)> stream;
-    std::optional<int> samples; // frames that each picture is the mean of; nothing: the usual number
+    std::function<void(const std::string&)> warn;         // receives warnings, one line each
+    std::function<void(const std::string& bytes)> stream; // receives the bytes of a YUV4MPEG2 stream
+    std::optional<int> samples; // number of frames that are averaged per picture; nullopt: the default
 };
 
-/// Draws all of them. Files appear one by one, each when it is complete. Throws Error, and
-/// UsageError for what contradicts itself.
+/// Draws all pictures of a series. Each file appears when it is complete. Throws Error, and UsageError for options that
+/// contradict each other.
 void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, Progress& progress);
 
 } // namespace gnomon::measure

@@ -1,14 +1,17 @@
-// The runs of a report whose command sweeps nothing itself: what a person would compare who chooses a shadow algorithm.
+// The default runs of a report, for a command that sweeps no setting. They help to choose a shadow algorithm.
 #pragma once
 
 #include "measure/bench_runs.h"
 
 namespace gnomon::measure {
 
-/// Runs around `asked`, one map first: numbers of maps with casters culled per partition and not, levels of detail,
-/// warps, texels, stabilisation and faces, each varied alone so that its own cost and gain are seen, and exact shadows
-/// over each scheme of cells where the executor decides them. A quick look takes a few of each. None repeats another.
-/// Where eta or the focus of a trapezoidal map settles the warp, no run has another one or is stabilised.
+/// Returns runs that vary the settings `asked`, the run with one map first. Each run varies one setting, so that its
+/// cost and its gain are visible:
+/// - number of slices, with and without caster culling,
+/// - level of detail, warp, texels, stabilisation and face partitions,
+/// - exact shadows with each cell scheme, if the backend supports them.
+/// A quick report has fewer values of each. No two runs are equal. If `asked` gives eta or the focus of a trapezoidal
+/// map, no run changes the warp or stabilises the maps.
 std::vector<BenchRun> reportRuns(const settings::Settings& asked, bool isQuick);
 
 } // namespace gnomon::measure

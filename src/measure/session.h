@@ -1,4 +1,4 @@
-// An open model with an executor, as the settings ask for them.
+// A session: an open model with the executor and the renderer for the settings of a command.
 #pragma once
 
 #include "frame/renderer.h"
@@ -12,19 +12,19 @@
 
 namespace gnomon::measure {
 
-/// Returns the backend for `command`, which draws `pictures` pictures. Looks for a GPU only if `auto` can use one.
+/// Returns the backend for `command`, which draws `pictures` pictures. Searches for a GPU only if `auto` can use one.
 settings::BackendChoice backendFor(
     const settings::Settings& settings, settings::DrawingCommand command, int pictures = 1);
 
-/// The sentence of `shortfall`, with the options concerned; empty if nothing is missed.
+/// Returns a warning that frames exceed their error or lack pages, with the options that change this. Returns an empty
+/// text if `shortfall` is empty.
 std::string shortfallLine(const telemetry::Shortfall& shortfall);
 
 /// A model, its executor and its renderer.
 class Session {
 public:
-    /// Opens the model and makes the backend for `command`. If `auto` chose a GPU that cannot be used, the software
-    /// backend draws. Tells `warn` in a line of each damaged page and of each GPU that cannot be used. The backend is
-    /// not the window.
+    /// Opens the model and makes the backend for `command`, which must not be the window. If `auto` chose a GPU that
+    /// cannot be used, the software backend draws. Calls `warn` with one line per damaged page and per unusable GPU.
     Session(
         const std::string& modelPath,
         const settings::Settings& settings,
@@ -32,7 +32,7 @@ public:
         settings::DrawingCommand command = settings::DrawingCommand::Render,
         int pictures = 1);
 
-    /// What is being read of a server is given up.
+    /// Cancels all reads from a server.
     ~Session() { model_.source().stop(); }
 
     Session(const Session&) = delete;
@@ -46,7 +46,7 @@ public:
 
     frame::Renderer& renderer() { return renderer_; }
 
-    /// Tells `warn` in a line if pictures since the last call miss their error or lack pages.
+    /// Calls `warn` with one line if frames since the last call exceeded their error or lacked pages.
     void tellShortfall();
 
 private:

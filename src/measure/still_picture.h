@@ -1,4 +1,4 @@
-// One picture of a model, and what is asked beside it: the frame's row of the log, depths, maps, a comparison.
+// One picture of a model, with optional outputs: statistics, depths, shadow maps and a comparison with a reference.
 #pragma once
 
 #include "core/progress.h"
@@ -13,25 +13,26 @@
 
 namespace gnomon::measure {
 
-/// Which picture, and what of it goes where; an empty path is nothing.
+/// The picture to draw and its output files. An empty path means that the output is not requested.
 struct StillTask {
     std::string model;
     settings::Settings settings;
     std::function<void(const std::string&)> warn;
     executor::Overlay overlay = executor::Overlay::None;
-    settings::ValueColors colors; // in place of the model's own, at one sample
-    std::optional<int> samples;   // frames that it is the mean of; nothing: the usual number, 1 beside what is of one
-    std::optional<Camera> camera; // in place of the settings'
+    settings::ValueColors colors; // replaces the colours of the model; requires one sample
+    std::optional<int> samples;   // number of frames that are averaged; nullopt: the default of settings::samplesOf
+    std::optional<Camera> camera; // replaces the camera of the settings
     proof::Oracle oracle = proof::Oracle::None;
-    std::string output;     // PNG
-    std::string statistics; // JSON
-    std::string reference;  // PNG, read
+    std::string output;     // picture, PNG
+    std::string statistics; // row of the frame in the log, JSON
+    std::string reference;  // input: a PNG to compare the picture with
     double referenceThreshold = 0.01;
-    std::string depth;       // PFM
-    std::string shadowDepth; // folder
+    std::string depth;       // view depths, PFM
+    std::string shadowDepth; // folder for the shadow maps
 };
 
-/// Draws it. Files appear when they are complete. Throws Error, and UsageError for what contradicts itself.
+/// Draws the picture and writes the requested files. Each file appears when it is complete. Throws Error, also if the
+/// picture differs from the reference, and UsageError for options that contradict each other.
 void drawStill(const StillTask& task, Progress& progress);
 
 } // namespace gnomon::measure

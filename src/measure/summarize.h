@@ -1,4 +1,4 @@
-// The statistics of one run, for the report and the baseline.
+// The statistics of one run, for the report and for baselines.
 #pragma once
 
 #include "measure/bench_runs.h"
@@ -6,7 +6,8 @@
 
 namespace gnomon::measure {
 
-/// Returns the medians, percentiles, noise and largest errors of a run.
+/// Returns the statistics of a run: percentiles and noise of the frame times, median times of the stages, mean triangle
+/// counts, and errors.
 report::RunSummary summarize(const RunResult& result);
 
 } // namespace gnomon::measure

@@ -1,4 +1,4 @@
-// Hours of sun of a model.
+// The computation of sun hours, from the task to the output files.
 #pragma once
 
 #include "core/progress.h"
@@ -9,15 +9,16 @@
 
 namespace gnomon::measure {
 
-/// Computes and writes them; files appear when they are complete. Throws Error, UsageError for what contradicts itself,
-/// and what `progress` throws: then a file beside the first output holds what was done, for a task with `isResumed`.
-/// Returns nothing in a rank that does not lead the team.
+/// Computes the sun hours of `task` and writes its files. Each file appears when it is complete. Throws Error,
+/// UsageError for options that contradict each other, and Interrupted. After an exception, a log beside the first
+/// output contains the finished steps, and a task with `isResumed` continues from it. Returns nullopt in all ranks
+/// except rank 0.
 std::optional<SunHoursSummary> computeSunHours(const SunHoursTask& task, Progress& progress);
 
-/// What was computed, in a line; each time errs by up to half of `stepSeconds`.
+/// Returns the summary as one line of text. `stepSeconds` is the length of a step, for the error of the times.
 std::string summaryText(const SunHoursSummary& summary, double stepSeconds);
 
-/// What was computed as JSON.
+/// Returns the summary as JSON.
 std::string summaryJson(const SunHoursSummary& summary);
 
 } // namespace gnomon::measure

@@ -1,4 +1,4 @@
-// The hours of sun of a view as files.
+// The output files for the sun hours of a view: picture, PFM, CSV and page.
 #pragma once
 
 #include "daylight/sun_view.h"
@@ -9,7 +9,8 @@
 
 namespace gnomon::measure {
 
-/// What was computed; all must outlive it. Every file appears when it is complete. Throws Error.
+/// A writer of the output files. All arguments of the constructor must outlive it. Each file appears when it is
+/// complete. All functions that write throw Error.
 class SunHoursFiles {
 public:
     SunHoursFiles(
@@ -18,18 +19,21 @@ public:
         const SunHoursRun& run,
         const settings::SunPeriod& period);
 
-    /// A PNG, from no hours to all that the Sun is up, with its legend.
+    /// Writes a PNG with hours as colours and a legend. The colour scale goes from 0 to the hours in which the Sun is
+    /// up.
     void writePicture(const std::string& path) const;
 
-    /// Hours; -1 where nothing is.
+    /// Writes the hours per pixel as a PFM. The background is -1.
     void writePfm(const std::string& path) const;
 
-    /// A row for each pixel that sees the model, from the upper left on: column and row from there, the point in the
-    /// source's coordinates, steps and hours with sun, the middle of the first and of the last of these steps.
+    /// Writes a CSV with one row per pixel that shows the model: column and row from the upper left, the point in the
+    /// coordinates of the source, the number of steps and the hours with sun, and the times of the first and the last
+    /// step with sun (the middle of the step).
     void writeCsv(const std::string& path) const;
 
-    /// index.html: hours as colours, darkened where the Sun does not reach at the time that a slider names; up to 400
-    /// of the steps in which it is up, evenly taken. `errors` are sentences on what the hours are off by.
+    /// Writes index.html: hours as colours, with a slider over the times. Surfaces in shadow at the chosen time are
+    /// darker. The slider has at most 400 of the steps in which the Sun is up, evenly chosen. `errors` are sentences
+    /// about the errors of the hours.
     void writePage(const std::string& folder, const std::string& model, const std::vector<std::string>& errors) const;
 
 private:
@@ -41,7 +45,7 @@ private:
     const daylight::LitSteps* lit_;
     const SunHoursRun* run_;
     const settings::SunPeriod* period_;
-    std::vector<std::uint32_t> pointOf_; // by pixel; kNever where nothing is
+    std::vector<std::uint32_t> pointOf_; // receiver of each pixel; kNever for the background
 };
 
 } // namespace gnomon::measure

@@ -1,4 +1,4 @@
-// Hours of sun of points and of vertices.
+// Sun hours of points from a file, or of the vertices of a model.
 #pragma once
 
 #include "core/progress.h"
@@ -6,7 +6,8 @@
 
 namespace gnomon::measure {
 
-/// Hours of sun of a task's points or vertices; nothing in a rank that does not lead the team.
+/// Computes the sun hours of the points or vertices of `task` and writes its file. Returns nullopt in all ranks except
+/// rank 0. Throws Error and UsageError.
 std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progress& progress);
 
 } // namespace gnomon::measure

@@ -1,4 +1,4 @@
-// What hours of sun of a view and of points have in common: the steps, and the run through them beside its log.
+// The steps and the run of a sun hours task, for the pixels of a view as well as for points. A log makes it resumable.
 #pragma once
 
 #include "daylight/sun_hours.h"
@@ -7,38 +7,39 @@
 
 namespace gnomon::measure {
 
-/// "x,y,z", each the shortest text that reads back as its number.
+/// Returns "x,y,z" with the shortest text of each number that reads back as the same value.
 std::string textOf(const glm::dvec3& point);
 
-/// The steps of a task's period in a world in which `up` is up. Throws Error if the Sun is down in all of them.
+/// Returns the steps of the task's period, with the direction of the Sun in a world with this up direction. Throws
+/// Error if the Sun is down in all steps.
 std::vector<daylight::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec3& up);
 
-/// What tells the sections of a view from others; empty without any.
+/// Returns a text that identifies the sections of a view. It is empty for a view without sections.
 std::string keyOfSections(const plan::View& view);
 
-/// One run through all steps.
+/// A run that tests receivers against the Sun in all steps.
 class SunHoursRun {
 public:
-    /// `key` tells the receivers from others of the same model. The logs lie beside the task's first output. Throws
-    /// Error.
+    /// `key` identifies the receivers within the model. The logs are beside the first output of the task. Throws Error.
     SunHoursRun(const SunHoursTask& task, std::vector<daylight::SunStep> steps, const std::string& key);
 
     const std::vector<daylight::SunStep>& steps() const { return steps_; }
 
-    /// Decides `receivers` for all steps, in all ranks of the task's team. Steps of the logs are not decided again.
-    /// Returns nothing in a rank that does not lead the team.
+    /// Tests `receivers` in all steps, together with all ranks of the task's team. Uses the results of the logs if they
+    /// contain the step. Returns nullptr in all ranks except rank 0. The result is valid while this object exists.
     const daylight::LitSteps* decide(daylight::Receivers& receivers, Progress& progress);
 
-    /// Sets `isLit` to which receivers are lit at light `light`, by the logs; after `decide`.
-    /// Throws Error if no log has its record.
+    /// Reads from the logs which receivers light `light` reaches, and sets `isLit` to 0 or 1 per receiver. Call this
+    /// after `decide`. Throws Error if no log contains the light.
     void readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
     double hours(std::uint32_t steps) const { return steps * stepSeconds_ / 3600; }
 
-    /// "steps,hours,first_sun,last_sun" of a receiver.
+    /// Returns the columns kSunHoursColumns of a receiver.
     std::string row(std::size_t receiver) const;
 
-    /// Ends the run: its files are written, the logs go. `detail` as SunHoursSummary has it.
+    /// Removes the logs and returns the summary. Call this after all output files are complete. `detail` is
+    /// SunHoursSummary::detail.
     SunHoursSummary finish(std::size_t receivers, std::string detail);
 
 private:
@@ -54,7 +55,7 @@ private:
     daylight::LitSteps lit_;
 };
 
-/// The head of the columns that `row` writes.
+/// The header of the columns that `row` returns.
 inline constexpr const char* kSunHoursColumns = "steps,hours,first_sun,last_sun";
 
 } // namespace gnomon::measure

@@ -1,4 +1,4 @@
-// Hours of sun of a model: which receivers, over which period, and what of it goes where.
+// The task and the summary of a computation of sun hours.
 #pragma once
 
 #include "measure/sun_hours_team.h"
@@ -11,32 +11,33 @@
 
 namespace gnomon::measure {
 
-/// An empty path is nothing. Receivers are the pixels of a view; or, in a uniform cut, the points of a file or all of
-/// its vertices.
+/// The receivers, the period and the output files. An empty path means that the file is not requested. The receivers
+/// are the pixels of a view, the points of a file, or all vertices. For points and vertices, the casters are a uniform
+/// cut.
 struct SunHoursTask {
-    SunHoursTeam* team = nullptr; // the processes that decide
+    SunHoursTeam* team = nullptr; // the processes that compute together
     std::string model;
-    settings::Settings settings; // of the view, which is from above where they pose none; its light is not looked at
+    settings::Settings settings; // view; without a given camera, it is from above
     std::function<void(const std::string&)> warn;
-    settings::SunPeriod period;  // what is up the model says
-    std::string points;          // a CSV, read
-    bool isOfVertices = false;   // else of these, if there is one, else of a view
-    std::optional<double> error; // of the cut, world units; nothing: the finest level
-    std::string output;          // a view's hours as colours, a PNG; of vertices a PLY
-    std::string pfm;             // a view's hours, -1 where nothing is
-    std::string csv;             // a row for each receiver; not of vertices
-    std::string report;          // a folder: a view's page with a slider over the times
-    bool isResumed = false;      // go on with what a killed run left beside the first of these
+    settings::SunPeriod period;  // `up` is ignored; the model gives the up direction
+    std::string points;          // input: a CSV file with points x,y,z
+    bool isOfVertices = false;   // true: vertices; false: the points of `points`, or a view if that is empty
+    std::optional<double> error; // max error of the uniform cut, world units; nullopt: the finest level
+    std::string output;          // of a view: hours as colours, PNG; of vertices: PLY
+    std::string pfm;             // of a view: hours per pixel; -1 for the background
+    std::string csv;             // one row per receiver; not for vertices
+    std::string report;          // of a view: folder of a page with a slider over the times
+    bool isResumed = false;      // continues from the logs of an interrupted run, beside the first output
 };
 
-/// What was computed, for who asked.
+/// The totals of a computation of sun hours, for the output of the command.
 struct SunHoursSummary {
-    std::size_t receivers = 0; // pixels that see the model, points, vertices
+    std::size_t receivers = 0; // pixels that show the model, points, or vertices
     std::size_t steps = 0;
-    std::uint32_t stepsUp = 0; // in which the Sun is up
-    std::uint64_t samples = 0; // that faced it, summed over those that were decided now
-    std::uint64_t touching = 0;
-    std::string detail; // what the level of detail errs by, with its unit
+    std::uint32_t stepsUp = 0;  // steps in which the Sun is up
+    std::uint64_t samples = 0;  // receivers that faced the Sun, summed over the steps that were computed now
+    std::uint64_t touching = 0; // samples whose result depends on the tolerance or on the rule for ties
+    std::string detail;         // error of the level of detail, with its unit
 };
 
 } // namespace gnomon::measure

@@ -1,4 +1,4 @@
-// The processes that count hours of sun together: this one alone, or all ranks of an MPI job (src/mpi).
+// The processes that compute sun hours together: only this process, or all ranks of an MPI job (src/mpi).
 #pragma once
 
 #include "core/progress.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::measure {
 
-/// This process alone. A job overrides all functions.
+/// A team of this process only. The team of an MPI job overrides all virtual functions.
 class SunHoursTeam {
 public:
     SunHoursTeam() = default;
@@ -18,19 +18,19 @@ public:
     SunHoursTeam(SunHoursTeam&&) = delete;
     SunHoursTeam& operator=(SunHoursTeam&&) = delete;
 
-    /// Which lights this process decides. Rank 0 writes the files and tells the user; all others write and tell
-    /// nothing.
+    /// Returns the share of lights that this process computes. Only rank 0 writes files and messages.
     virtual daylight::LightShare share() const { return {}; }
 
+    /// Returns true in rank 0.
     bool leads() const { return share().rank == 0; }
 
-    /// Waits until all ranks are ready to decide. Throws Error if one has another `key`.
+    /// Waits until all ranks are ready to compute. Throws Error if a rank has another `key`.
     virtual void begin(const std::string& /*key*/, Progress& /*progress*/) {}
 
-    /// Throws Error if another rank failed, and Interrupted if rank 0 ended the job.
+    /// Throws Error if another rank failed, and Interrupted if rank 0 ended the job. Called after each light.
     virtual void poll() {}
 
-    /// Waits for all ranks and adds their results. `lit` is complete in rank 0 only.
+    /// Waits for all ranks and adds their results to `lit`. The result is complete in rank 0 only.
     virtual void combine(daylight::LitSteps& /*lit*/, Progress& /*progress*/) {}
 };
 

@@ -1,4 +1,4 @@
-// A text file that is written run by run.
+// A text file that is written in blocks of about 1 MiB.
 #pragma once
 
 #include "core/file.h"
@@ -8,17 +8,19 @@
 
 namespace gnomon::measure {
 
-/// Appears under its name when it is complete. Throws Error.
+/// A buffered writer of a text file. The file appears under its name after `commit`. All functions throw Error.
 class TextRuns {
 public:
     explicit TextRuns(const std::string& path) : file_(path) {}
 
+    /// Appends `line`, which contains its own line break.
     void put(const std::string& line) {
         text_ += line;
         constexpr std::size_t kRun = std::size_t{1} << 20U;
         if (text_.size() >= kRun) flush();
     }
 
+    /// Writes the rest and gives the file its name.
     void commit() {
         flush();
         file_.commit();

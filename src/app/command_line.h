@@ -1,4 +1,4 @@
-// Options that several subcommands have, as CLI11 takes them.
+// CLI11 options that several subcommands share.
 #pragma once
 
 #include "settings/axes.h"
@@ -14,36 +14,36 @@
 
 namespace gnomon::app {
 
-/// The settings of one command line: the options that the table of settings makes, and what was written behind them.
+/// The options of the table of settings (settings/table.h), and their texts on one command line.
 class SettingOptions {
 public:
-    /// Adds an option for each setting to `command`; this must outlive the parsing.
+    /// Adds one option per setting to `command`. This object must exist until the command line is parsed.
     void addTo(CLI::App& command);
 
-    /// One value each. Throws UsageError.
+    /// Returns the settings, with one value per option. Throws UsageError.
     settings::Settings settings() const;
 
-    /// Likewise, for a bench: those that it sweeps are as they are by default.
+    /// Returns the settings for a bench. Settings that a bench sweeps have their default. Throws UsageError.
     settings::Settings fixedSettings() const;
 
-    /// Those that are swept, each with the values of its list; a list of `shadowMaps`, if given, is the number of
-    /// slices with faces off. Throws UsageError.
+    /// Returns one axis per given setting that a bench sweeps, with the values of its list. If `shadowMaps` (a list of
+    /// numbers of maps) is given, it is the axis of --z-partitions, without face partitions. Throws UsageError.
     std::vector<settings::Axis> axes(const std::optional<std::string>& shadowMaps) const;
 
-    /// Throws UsageError if `option`, which is about shadow maps, was given beside `--shadows exact`.
+    /// Throws UsageError if `--shadows exact` is given. `option` applies to shadow maps only.
     void requireMapsFor(const std::string& option) const;
 
 private:
-    settings::SettingTexts texts_; // of the settings that were given
+    settings::SettingTexts texts_; // texts of the given options
 };
 
-/// Adds --color-by, --colormap and --color-range to `command`; `words` must outlive the parsing.
+/// Adds --color-by, --colormap and --color-range to `command`. `words` must exist until the command line is parsed.
 void addColorOptions(CLI::App& command, settings::ValueColorWords& words);
 
-/// Throws UsageError where `settings` ask for the window, in which only `gnomon view` draws.
+/// Throws UsageError if `settings` request the backend `window`, which only `gnomon view` can use.
 void requireNoWindow(const settings::Settings& settings);
 
-/// What a seed may be for CLI11, which takes -1 for the largest of unsigned numbers.
+/// Returns a validator for seeds. CLI11 itself would accept -1 as the max unsigned number.
 CLI::Validator seedText();
 
 } // namespace gnomon::app

@@ -1,4 +1,4 @@
-// The subcommands of `gnomon`: each adds itself, its options and what it does to the command line.
+// The subcommands of `gnomon`. Each function adds one subcommand with its options and its action to the program.
 #pragma once
 
 #include "core/progress.h"
@@ -18,49 +18,51 @@ class SunHoursTeam;
 
 namespace gnomon::app {
 
-/// Options of every subcommand.
+/// The options that most subcommands share.
 struct CommonOptions {
     std::string progress = "auto"; // auto | bar | json | none
-    int threads = 0;               // 0: all
+    int threads = 0;               // 0: all cores
 };
 
 /// Adds `--threads` and `--progress` to `command`.
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// Whether work asks often enough to be stopped by Progress::advance; what does not ends by the signal itself.
+/// Yes: the work calls Progress::advance often, so that the function can stop it by an exception. No: a signal ends the
+/// process at once.
 enum class Polling : std::uint8_t { No, Yes };
 
-/// The progress display that `options` ask for, on stderr; of work that polls it also turns Ctrl-C into
-/// gnomon::Interrupted.
+/// Returns the progress display of `options`, which writes to stderr. With Polling::Yes, the first Ctrl-C makes
+/// `advance` throw gnomon::Interrupted.
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options, Polling polling = Polling::Yes);
 
-/// What an option for memory takes: 512M, 2G.
+/// Returns a validator for memory sizes such as 512M or 2G.
 CLI::Validator memorySize();
 
-/// Adds --cacert and --http-cache, by which the process reads what lies on servers.
+/// Adds --cacert and --http-cache, the options for models on servers.
 void addServerOptions(CLI::App& command);
 
-/// Adds MODEL, the name of a .gnm that is read, and those.
+/// Adds the argument MODEL, the path or address of a .gnm file, and the options for servers.
 void addModel(CLI::App& command, std::string& model);
 
 void addBenchCommand(CLI::App& program);
 
-/// How a command builds: nothing comes back to a process that only helped another.
+/// A function that builds a model. It returns nullopt in a process that only worked for another process.
 using BuildBy = std::function<std::optional<pipeline::BuildReport>(
     read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress)>;
 
-/// Without `buildBy` by this process alone.
+/// Adds `gnomon build`. Without `buildBy`, only this process builds the model.
 void addBuildCommand(CLI::App& program, const BuildBy& buildBy = {});
 void addExplainCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addMakeCommand(CLI::App& program);
-void addManualCommand(CLI::App& program, bool isSilent = false); // silent where another process prints
+void addManualCommand(CLI::App& program, bool isSilent = false); // silent: another process prints the page
 void addMeasureCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 
-/// Without `team` by this process alone; with it hours of sun alone.
+/// Adds `gnomon sun`. With `team`, the command has only `sun hours`, which the team computes. Otherwise it has all its
+/// subcommands, and only this process computes.
 void addSunCommand(CLI::App& program, const std::shared_ptr<measure::SunHoursTeam>& team = {});
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);

@@ -1,22 +1,22 @@
-// The three standard descriptors of a command: what is told on stderr, and whether what was printed has arrived.
+// Messages on stderr, and checks of the standard file descriptors.
 #pragma once
 
 #include <string>
 
 namespace gnomon::app {
 
-/// Opens those of the descriptors 0 to 2 that are closed on the null device, so that no file gets their number and then
-/// what is meant for stderr; reading from and writing to them fails as before. To be called first of all.
+/// Opens each closed descriptor of 0 to 2 on /dev/null. Otherwise a file could get the number of stderr, and messages
+/// would go into this file. Reads from and writes to such a descriptor still fail. Call this first in `main`.
 void occupyStandardDescriptors();
 
-/// "gnomon: TEXT" on stderr, in one line and without control characters.
+/// Prints "gnomon: TEXT" to stderr, in one line and without control characters.
 void printMessage(const std::string& text);
 
-/// The same for what is no failure: "gnomon: warning: TEXT".
+/// Prints "gnomon: warning: TEXT" to stderr, in one line and without control characters.
 void printWarning(const std::string& text);
 
-/// Throws Error if something that was printed has not reached stdout; `kept` says what is whole all the same, as in
-/// "the model o.gnm is complete".
+/// Flushes stdout and throws Error if some output is lost. `kept` names the results that are complete nevertheless,
+/// such as "the model o.gnm is complete".
 void requirePrinted(const std::string& kept = "");
 
 } // namespace gnomon::app

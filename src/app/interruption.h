@@ -1,24 +1,29 @@
-// How the program ends when a signal asks it to, INT, TERM, HUP or PIPE: all commands in one way.
+// The reaction of all commands to the signals INT, TERM, HUP and PIPE.
 #pragma once
 
 namespace gnomon::app {
 
+/// The message of an interrupted command.
 constexpr const char* kInterrupted = "interrupted; nothing was left half-written";
 
-/// From now on such a signal removes every temporary file, says kInterrupted and ends the process with exit code 1. HUP
-/// and PIPE stay ignored where they are. The function can run before any library has initialised itself.
+/// Installs a handler for the four signals. It prints kInterrupted, removes all temporary files and ends the process
+/// with exit code 1. HUP and PIPE stay ignored if the parent process ignores them. The function can run before any
+/// library is initialised.
 void catchSignals();
 
-/// Does that. From now on std::terminate for want of memory or threads ends the process likewise.
+/// Calls `catchSignals`. In addition, exceptions that no code catches end the process with a message. If the cause is a
+/// lack of memory or threads, the process removes its temporary files and its exit code is 1. Otherwise it aborts.
 void endCleanlyOnSignals();
 
-/// Likewise, but such a signal is only noted, however often it comes: for a process that another one speaks for.
+/// Calls `endCleanlyOnSignals`, but all signals only set the flag of `isInterrupted`. This is for a process for which
+/// another process prints the messages.
 void onlyNoteSignals();
 
-/// Whether one of the signals has come.
+/// Returns true if the process received one of the signals.
 bool isInterrupted();
 
-/// While one lives, the first signal is but noted, for work that asks `isInterrupted` often and unwinds.
+/// While an object of this class exists, the first signal only sets the flag of `isInterrupted`. The work must call
+/// `isInterrupted` often and stop by itself. A second signal ends the process.
 class PolledInterruption {
 public:
     PolledInterruption();

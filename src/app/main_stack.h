@@ -1,12 +1,12 @@
-// The stack of the main thread and of those that it starts.
+// The size of the stacks of the main thread and of the threads that it starts.
 #pragma once
 
 #include <functional>
 
 namespace gnomon::app {
 
-/// Returns what `work` returns. Where the user's limit makes stacks smaller than 8 MiB (`ulimit -s`), `work` runs on a
-/// thread with a stack of that size, and so do all threads that are started later.
+/// Runs `work` and returns its result. If the user's limit for stacks (`ulimit -s`) is below 8 MiB, `work` runs on a
+/// thread with a stack of 8 MiB. All threads that are started later then have stacks of this size too.
 int onLargeStack(const std::function<int()>& work);
 
 } // namespace gnomon::app

@@ -1,4 +1,4 @@
-// --oracle, as render and bench have it.
+// The option --oracle of render and bench, which selects the ground truth for shadows.
 #pragma once
 
 #include "app/commands.h"
@@ -8,12 +8,13 @@
 
 namespace gnomon::app {
 
-/// Whether and how shadows are held against rays.
+/// The option --oracle and its value.
 class OracleOption {
 public:
-    /// Adds the option to `command`; this must outlive the parsing.
+    /// Adds the option to `command`. This object must exist until the command line is parsed.
     void addTo(CLI::App& command);
 
+    /// Returns the chosen ground truth, or Oracle::None without the option.
     proof::Oracle mode() const;
 
 private:

@@ -1,4 +1,4 @@
-// A program of subcommands, and the one place where errors become exit codes.
+// A program with subcommands, and the conversion of errors to exit codes.
 #pragma once
 
 #include <functional>
@@ -8,17 +8,19 @@
 
 namespace gnomon::app {
 
+/// The name and the subcommands of a program.
 struct Program {
     const char* name;
     const char* description;
-    std::vector<std::function<void(CLI::App&)>> commands; // each adds itself, in the order of --help
-    bool isSilent = false;                                // prints neither help nor version: another process does
+    std::vector<std::function<void(CLI::App&)>> commands; // each adds one subcommand, in the order of --help
+    bool isSilent = false;                                // true: another process prints help and version
 };
 
-/// Runs what the command line asks for. Throws UsageError and what commands throw.
+/// Parses the command line and runs the chosen command. Throws UsageError and the exceptions of the command.
 void runProgram(const Program& about, int argc, char** argv);
 
-/// Runs `work`; what it throws is told in one line.
+/// Runs `work` and returns the exit code: 0 for success, 2 for a UsageError, and 1 for all other exceptions. Prints the
+/// message of an exception to stderr, in one line.
 int exitCodeOf(const std::function<void()>& work);
 
 } // namespace gnomon::app

@@ -1,4 +1,4 @@
-// The option --threads, as long as something holds it.
+// The effect of the option --threads during the lifetime of an object.
 #pragma once
 
 #include "app/commands.h"
@@ -9,13 +9,13 @@
 
 namespace gnomon::app {
 
-/// While it lives, no more than `--threads` threads work at once; 0 sets no limit. Loaders of pages wait more than they
-/// work and come on top.
+/// A limit of the worker threads of TBB to `--threads`, while the object exists. 0 sets no limit. The threads that load
+/// pages do not count, because they mostly wait.
 class ThreadLimit {
 public:
     explicit ThreadLimit(const CommonOptions& options);
 
-    /// How many may work now, with or without a limit.
+    /// Returns the max number of threads that can work now, with or without a limit.
     static int current();
 
 private:

@@ -12,11 +12,12 @@ namespace {
 
 using plan::Capabilities;
 
-/// A capability, its verb, the option that needs it, and the condition on the values.
+/// A capability of backends, its verb for messages, the option that needs it, and the condition under which settings
+/// need it.
 struct Need {
     bool Capabilities::*capability;
     const char* verb;
-    const char* option; // empty: no option requests it
+    const char* option; // name of the setting, without "--"
     bool (*isRequested)(const Settings&, const ValueColors&);
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// World space -> the camera space of `plan`.
+/// Returns the matrix from world space to the camera space of `plan`.
 glm::dmat4 cameraFromWorld(const plan::FramePlan& plan) {
     const CameraBasis& basis = plan.basis;
     const glm::dvec3 eye = plan.view.camera.eye;
@@ -25,7 +25,7 @@ glm::dmat4 cameraFromWorld(const plan::FramePlan& plan) {
         glm::dvec4(0, 0, 0, 1)));
 }
 
-/// Depth in [0, 1] of the image's clip space -> [-1, 1], as GL has it.
+/// Returns the matrix from light clip space with depths in [0, 1] to the clip space of OpenGL with depths in [-1, 1].
 glm::dmat4 glClipFromLightClip() {
     glm::dmat4 clip(1);
     clip[2].z = 2;
@@ -66,7 +66,8 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
         matrixJson(glClipFromLightClip() * map.lightClipFromCamera() * cameraFromWorld(plan));
     json["rectangle"] = {r.x, r.y, r.width, r.height};
     json["kappa"] = map.warped.kappa;
-    // Rows up from the rectangle's lower edge: this times ln(w), w of the matrix; 0: rows lie evenly in y / w.
+    // In a logarithmic map, the row above the lower edge of the rectangle is this factor times ln(w), with the w of the
+    // matrix. The value 0 means that rows are even in y / w.
     json["rows_per_log"] = map.warped.rows == shadow::RowSpacing::Even ? 0.0 : map.rowsPerLog();
     json["promised_aliasing_x"] = map.promised.x;
     json["promised_aliasing_z"] = map.promised.z;
@@ -117,14 +118,14 @@ ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend)
     json["omitted"] = ordered_json::array();
     for (const plan::Omission& omission : plan.omitted)
         json["omitted"].push_back({{"effect", effectInWords(omission)}, {"reason", reasonInWords(omission)}});
-    json["texels_that_would_do"] = nullptr; // no maps, or no number of texels would
+    json["texels_that_would_do"] = nullptr; // no maps, or no number of texels reaches the requested aliasing bound
     if (plan.texelsThatWouldDo > 0) json["texels_that_would_do"] = plan.texelsThatWouldDo;
     return json;
 }
 
 namespace {
 
-/// What the maps promise, and a line for each.
+/// Returns the aliasing bounds of all maps together, and a table with one line per map.
 std::string mapsText(const plan::FramePlan& plan) {
     const auto asked = [&](double depth) { return depthFromAskedEye(plan, depth); };
     std::string text;

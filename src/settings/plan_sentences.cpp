@@ -25,7 +25,7 @@ std::string decimal(double value, int decimals) {
     return text.data();
 }
 
-/// The least gain that an effect has to bring.
+/// Returns the min reduction of the aliasing bound for which the plan uses an effect, as a percentage.
 std::string leastGain() {
     return percent(1 - plan::kWorthwhile, 0);
 }
@@ -43,7 +43,8 @@ const char* whyStabilized(Effect effect) {
     return "stabilised slices are whole";
 }
 
-/// Why light is not summed over directions, or rows of maps lie evenly.
+/// Returns the words for reasons about penumbrae, the sky, even rows and point lights. The calling function handles all
+/// other reasons.
 std::string otherReason(const plan::Omission& omission) {
     switch (omission.reason) {
     case OmissionReason::NarrowPenumbrae:
@@ -167,7 +168,7 @@ std::string reasonInWords(const plan::Omission& omission) {
     case OmissionReason::SlicesGiven:
     case OmissionReason::NothingHidesTheSky:
     case OmissionReason::FacesOfCube:
-        break; // named one by one, so that the compiler tells of a new reason without words
+        break; // no default case: the compiler then warns of a new reason without words
     }
     return otherReason(omission);
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kUsualFovYDegrees = 60;
 
-/// Whether there is more or less of a camera beside a camera file.
+/// Returns true if options other than --camera give parts of a camera.
 bool hasPose(const Settings& settings) {
     return settings.eye || settings.target || settings.side || settings.fovYDegrees;
 }
@@ -47,7 +47,7 @@ void requireNoWarpIfStable(const Settings& settings) {
             " contradict each other: stabilised slices are unwarped"};
 }
 
-/// Whether options ask for shadows, or for maps of them.
+/// Returns true if options request shadows, or settings of shadow maps.
 bool asksForShadows(const plan::Quality& quality) {
     using plan::ShadowMode;
     if (quality.shadows == ShadowMode::Auto) return quality.mapsBecause.has_value();
@@ -92,13 +92,14 @@ glm::dvec3 lightOf(const Settings& settings, const glm::dvec3& up) {
 
 namespace {
 
-/// As seen from the middle of the model; up, where it is there.
+/// Returns the vector from the centre of `bounds` to the point light. Returns `up` if the light is at the centre.
 glm::dvec3 towardsPoint(const plan::PointLight& light, const Box& bounds, const glm::dvec3& up) {
     const glm::dvec3 towards = light.at - 0.5 * (bounds.min + bounds.max);
     return towards == glm::dvec3(0) ? up : towards;
 }
 
-/// The maps of a lamp are the faces of a cube: neither cut nor warped as the view is.
+/// Throws UsageError for options of slices, face partitions, warps and stabilisation. The maps of a point light are the
+/// six faces of a cube, so these options do not apply.
 void requireCubeMaps(const Settings& settings) {
     const plan::Quality usual;
     const plan::Quality& quality = settings.quality;
@@ -114,7 +115,7 @@ void requireCubeMaps(const Settings& settings) {
             "--light-at and " + option + " contradict each other: a lamp's maps are the faces of a cube about it"};
 }
 
-/// The ground's shadow is of a direction, and so are slices, warps and what else is of a direction's maps.
+/// Throws UsageError if a point light is requested together with an option that supports only directional lights.
 void requireNoneIfPoint(const Settings& settings) {
     if (!settings.lightAt) return;
     const plan::Quality& quality = settings.quality;
@@ -212,7 +213,7 @@ Settings settingsOf(const SettingTexts& texts, bool withSwept) {
         ++known;
         if (setting.description().isOfMaps) requireMapsFor(setting.option(), texts);
     }
-    if (known != texts.size()) // first of all that are none of the table's
+    if (known != texts.size()) // an unknown name is reported before invalid values
         for (const auto& given : texts)
             if (std::none_of(
                     table().begin(), table().end(), [&](const Setting& each) { return each.name() == given.first; })) {

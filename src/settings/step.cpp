@@ -9,7 +9,8 @@ namespace gnomon::settings {
 
 namespace {
 
-/// The entry of `all` that lies `steps` behind `current`, around; the first if it is not among them.
+/// Returns the entry `steps` after `current` in `all`, with wrap-around. Returns the first entry if `current` is not in
+/// the list.
 template <class T>
 T around(const std::vector<T>& all, const T& current, int steps) {
     const auto found = std::find(all.begin(), all.end(), current);
@@ -33,7 +34,7 @@ std::optional<int> stepped(const Setting& setting, std::optional<int> value, int
     return value ? std::nullopt : std::optional(usual);
 }
 
-/// Doubles the shorter side or halves the longer one, so that sides stay powers of two if they were.
+/// Doubles the shorter side or halves the longer side. Powers of two remain powers of two.
 std::array<int, 2> stepped(const Offer& offer, std::array<int, 2> size, int steps) {
     const auto [shorter, longer] = std::minmax_element(size.begin(), size.end());
     int& side = steps > 0 ? *shorter : *longer;

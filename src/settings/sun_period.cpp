@@ -13,7 +13,7 @@ std::size_t stepCount(const SunPeriod& period) {
     const sun::JulianDate to = sun::julianDate(period.to);
     const double seconds = ((to.midnight - from.midnight) + (to.fraction - from.fraction)) * kSecondsOfDay;
     if (!(seconds > 0)) throw UsageError{"--to has to be later than --from"};
-    // A microsecond more or less is the rounding of dates.
+    // Dates are rounded to about a microsecond. The tolerance avoids an additional step because of this.
     const double steps = std::ceil(seconds / period.stepSeconds - 0.5 - 1e-6 / period.stepSeconds);
     if (steps < 1) throw UsageError{"--step is more than twice the time from --from to --to"};
     if (steps > kMostSunSteps) throw UsageError{"--step is too short: more than a million steps from --from to --to"};

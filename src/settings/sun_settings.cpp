@@ -164,9 +164,9 @@ glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up) 
 
 namespace {
 
-/// At the nearest point of the grid of a model.
+/// Returns the grid point nearest to `at`, in world space. Throws UsageError if it is too far away.
 glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
-    constexpr double kMostCells = 0x1p51; // half of what exact shadows have room for: those count from near the eye
+    constexpr double kMostCells = 0x1p51; // half the range of exact shadows, whose origin is near the eye
     const glm::dvec3 cell = glm::round((at - grid.origin) / grid.step());
     for (int axis = 0; axis < 3; ++axis)
         if (!(std::abs(cell[axis]) < kMostCells))

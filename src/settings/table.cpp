@@ -27,7 +27,7 @@ Codec<Size> textureSize() {
     });
 }
 
-/// Distances; 0 is "auto".
+/// Returns the codec for a distance or "auto", whose value is 0.
 Codec<double> distanceOrZero() {
     const Codec<std::optional<double>> codec = orAuto(distance());
     return {
@@ -39,7 +39,7 @@ Codec<double> distanceOrZero() {
         codec.expected};
 }
 
-/// What is seen, and from where.
+/// Returns the settings of the image size and the camera.
 std::vector<Setting> cameraSettings() {
     return {
         plain(
@@ -101,7 +101,8 @@ Setting lightSetting() {
         }};
 }
 
-/// For which depths and light shadows are promised, and how much is drawn at most.
+/// Returns the settings of the depth range of the aliasing bound, the directional light, and the max number of
+/// triangles.
 std::vector<Setting> sceneSettings() {
     return {
         quality(
@@ -138,7 +139,7 @@ std::vector<Setting> sceneSettings() {
     };
 }
 
-/// How maps are made, of what no bench sweeps.
+/// Returns the settings of shadow maps that a bench does not sweep.
 std::vector<Setting> fixedMapSettings() {
     return {
         plain(
@@ -177,7 +178,7 @@ std::vector<Setting> fixedMapSettings() {
     };
 }
 
-/// What draws, and with how much memory.
+/// Returns the settings of the backend, its memory and its shaders.
 std::vector<Setting> machineSettings() {
     return {
         plain(
@@ -263,7 +264,8 @@ Setting shadowTexelsSetting() {
         }};
 }
 
-/// What a bench sweeps, in the order in which its runs are nested.
+/// Returns the first settings that a bench sweeps. The axes of a bench have the order of the table, and the last axis
+/// varies fastest.
 std::vector<Setting> sweptSettings() {
     return {
         quality(
@@ -298,7 +300,7 @@ std::vector<Setting> sweptSettings() {
     };
 }
 
-/// The rest of that: how maps are looked up, filled and kept.
+/// Returns the other settings that a bench sweeps: filter, culling and stabilisation.
 std::vector<Setting> moreSweptSettings() {
     return {
         quality(

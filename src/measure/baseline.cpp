@@ -13,10 +13,10 @@ namespace gnomon::measure {
 
 namespace {
 
-/// What of the context frame times hang on, beside the settings.
+/// The keys of the context, besides the settings, on which frame times depend.
 constexpr std::array kAlike{"model_content_hash", "path_content_hash", "frames", "real_time", "backend", "threads"};
 
-/// Throws UsageError if a setting of `baseline`, which all runs share or which names a run, no longer takes its word.
+/// Throws UsageError if a setting in the context or in a run's name of `baseline` has a value that no longer exists.
 void refuseRemovedWords(const Baseline& baseline) {
     for (const settings::Setting& setting : settings::table()) {
         if (const auto stated = baseline.context.find(setting.column()); stated != baseline.context.end())

@@ -21,7 +21,7 @@ std::map<std::string, std::string> statedSettings(const std::vector<BenchRun>& r
         if (description.isSwept) {
             const auto isThis = [&](const BenchRun& run) { return setting.text(run.settings) == value; };
             if (std::all_of(runs.begin(), runs.end(), isThis)) stated[setting.column()] = value;
-        } else if (!description.statedAs.empty()) { // several may be stated together
+        } else if (!description.statedAs.empty()) { // several settings can share a key, such as near and far
             std::string& text = stated[description.statedAs];
             text += (text.empty() ? "" : ", ") + (value.empty() ? "not given" : value);
         }
@@ -32,7 +32,7 @@ std::map<std::string, std::string> statedSettings(const std::vector<BenchRun>& r
 std::map<std::string, std::string> statedFacts(
     const std::vector<BenchRun>& runs, const path::CameraPath& path, const WalkOptions& walk, Session& session) {
     std::map<std::string, std::string> context = telemetry::machineContext();
-    context.erase("host_name"); // a report is handed around
+    context.erase("host_name"); // reports are given to other people
     const hierarchy::ModelFile& model = session.model();
     context["model"] = std::filesystem::path(model.path()).filename().string();
     context["model_triangles"] = std::to_string(model.summary().sourceTriangles);

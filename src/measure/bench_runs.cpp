@@ -12,7 +12,7 @@ namespace gnomon::measure {
 
 namespace {
 
-/// Four times the absolute difference of each channel.
+/// Returns four times the absolute difference of each channel, at most 255.
 executor::Picture magnifiedDifference(const executor::Picture& a, const executor::Picture& b) {
     executor::Picture result = a;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -23,13 +23,13 @@ executor::Picture magnifiedDifference(const executor::Picture& a, const executor
     return result;
 }
 
-/// `text` with `more` behind it, and `separator` between them if both are there.
+/// Returns `text` followed by `more`, with `separator` between them if both are not empty.
 std::string joined(std::string text, const char* separator, const std::string& more) {
     if (!text.empty() && !more.empty()) text += separator;
     return text + more;
 }
 
-/// The run of `own`, named by what varies among `all`.
+/// Returns the run of `own`. Its name contains the settings that vary in `all`.
 BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settings>& all) {
     BenchRun run{{}, own, {}};
     for (const settings::Setting& setting : settings::table()) {
@@ -48,7 +48,7 @@ BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settin
     return run;
 }
 
-/// Whether `a` and `b` draw exact shadows alike: they differ at most in how shadow maps would be.
+/// Returns true if `a` and `b` draw the same exact shadows. They can differ in settings of shadow maps.
 bool areTheSameExact(const settings::Settings& a, const settings::Settings& b) {
     if (a.quality.shadows != plan::ShadowMode::Exact || b.quality.shadows != plan::ShadowMode::Exact) return false;
     if (a.quality.cellScheme != b.quality.cellScheme) return false;
@@ -58,14 +58,14 @@ bool areTheSameExact(const settings::Settings& a, const settings::Settings& b) {
     });
 }
 
-/// Gives the picture of each frame of `run` to `options.onPicture`.
+/// Returns a function that converts each frame's picture to PNG and calls `options.onPicture` with it.
 Walk::OnFrame tellerOf(std::size_t run, const WalkOptions& options) {
     return [run, &options](int frame, const executor::Picture& picture) {
         options.onPicture(run, frame, executor::pngBytes(picture));
     };
 }
 
-/// Walks all `runs`, each repetition all of them before the next one.
+/// Walks all `runs` in each repetition before the next repetition begins, and returns their results.
 std::vector<RunResult> walked(
     const BenchWalks& walks, std::span<const BenchRun> runs, const WalkOptions& options, Progress& progress) {
     std::vector<RunResult> results(runs.size());
@@ -122,7 +122,7 @@ int quickFrames(
     RunResult look;
     look.run = runs.front();
     WalkOptions ends = options;
-    ends.frames = 3; // first, middle and last
+    ends.frames = 3; // at the start, the middle and the end of the path
     Walk walk(session, path, ends, look);
     const double work = std::max({walk.drawnWork(0), walk.drawnWork(1), walk.drawnWork(2)});
     const double walks = static_cast<double>(runs.size()) * options.repetitions;
@@ -157,7 +157,7 @@ std::vector<report::Picture> middlePictures(
 
 std::vector<report::Picture> middlePicturesOfAll(
     const BenchWalks& walks, const std::vector<std::size_t>& which, Progress& progress) {
-    std::vector<std::size_t> distinct; // a run for all that draw alike
+    std::vector<std::size_t> distinct; // one run per group of runs with identical pictures
     const auto drawnFor = [&](std::size_t run) {
         return std::find_if(distinct.begin(), distinct.end(), [&](std::size_t before) {
             return settings::drawAlike(walks.runs[before].settings, walks.runs[run].settings);

@@ -9,7 +9,7 @@ namespace gnomon::measure {
 
 namespace {
 
-/// As wide as a column, or longer.
+/// Returns `name` with spaces up to the width of a column. A longer name stays as it is.
 std::string padded(const std::string& name) {
     constexpr std::size_t kColumn = 52;
     return name + std::string(name.size() < kColumn ? kColumn - name.size() : 0, ' ');

@@ -17,7 +17,7 @@ Walk::Walk(Session& session, const path::CameraPath& path, const WalkOptions& op
       result_(result),
       view_(settings::viewOf(settings::uprightIn(result.run.settings, session.model()), session.model().summary())),
       quality_(settings::qualityOf(result.run.settings)) {
-    // Frames are compared with each other, so all have the sun, however little of it they show.
+    // All frames use the sun, also frames with few sunlit pixels, because frames are compared with each other.
     if (quality_.look.shading == plan::Shading::Auto) quality_.look.shading = plan::Shading::Lit;
     frameOptions_.waiting = options.isRealTime ? frame::Waiting::Never : frame::Waiting::UntilComplete;
 }
@@ -67,7 +67,7 @@ executor::Picture Walk::picture(executor::Overlay overlay, Progress& progress) {
     frameOptions_.overlay = overlay;
     session_.renderer().forget();
     const frame::Frame drawn = draw(options_.frames / 2);
-    if (overlay == executor::Overlay::None) quality_.shadows = drawn.plan.quality.shadows; // for the overlays after it
+    if (overlay == executor::Overlay::None) quality_.shadows = drawn.plan.quality.shadows; // also for overlays
     progress.advance(1);
     executor::Picture picture = session_.executor().picture();
     executor::drawLegend(picture, executor::legendOf(overlay, drawn.plan));
@@ -78,7 +78,7 @@ void Walk::warmUp(Progress& progress) {
     session_.renderer().forget();
     for (int i = 0; i < options_.warmup; ++i) {
         draw(0);
-        progress.advance(0); // not counted, but a place to stop
+        progress.advance(0); // warm-up frames do not count, but an interruption can stop here
     }
     session_.renderer().forget();
 }

@@ -12,13 +12,14 @@ namespace gnomon::measure {
 
 namespace {
 
-/// Advances by a share of a whole number of steps.
+/// Converts the frames of several bands to a fixed total number of progress steps.
 class SharedProgress {
 public:
     SharedProgress(Progress& progress, int steps, std::size_t parts)
         : progress_(&progress), steps_(static_cast<std::uint64_t>(steps)), parts_(parts) {}
 
-    /// Says that `done` of `wanted` of the current part are there.
+    /// Reports that `done` of `wanted` frames of the current part (a band) are complete. Begins the next part if all
+    /// are.
     void tell(int done, int wanted) {
         const std::uint64_t parts = static_cast<std::uint64_t>(wanted) * parts_;
         const std::uint64_t now =
@@ -36,7 +37,7 @@ private:
     std::uint64_t told_ = 0;
 };
 
-/// The rows of `frame` that its options name, or all.
+/// The picture of the rows that FrameOptions::rows selects, or of all rows.
 struct DrawnRows {
     frame::Frame frame;
     executor::Picture picture;
@@ -72,7 +73,9 @@ DrawnRows drawRows(
     return drawn;
 }
 
-/// The shading of a picture in `bands`, which has to be the one that the whole picture gets.
+/// Returns the shading that the whole picture would have, for a picture that is drawn in `bands`. For the shading Auto,
+/// this draws the bands with sunlight and counts sunlit pixels. The result is Headlight if the model is visible without
+/// a ground and almost no pixel is sunlit.
 plan::Shading shadingOf(
     Session& session,
     const plan::View& view,

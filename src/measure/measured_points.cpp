@@ -25,7 +25,7 @@ survey::Point givenPoint(const glm::dvec3& point, const hierarchy::Grid& grid) {
     return {cell, grid.snapError()};
 }
 
-/// The points that pixels of the view of `session` show. What casts shadows there changes none of them.
+/// Returns the points at the pixels of `task`. Draws the view without shadows, because shadows do not move points.
 survey::Measure shownPoints(const PointTask& task, Session& session) {
     plan::Quality quality = settings::qualityOf(task.settings);
     quality.shadows = plan::ShadowMode::Off;
@@ -53,7 +53,7 @@ MeasuredPoints measurePoints(const PointTask& task) {
         const settings::Settings upright = settings::uprightIn(task.settings, model);
         result.of = survey::surveyedOf(task.model, model.summary(), upright.up.value_or(model.summary().up.direction));
     };
-    if (task.pixels.empty()) { // nothing is drawn, so no executor is made
+    if (task.pixels.empty()) { // this draws nothing, so it needs no executor
         take(hierarchy::ModelFile(task.model, task.settings.memory));
         for (const glm::dvec3& point : task.points)
             result.measure.push_back(givenPoint(point, result.of.grid));

@@ -19,14 +19,14 @@ namespace gnomon::measure {
 namespace {
 
 constexpr int kUsualFrames = 60;
-constexpr double kUsualRate = 25; // frames a second, where no path says
+constexpr double kUsualRate = 25; // frames per second without the times of a path
 
 std::string nameOf(const settings::PictureSeries& series, int number) {
     return executor::numberedName(series.output, number).value_or(series.output);
 }
 
-/// The view that a series begins with: of a path without framing anything, of a turntable so that every turn of it is
-/// in the picture.
+/// Returns the first view of a series. On a turntable without a given eye, it frames the model in all its rotations. A
+/// path has its own cameras, so its view does not have to frame the model.
 plan::View firstView(const SeriesTask& task, const hierarchy::ModelFile& model, bool isWalked) {
     const settings::Settings settings = settings::uprightIn(task.settings, model);
     if (isWalked || !settings::isFramed(settings)) return settings::viewOf(settings, model.summary());
@@ -35,12 +35,13 @@ plan::View firstView(const SeriesTask& task, const hierarchy::ModelFile& model, 
     return settings::viewOf(settings, model.summary(), path::sweptOutline(path::outlineOf(model), center, up));
 }
 
-/// The shading of all pictures of a series, so that it does not switch between them. If `quality` leaves it open, looks
-/// at small pictures of up to 16 of its `cameras`: headlight if more than half of them show next to no sun.
+/// Returns the common shading of all pictures of a series, so that it does not change between them. For the shading
+/// Auto, this draws small pictures of up to 16 of the `cameras`. The result is Headlight if more than half of them show
+/// almost no sunlight.
 plan::Shading commonShading(
     Session& session, plan::View view, const plan::Quality& quality, const std::vector<Camera>& cameras) {
     constexpr std::size_t kMaxLooks = 16;
-    constexpr int kReduction = 4; // of the picture's sides
+    constexpr int kReduction = 4; // divisor of width and height
     if (quality.look.shading != plan::Shading::Auto) return quality.look.shading;
     view.width = std::max(view.width / kReduction, 1);
     view.height = std::max(view.height / kReduction, 1);
@@ -92,7 +93,7 @@ void drawSeries(const settings::PictureSeries& series, const SeriesTask& task, P
     frame::FrameOptions frameOptions;
     frameOptions.overlay = task.overlay;
     progress.stage("render", "frames", static_cast<std::uint64_t>(frames) * static_cast<std::uint64_t>(samples));
-    // The small pictures that decide the shading must not fill the room of the large ones.
+    // Reserve the memory of the large pictures first. Otherwise the pages for the small pictures could use it.
     frame::FrameOptions whole = frameOptions;
     whole.isAccumulated = samples > 1;
     whole.rows = bandsOf(session, view, quality, frameOptions, samples).front();

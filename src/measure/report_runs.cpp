@@ -15,7 +15,8 @@ using plan::Quality;
 using settings::Settings;
 using shadow::WarpRule;
 
-/// `base` with exact shadows, and nothing that is asked of maps: it would contradict them.
+/// Returns `base` with exact shadows. All settings of shadow maps get their default, because they would contradict
+/// exact shadows.
 Settings withExactShadows(const Settings& base) {
     Settings result = base;
     for (const settings::Setting& setting : settings::table())
@@ -25,9 +26,10 @@ Settings withExactShadows(const Settings& base) {
     return result;
 }
 
-/// Settings in the order in which they were first asked for.
+/// A list of different settings, in the order in which they were added.
 class DistinctSettings {
 public:
+    /// Adds `settings` if the list does not contain equal settings.
     void add(const Settings& settings) {
         const auto isAlike = [&](const Settings& other) {
             return settings::areAlike(settings, other) && settings.quality.cellScheme == other.quality.cellScheme;
@@ -35,7 +37,7 @@ public:
         if (std::none_of(all_.begin(), all_.end(), isAlike)) all_.push_back(settings);
     }
 
-    /// `base` with `member` at each of `values`.
+    /// Adds a copy of `base` per value in `values`, with this value in `member`.
     template <class Member, class T>
     void vary(const Settings& base, Member Quality::*member, std::initializer_list<T> values) {
         for (const T& value : values) {
@@ -45,7 +47,7 @@ public:
         }
     }
 
-    /// `base` with exact shadows, over each scheme of cells.
+    /// Adds `base` with exact shadows, once per cell scheme.
     void addExact(const Settings& base) {
         for (const auto& scheme : plan::kCellSchemes) {
             Settings settings = withExactShadows(base);
@@ -70,7 +72,8 @@ Settings withTexels(Settings settings, int side) {
     return settings;
 }
 
-/// Logarithmic rows in one map and in one on each face; for a curve of their own with less and with more texels.
+/// Adds a single logarithmic map and logarithmic maps of the faces. If not `isQuick`, adds both with fewer and with
+/// more texels too, so that the report shows their curve of error and time.
 void addLogarithmic(DistinctSettings& runs, const Settings& oneMap, bool isQuick) {
     const Settings whole = withWarp(oneMap, WarpRule::Log);
     Settings faces = whole;
@@ -87,7 +90,7 @@ void addLogarithmic(DistinctSettings& runs, const Settings& oneMap, bool isQuick
 } // namespace
 
 std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
-    Settings base = asked; // maps, by their name: exact shadows are a run of their own
+    Settings base = asked; // with shadow maps, because exact shadows have separate runs
     if (base.quality.shadows == plan::ShadowMode::Auto) base.quality.shadows = plan::ShadowMode::Maps;
     base.quality.mapsBecause.reset();
     const bool isExactToo =
@@ -97,7 +100,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     unculled.quality.cullCasters = plan::CasterCulling::Off;
     Settings oneMap = base;
     oneMap.quality.zPartitions = 1;
-    Settings stable = withWarp(base, WarpRule::None); // it has none, and a warp that is asked for contradicts it
+    Settings stable = withWarp(base, WarpRule::None); // stabilised maps have no warp
     stable.quality.stabilize = true;
     DistinctSettings runs;
     if (isQuick) {

@@ -14,7 +14,7 @@ namespace gnomon::measure {
 
 namespace {
 
-/// What of the task has to do with how many frames it may take.
+/// Returns the options of the task that restrict the number of frames.
 settings::BesideSamples besideSamples(const StillTask& task) {
     settings::BesideSamples beside;
     beside.overlay = task.overlay != executor::Overlay::None;
@@ -57,7 +57,7 @@ void drawStill(const StillTask& task, Progress& progress) {
     std::optional<executor::Picture> reference;
     if (!task.reference.empty()) reference = executor::readPng(task.reference);
     for (const std::string& path : {task.output, task.statistics, task.depth})
-        requireWritable(path); // drawing may take long
+        requireWritable(path); // fails before the long drawing
     const PreparedFolder shadowDepth(task.shadowDepth);
     frame::FrameOptions options;
     options.overlay = task.overlay;

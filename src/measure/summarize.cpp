@@ -45,7 +45,7 @@ std::optional<double> largest(
     return result;
 }
 
-/// The median over repetitions of every frame's time, in the order of the path.
+/// Returns the frame times in the order of the path. Each is the median over the repetitions.
 std::vector<double> timesAlongPath(const std::vector<telemetry::FrameRow>& rows) {
     std::map<std::int64_t, std::vector<double>> times;
     for (const telemetry::FrameRow& row : rows)
@@ -57,7 +57,8 @@ std::vector<double> timesAlongPath(const std::vector<telemetry::FrameRow>& rows)
     return result;
 }
 
-/// Half the range of the repetitions' medians over their middle; nothing if there is only one repetition.
+/// Returns the noise of the frame times, (max - min) / (max + min) of the medians of the repetitions. Returns nullopt
+/// for a single repetition.
 std::optional<double> noise(const std::vector<telemetry::FrameRow>& rows) {
     std::map<std::int64_t, std::vector<double>> times;
     for (const telemetry::FrameRow& row : rows)
@@ -114,10 +115,12 @@ report::RunSummary summarize(const RunResult& result) {
     };
     addError(report::ErrorKind::WrongPixels, mean(rows, &FrameRow::wrongPixelsAll));
     addError(report::ErrorKind::MeasuredAliasing, largest(rows, &FrameRow::measuredAliasing));
-    // A coarser map is excused from more thin casters: only with those do maps of different texels compare.
+    // A caster thinner than a texel counts as missed, not as wrong. Coarse maps miss more casters, so only the sum is
+    // comparable between maps of different texels.
     if (const auto wrong = mean(rows, &FrameRow::wrongShadowFraction))
         s.errors[report::ErrorKind::WrongShadow] = *wrong + mean(rows, &FrameRow::missedShadowFraction).value_or(0);
-    // A frame with hardly an edge in it puts a lone one as far away as the picture is wide.
+    // In a frame with almost no shadow edges, a single edge without a counterpart has a distance of up to the picture's
+    // width. The median over the frames ignores such outliers.
     if (mean(rows, &FrameRow::shadowEdgeP99Px))
         s.errors[report::ErrorKind::ShadowEdge] = median(rows, &FrameRow::shadowEdgeP99Px);
     addError(report::ErrorKind::ImageDifference, mean(rows, &FrameRow::imageDifference));

@@ -14,7 +14,7 @@ namespace gnomon::measure {
 
 namespace {
 
-/// What tells the pixels of a view from others.
+/// Returns a text that identifies the receivers of a view: size, camera, error and sections.
 std::string keyOfView(const plan::View& view, const plan::Quality& quality) {
     const Camera& camera = view.camera;
     std::string key = formatted("picture %dx%d; view ", view.width, view.height) + textOf(camera.eye) + " " +

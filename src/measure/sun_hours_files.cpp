@@ -25,10 +25,10 @@ std::string stepText(double seconds) {
     return seconds >= 60 ? settings::shortest(seconds / 60) + " min" : settings::shortest(seconds) + " s";
 }
 
-/// "2026-06-21T00:00+02:00", its seconds only where there are any.
+/// Returns the time as "2026-06-21T00:00+02:00", with seconds only if they are not 0.
 std::string shortTime(const sun::CivilTime& time, int offsetMinutes) {
     std::string text = sun::written(sun::julianDate(time), offsetMinutes);
-    constexpr std::size_t kSeconds = 16; // where ":00" begins
+    constexpr std::size_t kSeconds = 16; // position of ":00"
     if (text.compare(kSeconds, 3, ":00") == 0) text.erase(kSeconds, 3);
     return text;
 }
@@ -49,7 +49,7 @@ executor::ValueScale SunHoursFiles::scale() const {
     return {plan::ColorMap::Viridis, 0, run_->hours(std::max(lit_->stepsUp, 1U))};
 }
 
-/// The view with hours as its colours.
+/// Returns the picture of the view with hours as colours.
 executor::Picture SunHoursFiles::coloured() const {
     executor::Picture picture = view_->picture();
     const executor::ValueScale values = scale();

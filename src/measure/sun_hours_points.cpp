@@ -21,7 +21,7 @@ namespace {
 
 constexpr Bytes kMostPointBytes{std::uint64_t{1} << 28U};
 
-/// The first three numbers of a line; nothing if it does not begin with them.
+/// Returns the first three numbers of a CSV line, or nullopt if the line does not begin with three numbers.
 std::optional<glm::dvec3> pointOf(std::string_view line) {
     glm::dvec3 point;
     const char* at = line.data();
@@ -39,7 +39,8 @@ std::optional<glm::dvec3> pointOf(std::string_view line) {
     return at == end || *at == ',' ? std::optional(point) : std::nullopt;
 }
 
-/// The points of a CSV whose lines begin with x,y,z; the first may be a head.
+/// Reads the points of a CSV file whose lines begin with x,y,z. The first line can be a header. Throws Error for
+/// another line without three numbers.
 std::vector<glm::dvec3> readPoints(const std::string& path) {
     const std::string text = readTextFile(path, kMostPointBytes);
     std::vector<glm::dvec3> points;
@@ -95,7 +96,7 @@ std::uint64_t cellSum(const std::vector<glm::i64vec3>& cells) {
     return sum;
 }
 
-/// The sections by which casters are cut, in cells of the grid.
+/// Returns the sections that cut casters, in cells of the grid.
 std::vector<Plane> cutsOfCasters(const plan::View& view, const hierarchy::Grid& grid) {
     std::vector<Plane> planes;
     if (view.cutsCasters)

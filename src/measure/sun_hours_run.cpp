@@ -13,7 +13,7 @@ namespace gnomon::measure {
 
 namespace {
 
-/// What of a run the model, the lights and the steps decide: a run that is resumed must have the same.
+/// Returns a text that identifies the model, the steps and the light directions. A resumed run must have the same text.
 std::string keyOfRun(const SunHoursTask& task, const std::vector<daylight::SunStep>& steps) {
     const std::vector<IntegerLight> lights = daylight::lightsOf(steps);
     std::uint64_t sum = steps.size();
@@ -27,7 +27,7 @@ std::string keyOfRun(const SunHoursTask& task, const std::vector<daylight::SunSt
         static_cast<unsigned long long>(sum));
 }
 
-/// What a killed run leaves, beside the first of its outputs.
+/// Returns the common path of the logs, without their extension: the path of the first output.
 std::string logStemOf(const SunHoursTask& task) {
     std::string path = !task.output.empty() ? task.output : !task.pfm.empty() ? task.pfm : task.csv;
     if (path.empty()) path = task.report;
@@ -37,7 +37,7 @@ std::string logStemOf(const SunHoursTask& task) {
     return path;
 }
 
-/// Asks the team after each light whether to go on.
+/// A progress that polls the team after each light. The poll throws if the job has to stop.
 class PolledProgress final : public Progress {
 public:
     PolledProgress(SunHoursTeam& team, Progress& progress) : team_(team), progress_(progress) {}

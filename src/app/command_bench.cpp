@@ -45,7 +45,8 @@ struct BenchOptions {
     std::string failAbovePercent = "10";
 };
 
-/// What the options ask of each walk: --quick shortens it, a report wants repetitions and proofs.
+/// Returns the options of each walk. --quick reduces the number of frames. A report uses repetitions and validation by
+/// default.
 measure::WalkOptions walkOf(const BenchOptions& options) {
     measure::WalkOptions walk = options.walk;
     if (options.isQuick) {
@@ -67,13 +68,13 @@ measure::WalkOptions walkOf(const BenchOptions& options) {
     return walk;
 }
 
-/// The figures among the options.
+/// The limits of --fail-above (percent) and --budget-ms (ms).
 struct Bounds {
     double failAbovePercent = 0;
     std::optional<double> budgetMs;
 };
 
-/// Throws UsageError for figures that bound nothing.
+/// Parses the limits. Throws UsageError for a negative percentage, or for a budget of 0 or less.
 Bounds boundsOf(const BenchOptions& options) {
     const auto atLeastZero = settings::number("a number of at least 0", [](double value) { return value >= 0; });
     Bounds bounds{settings::parsed(atLeastZero, "--fail-above", options.failAbovePercent), std::nullopt};
@@ -82,7 +83,7 @@ Bounds boundsOf(const BenchOptions& options) {
     return bounds;
 }
 
-/// The runs that the options ask for, each sound. Throws UsageError.
+/// Returns the requested runs. Throws UsageError if options contradict each other in any of them.
 std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     settings::Settings fixed = options.settings.fixedSettings();
     if (options.shadowMaps || proof::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
@@ -95,11 +96,11 @@ std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
         measure::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
     if (runs.size() == 1 && !options.report.empty()) runs = measure::reportRuns(runs.front().settings, options.isQuick);
     for (const measure::BenchRun& run : runs)
-        settings::qualityOf(run.settings); // a contradiction in the last run must not cost the first one's time
+        settings::qualityOf(run.settings); // reports a contradiction in any run before the first run begins
     return runs;
 }
 
-/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
+/// A bench. The constructor performs all checks that need no drawing, so that errors appear before the long walks.
 class Bench {
 public:
     explicit Bench(const BenchOptions& options)
@@ -131,7 +132,7 @@ public:
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summarize);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         tellShortfall(results);
-        csv_.write(measure::csvText(results)); // before what may be stopped: it has taken the longest
+        csv_.write(measure::csvText(results)); // written first, in case that a later step is interrupted
         json_.write(measure::benchmarkText(context_, results));
         std::fputs(measure::tableText(summaries).c_str(), stdout);
         std::fputs(choicesText(summaries).c_str(), stdout);
@@ -178,7 +179,7 @@ private:
                 " frames a run: so many triangles take their time");
     }
 
-    /// A stage of so many frames.
+    /// Returns a progress display whose stage has `frames` frames.
     std::unique_ptr<Progress> staged(const char* stage, std::size_t frames) const {
         auto progress = makeProgress(options_.common);
         progress->stage(stage, "frames", frames);
@@ -269,7 +270,7 @@ void addBenchCommand(CLI::App& program) {
         "A look, not a measurement, in two minutes: at most 8 frames a run, fewer the more triangles they draw");
     CLI::Option* shadowMaps = command->add_option_function<std::string>(
         "--shadow-maps",
-        [options](const std::string& text) { options->shadowMaps = text; }, // CLI11 takes empty text for no text
+        [options](const std::string& text) { options->shadowMaps = text; }, // a plain option ignores empty text
         "A list: --z-partitions of these counts, faces off");
     command->add_option("--csv", options->csv, "Write a row per frame here");
     command->add_option("--json-file", options->json, "Write the runs here, shaped like Google Benchmark's JSON");

@@ -63,12 +63,12 @@ std::optional<BuildReport> built(
         if (!buildBy) return buildModel(source, options, *progress);
         return buildBy(source, options, *progress);
     } catch (const Error&) {
-        printRemarks(source); // one of them may be the reason
+        printRemarks(source); // a remark can explain the error
         throw;
     }
 }
 
-/// Asks for `up`; where it is auto, for what the inputs say of themselves, if anything.
+/// Sets the up direction of the build to `up`. For `auto`, uses the up direction that the inputs declare, if any.
 void takeUp(const glm::dvec3& up, const std::vector<std::string>& inputs, pipeline::BuildOptions& options) {
     if (up != settings::kAutoUp)
         options.up = hierarchy::UpAxis{glm::normalize(up)};
@@ -98,7 +98,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.onKeptFolder = printWarning;
     const std::map<std::string, Simplifier> simplifiers{
         {"quadric", Simplifier::Quadric},
-        {"own", Simplifier::Quadric}, // its name before; stored in models still
+        {"own", Simplifier::Quadric}, // its earlier name, which models still contain
         {"meshopt", Simplifier::Meshopt},
         {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
@@ -145,7 +145,7 @@ CLI::Validator chunkSize() {
         "COUNT"};
 }
 
-/// What shapes the hierarchy.
+/// Adds the options that change the hierarchy of the model.
 void addShapeOptions(CLI::App& command, BuildCommand& options) {
     command.add_option("--cluster-triangles", options.clusterTriangles, "Most triangles of a cluster")
         ->check(CLI::Range(8, 256))
@@ -217,7 +217,7 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
         "Include triangles far outside of the part that holds 99.9% of the triangles, with a coarser grid");
     command->add_option("--scratch-rate", options->scratchRate, "What a slower disk would do: bytes a second")
         ->check(memorySize())
-        ->group(""); // for measurements, in no help
+        ->group(""); // an option for measurements, which the help does not list
     command->add_flag("--json", options->isJson, "Print a JSON report on stdout");
     addCommonOptions(*command, options->common);
     command->callback([options, buildBy] { run(*options, buildBy); });

@@ -1,4 +1,4 @@
-// `gnomon explain`: the plan of one frame, with a reason for each effect that it leaves out.
+// The command `gnomon explain`, which prints the plan of one frame with a reason for each skipped effect.
 
 #include "app/command_line.h"
 #include "app/commands.h"
@@ -27,7 +27,7 @@ void runExplain(const ExplainOptions& options) {
     settings::Settings settings = options.settings.settings();
     const plan::Quality quality = settings::qualityOf(settings);
     const settings::BackendChoice backend = measure::backendFor(settings, settings::DrawingCommand::Render);
-    settings.backend = settings::Backend::Software; // explain draws nothing, so it makes no context
+    settings.backend = settings::Backend::Software; // explain draws nothing, so it needs no OpenGL context
     measure::Session session(options.model, settings, printWarning);
     session.renderer().planFor(settings::capabilitiesOf(backend.backend));
     const plan::FramePlan plan = session.renderer().plan(settings::viewOf(settings, session.model()), quality);

@@ -1,4 +1,4 @@
-// `gnomon export`: one uniform cut of a model as a PLY or a glTF.
+// The command `gnomon export`, which writes a uniform cut of a model as PLY or glTF, or the whole model as 3D Tiles.
 
 #include "app/commands.h"
 #include "app/thread_limit.h"

@@ -1,4 +1,4 @@
-// `gnomon info`: what a model file says of itself, without reading a page.
+// The command `gnomon info`, which prints the properties of a model. It reads no pages.
 
 #include "app/commands.h"
 #include "hierarchy/model_text.h"

@@ -12,7 +12,7 @@ namespace gnomon::app {
 
 namespace {
 
-/// A folder with all the shaders that are built in: whoever draws, and however, finds his.
+/// Returns a validator for a folder that contains a file for each built-in shader. Any backend then finds its shaders.
 CLI::Validator shaderFolder() {
     return {
         [](std::string& folder) {
@@ -31,7 +31,7 @@ void SettingOptions::addTo(CLI::App& command) {
     const settings::Settings defaults;
     for (const settings::Setting& setting : settings::table()) {
         const settings::Description& description = setting.description();
-        // CLI11 takes empty text for no text where it parses it itself.
+        // CLI11 would ignore an empty text if it converted the text to a value itself.
         const auto take = [this, &setting](const std::string& text) { texts_[setting.name()] = text; };
         CLI::Option* option = command.add_option_function<std::string>(setting.option(), take, description.help);
         if (description.isRepeated) option->join(';');

@@ -1,4 +1,4 @@
-// `gnomon make`: seeded test models of any size, written as a stream.
+// The command `gnomon make`, which generates test models of any size from a seed and writes them as a stream.
 
 #include "app/command_line.h"
 #include "app/commands.h"
@@ -30,7 +30,7 @@ std::unique_ptr<make::MadeModel> modelOf(const MakeOptions& options, std::uint64
     try {
         return make::makeNamedModel(options.kind, triangles, options.seed);
     } catch (const Error& error) {
-        throw settings::UsageError{error.what()}; // the options are all that it is made of
+        throw settings::UsageError{error.what()}; // the options are the only input, so the error is a usage error
     }
 }
 

@@ -14,7 +14,7 @@ void addManualCommand(CLI::App& program, bool isSilent) {
 
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("manual", "Print a manual page, or what a shell completes");
-    command->group(""); // for those who make packages
+    command->group(""); // not in the help: only makers of packages need it
     command->add_option("FORMAT", options->format, "What to print")
         ->required()
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));

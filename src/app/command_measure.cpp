@@ -1,4 +1,4 @@
-// `gnomon measure`: distances, heights, angles and areas of points, as the window measures them.
+// The command `gnomon measure`, which computes distances, heights, angles and areas of points, like the window.
 
 #include "app/command_line.h"
 #include "app/commands.h"

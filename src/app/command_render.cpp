@@ -30,7 +30,8 @@ struct RenderOptions {
     std::optional<double> time;
 };
 
-/// The path whose camera at --time is asked for, taken out of `settings`, where it stands for a camera.
+/// Returns the camera path for --time, or nullopt without --time. Removes the file of the path from `settings`, where
+/// it is given as the camera file.
 std::optional<path::CameraPath> pathOfTime(const RenderOptions& options, settings::Settings& settings) {
     if (!options.time) return std::nullopt;
     if (settings.cameraFile.empty()) throw settings::UsageError{"--time is of a path: --camera PATH.json --time T"};
@@ -40,7 +41,7 @@ std::optional<path::CameraPath> pathOfTime(const RenderOptions& options, setting
     return path::projected(path::readCameraPath(file), settings.projection);
 }
 
-/// Pictures in number, which none of the options of a single one is for.
+/// Draws a series of pictures. Throws UsageError for options that apply to a single picture only.
 void runSeries(const RenderOptions& options, const measure::StillTask& still) {
     if (!(still.statistics + still.reference + still.depth + still.shadowDepth).empty() || options.time ||
         still.oracle != proof::Oracle::None)

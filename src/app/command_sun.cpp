@@ -1,4 +1,4 @@
-// `gnomon sun`: what the sky of a place and a date says of light.
+// The command `gnomon sun`: the position of the Sun at a place and time, and the sun hours of a model.
 
 #include "app/command_line.h"
 #include "app/commands.h"

@@ -59,7 +59,8 @@ void addEval(CLI::App& theory) {
     });
 }
 
-/// Runs `python` with `arguments` and nothing on stdout; the exit status, 127 where there is no such program.
+/// Runs `python` with `arguments` and discards its stdout. Returns the exit status, or 127 if the program does not
+/// exist.
 int runQuietly(const std::string& python, std::vector<std::string> arguments, bool showErrors) {
     std::vector<char*> argv;
     arguments.insert(arguments.begin(), python);
@@ -70,7 +71,7 @@ int runQuietly(const std::string& python, std::vector<std::string> arguments, bo
     const pid_t child = ::fork();
     if (child < 0) throw Error(python, "cannot start a process");
     if (child == 0) {
-        ::prctl(PR_SET_PDEATHSIG, SIGTERM); // a plot is no use to anybody else
+        ::prctl(PR_SET_PDEATHSIG, SIGTERM); // ends the child if this process is killed
         const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
         ::dup2(nowhere, STDOUT_FILENO);
         if (!showErrors) ::dup2(nowhere, STDERR_FILENO);
@@ -86,7 +87,7 @@ int runQuietly(const std::string& python, std::vector<std::string> arguments, bo
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-/// A Python that has matplotlib: the first on the path, else the system's.
+/// Returns a Python interpreter that has matplotlib: the first on the PATH, else /usr/bin/python3, else nullopt.
 std::optional<std::string> plottingPython() {
     for (const char* python : {"python3", "/usr/bin/python3"})
         if (runQuietly(python, {"-c", "import matplotlib"}, false) == 0) return python;
@@ -150,7 +151,7 @@ void printTable(const TableOptions& options) {
     try {
         shadow::requireValid(frustum);
     } catch (const Error& error) {
-        throw settings::UsageError{error.what()}; // the options are all that it is made of
+        throw settings::UsageError{error.what()}; // the options are the only input, so the error is a usage error
     }
     const glm::dvec3 light = glm::normalize(settings::parsed(settings::direction(), "--light", options.light));
     const std::vector<theory::SchemeRow> table = theory::schemeTable(frustum, light);

@@ -1,4 +1,4 @@
-// `gnomon verify`: is a model file whole, and is what it promises true?
+// The command `gnomon verify`, which checks that a model file is complete and that its stored error bounds are correct.
 
 #include "app/command_line.h"
 #include "app/commands.h"
@@ -25,7 +25,7 @@ ordered_json checkJson(const verify::Check& check) {
     json["name"] = check.name;
     json["tested"] = check.tested;
     json["failed"] = check.failed;
-    // JSON has no infinity; a distance where none at all was promised is one.
+    // JSON has no infinity. `worst` is infinite for a distance above 0 where the stored error is 0.
     json["worst"] = std::isfinite(check.worst) ? check.worst : 1e308;
     json["detail"] = check.detail;
     if (check.tightness) json["tightness"] = *check.tightness;

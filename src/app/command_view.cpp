@@ -19,7 +19,7 @@ namespace gnomon::app {
 
 namespace {
 
-/// Throws what is wrong with the options, before a window opens or a mesh is built.
+/// Throws UsageError for wrong options, before a window opens or a mesh is built.
 void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
     settings::qualityOf(settings);
@@ -96,7 +96,7 @@ void addViewCommand(CLI::App& program) {
         requireSound(chosen);
         CommonOptions silent;
         silent.progress = "none";
-        viewer::runViewer(chosen, *makeProgress(silent)); // which throws on Ctrl-C
+        viewer::runViewer(chosen, *makeProgress(silent)); // this progress throws Interrupted after Ctrl-C
     });
 }
 

@@ -16,7 +16,8 @@ namespace gnomon::app {
 void occupyStandardDescriptors() {
     for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
         if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The lowest free descriptor is this one. Opened the other way round, so that its use stays an error.
+        // open() returns the lowest free descriptor, which is this one. It is opened for the opposite direction (stdin
+        // for writing), so that its use is still an error.
         static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY)); // NOLINT: inherited
     }
 }
@@ -33,7 +34,7 @@ void requirePrinted(const std::string& kept) {
     const auto fail = [&](const std::string& why) {
         throw Error("stdout", "cannot write: " + why + (kept.empty() ? "" : "; " + kept + ", but its summary is lost"));
     };
-    std::cout.flush(); // --help and --version
+    std::cout.flush(); // contains the output of --help and --version
     if (std::fflush(stdout) != 0) fail(std::strerror(errno));
     if (!std::cout.good() || std::ferror(stdout) != 0) fail("some of the output is lost");
 }

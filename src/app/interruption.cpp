@@ -18,7 +18,7 @@ namespace gnomon::app {
 
 namespace {
 
-// A signal reaches nothing else.
+// The signal handler can access only global data.
 constinit std::atomic_flag interrupted;          // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 constinit std::atomic<int> polling{0};           // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 constinit std::atomic<bool> isOnlyNoting{false}; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
@@ -30,7 +30,8 @@ extern "C" void onSignal(int /*signal*/) {
     TemporaryName::removeAllAndExit(1);
 }
 
-/// Says what no thread has caught and ends the process, unless that is a fault of the program.
+/// Prints the message of an exception that no code caught. Ends the process with exit code 1 if the cause is a lack of
+/// memory or threads. Aborts otherwise, because the cause is then a bug.
 [[noreturn]] void onTerminate() {
     try {
         if (const std::exception_ptr uncaught = std::current_exception()) std::rethrow_exception(uncaught);
@@ -61,15 +62,15 @@ void catchSignals() {
         struct sigaction before {};
 
         const bool isIgnored = ::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
-        if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue; // nohup, or a shell that wants EPIPE
+        if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue; // nohup, or a shell expects EPIPE
         ::sigaction(signal, &action, nullptr);
     }
 }
 
 void endCleanlyOnSignals() {
     std::set_terminate(onTerminate);
-    std::atexit(TemporaryName::removeAll); // where a library ends the program: Xlib, when its server is gone
-    std::signal(SIGXFSZ, SIG_IGN);         // a write beyond the limit fails instead
+    std::atexit(TemporaryName::removeAll); // a library can call exit: Xlib does if its server ends
+    std::signal(SIGXFSZ, SIG_IGN);         // a write above the file size limit then fails with an error
     catchSignals();
 }
 

@@ -1,4 +1,4 @@
-// The program `gnomon`: its subcommands, in the order in which a user meets them.
+// The program `gnomon` with its subcommands, in the order of a typical use.
 
 #include "app/commands.h"
 #include "app/console.h"
@@ -9,7 +9,7 @@
 #ifdef GNOMON_CATCHES_EARLY_SIGNALS
 namespace {
 
-// The dynamic linker calls this when it has loaded the libraries, before they initialise themselves.
+// The dynamic linker calls this function after it has loaded the libraries, before it initialises them.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a function is no data
 __attribute__((section(".preinit_array"), used)) void (*const catchSignalsEarly)() = gnomon::app::catchSignals;
 

@@ -9,7 +9,7 @@
 namespace gnomon::app {
 
 int onLargeStack(const std::function<int()>& work) {
-    constexpr std::size_t kStackBytes = std::size_t{8} << 20U; // the limit of most systems
+    constexpr std::size_t kStackBytes = std::size_t{8} << 20U; // the default limit of most systems
     rlimit limit{};
     if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kStackBytes) return work();
     pthread_attr_t attributes{};

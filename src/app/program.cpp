@@ -22,7 +22,8 @@ namespace gnomon::app {
 
 namespace {
 
-/// What is wrong with the command line and whose help says what is right, in one line.
+/// Returns one line with the error of the command line and the command whose help explains it. `first` is the first
+/// argument.
 std::string usage(const CLI::App& program, const CLI::ParseError& error, const std::string& first) {
     const auto chosen = program.get_subcommands();
     if (chosen.empty() && !first.empty() && first.front() != '-')
@@ -51,13 +52,13 @@ void runProgram(const Program& about, int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::CallForVersion&) {
-        // Which of two flags is looked at first is the library's business.
+        // CLI11 can process --version before --json, so search for --json here.
         isJson =
             std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
         if (!about.isSilent) std::cout << (isJson ? gnomon::manual::versionJson(GNOMON_VERSION) : versionLine) << '\n';
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) throw settings::UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
-        if (!about.isSilent) program.exit(error); // prints what --help asks for
+        if (!about.isSilent) program.exit(error); // prints the help
     }
     requirePrinted();
 }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr Milliseconds kBetweenShown{100};
 
-/// Shows stage, done/total, rate, memory and time left, at most ten times a second.
+/// A progress display on stderr: stage, finished and total units, rate, memory and remaining time. It is updated at
+/// most ten times per second.
 class StderrProgress final : public Progress {
 public:
     enum class Style { Bar, Json, None };
@@ -73,7 +74,7 @@ private:
     }
 
     void show() const {
-        const std::uint64_t total = std::max(total_, done_); // some totals are estimates
+        const std::uint64_t total = std::max(total_, done_); // a total can be an estimate that is too small
         const double seconds = sinceStart_.elapsed().count / 1000;
         const double rate = seconds > 0 ? static_cast<double>(done_) / seconds : 0;
         const double left = rate > 0 ? static_cast<double>(total - done_) / rate : 0;

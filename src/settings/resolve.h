@@ -18,7 +18,8 @@ using SettingTexts = std::map<std::string, std::string>;
 /// shadow maps together with exact shadows.
 Settings settingsOf(const SettingTexts& texts, bool withSwept = true);
 
-/// Throws UsageError if `texts` request exact shadows. `option` applies to shadow maps only.
+/// Throws UsageError if `texts` request exact shadows, because `option` applies to shadow maps only. The message names
+/// `option`.
 void requireMapsFor(const std::string& option, const SettingTexts& texts);
 
 /// Returns true if the settings give a camera file, an eye, a target, a side of the model or an angle of view.
@@ -45,10 +46,11 @@ plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model);
 /// Sets the section planes of `view` (world space), and whether they also cut casters.
 void setSections(const Settings& settings, plan::View& view);
 
-/// Throws UsageError if a point light is requested. `option` applies to directional lights only.
+/// Throws UsageError if a point light is requested, because `option` supports directional lights only. The message
+/// names `option`.
 void requireDirectionalLight(const Settings& settings, const std::string& option);
 
-/// Returns the requested quality. Throws UsageError for contradictions.
+/// Returns the requested quality of frames. Throws UsageError for options that contradict each other.
 plan::Quality qualityOf(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -25,7 +25,7 @@ inline constexpr std::array kBackends = {
     Word<Backend>{Backend::Window, "window"},
 };
 
-/// The default quality. Its shadows are Auto.
+/// Returns the default quality. Its shadow mode is Auto.
 inline plan::Quality openQuality() {
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Auto;
@@ -56,7 +56,8 @@ inline constexpr std::array kSectionCasters = {
     Word<SectionCasters>{SectionCasters::Keep, "keep"},
 };
 
-/// The requested view and quality, before contradictions are checked (settings/resolve.h).
+/// The requested view and quality. The values can contradict each other; the functions of settings/resolve.h check
+/// this.
 struct Settings {
     std::array<int, 2> imageSize{800, 800}; // pixels
     std::string cameraFile;                 // empty: no camera file

@@ -264,8 +264,8 @@ Setting shadowTexelsSetting() {
         }};
 }
 
-/// Returns the first settings that a bench sweeps. The axes of a bench have the order of the table, and the last axis
-/// varies fastest.
+/// Returns swept settings of a bench: level of detail, shadow mode, warp, partitions and texels. A bench nests its axes
+/// in the order of the table, and the last axis varies fastest.
 std::vector<Setting> sweptSettings() {
     return {
         quality(
@@ -300,7 +300,7 @@ std::vector<Setting> sweptSettings() {
     };
 }
 
-/// Returns the other settings that a bench sweeps: filter, culling and stabilisation.
+/// Returns the other swept settings of a bench: filter, caster culling, occlusion culling and stabilisation.
 std::vector<Setting> moreSweptSettings() {
     return {
         quality(

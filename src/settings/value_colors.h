@@ -25,7 +25,7 @@ inline constexpr std::array kColorBys = {
     Word<ColorBy>{ColorBy::Error, "error"},
 };
 
-/// The value, the colour map and its range.
+/// The requested colours: the shown value, the colour map, and the values at the ends of the map.
 struct ValueColors {
     ColorBy by = ColorBy::None;
     std::string field{}; // name of the field, for ColorBy::Field

@@ -21,10 +21,11 @@ struct Baseline {
 /// Throws UsageError if a setting of the baseline has a value that no longer exists.
 Baseline readBaseline(const std::string& path);
 
-/// Throws Error if frame times are not comparable, because `context` and the baseline's context differ in the model,
-/// the camera path, the number of frames, the real-time mode, the view, the quality, the memory limits, the backend or
-/// the number of threads. Does not compare a setting that is swept in one of both benches, because names of runs
-/// contain it.
+/// Throws Error if frame times are not comparable, because `context` and the baseline's context differ in one of these:
+/// - model, camera path, number of frames, or real-time mode,
+/// - view, quality, or memory limits,
+/// - backend, or number of threads.
+/// A setting that is swept in one of the benches is not compared, because the names of runs contain it.
 void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context);
 
 /// Returns the names of the runs that are only in the baseline or only in `summaries`, and so cannot be compared.

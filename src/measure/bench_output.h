@@ -40,8 +40,8 @@ std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& sum
 /// host, because reports are given to other people.
 void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results);
 
-/// Returns the storage factors of four schemes with 1 to 8 slices each, for the frustum and the light of `plan`:
-/// slices, warped slices, warped slices with faces, and logarithmic slices with faces.
+/// Returns the storage factors of four schemes with 1 to 8 slices each, for the frustum and the light of `plan`. The
+/// schemes are slices, warped slices, warped slices with faces, and logarithmic slices with faces.
 std::vector<report::StoragePoint> storagePoints(const plan::FramePlan& plan);
 
 } // namespace gnomon::measure

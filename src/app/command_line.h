@@ -30,7 +30,7 @@ public:
     /// numbers of maps) is given, it is the axis of --z-partitions, without face partitions. Throws UsageError.
     std::vector<settings::Axis> axes(const std::optional<std::string>& shadowMaps) const;
 
-    /// Throws UsageError if `--shadows exact` is given. `option` applies to shadow maps only.
+    /// Throws UsageError if `--shadows exact` is given, because `option` applies to shadow maps only.
     void requireMapsFor(const std::string& option) const;
 
 private:

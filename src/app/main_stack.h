@@ -1,4 +1,4 @@
-// The size of the stacks of the main thread and of the threads that it starts.
+// A min stack size of 8 MiB for the main thread and all threads that it starts.
 #pragma once
 
 #include <functional>

@@ -28,9 +28,9 @@ constexpr std::size_t kMostParts = 128;      // max parts of a triangle
 using Polygon = std::vector<glm::dvec3>; // convex
 
 struct Face {
-    std::array<glm::dvec3, 3> corners;
-    glm::dvec3 normal; // unit length
-    double area = 0;   // twice the area
+    std::array<glm::dvec3, 3> corners{};
+    glm::dvec3 normal{}; // unit length
+    double area = 0;     // twice the area
 };
 
 glm::dvec3 vectorOf(const hierarchy::GridPoint& p) {

@@ -142,7 +142,7 @@ void EdgeSample::Lengths::add(double length) {
     const int exponent = std::clamp(floorExponent(length), -kExponentBias, kExponentBias);
     const double scaled = std::ldexp(length, -exponent); // from 1 to 2, except for infinity
     const int part = static_cast<int>(std::min((scaled - 1) * kBinsPerOctave, kBinsPerOctave - 1.0));
-    ++counts_[static_cast<std::size_t>((exponent + kExponentBias) * kBinsPerOctave + part)];
+    ++counts_[static_cast<std::size_t>(exponent + kExponentBias) * kBinsPerOctave + static_cast<std::size_t>(part)];
     ++total_;
 }
 

@@ -321,21 +321,21 @@ void CheckpointLog::requireConsistent() const {
         const std::uint64_t nodeCount = round == 0 ? chunks : binned != nullptr ? binned->nodes.size() : 0;
         for (const NodeRecord& node : rounds_[round]) {
             requireNode(node, nodeCount);
-            for (const NodeRecord::LevelOfNode& level : node.levels)
-                for (const PageInfo& page : level.pages)
-                    requireChildren(page);
+            requireChildren(node);
         }
         for (const auto& [number, node] : early_[round])
             requireNode(node, nodeCount);
     }
 }
 
-void CheckpointLog::requireChildren(const PageInfo& page) const {
-    for (const std::uint32_t child : page.children) {
+void CheckpointLog::requireChildren(const NodeRecord& node) const {
+    const auto isThere = [&](std::uint32_t child) {
         const levels::PageOfLevel place = levels::placeOfProvisional(child);
-        if (place.level >= pageCounts_.size() || place.page >= pageCounts_[place.level])
-            throw hierarchy::Damage{"a page that is not there"};
-    }
+        return place.level < pageCounts_.size() && place.page < pageCounts_[place.level];
+    };
+    for (const NodeRecord::LevelOfNode& level : node.levels)
+        for (const PageInfo& page : level.pages)
+            if (!std::ranges::all_of(page.children, isThere)) throw hierarchy::Damage{"a page that is not there"};
 }
 
 std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {

@@ -136,7 +136,7 @@ public:
 
 private:
     void append(NodeRecord record);
-    void requireChildren(const hierarchy::PageInfo& page) const;
+    void requireChildren(const NodeRecord& node) const;
 
     std::optional<BinnedRecord> binned_;
     std::optional<BorderedRecord> bordered_;

@@ -36,12 +36,12 @@ void RecordWriter::run() {
     for (;;) {
         changed_.wait(lock, [&] { return isStopped_ || !waiting_.empty(); });
         if (isStopped_) return;
-        std::vector<Entry> entries = std::exchange(waiting_, {});
+        const std::vector<Entry> entries = std::exchange(waiting_, {});
         isWriting_ = true;
         lock.unlock();
         std::exception_ptr error;
         try {
-            write(std::move(entries));
+            write(entries);
         } catch (...) {
             error = std::current_exception();
         }
@@ -53,7 +53,7 @@ void RecordWriter::run() {
     }
 }
 
-void RecordWriter::write(std::vector<Entry> entries) {
+void RecordWriter::write(const std::vector<Entry>& entries) {
     std::vector<std::uint32_t> parts;
     for (const Entry& entry : entries)
         parts.insert(parts.end(), entry.parts.begin(), entry.parts.end());

@@ -41,7 +41,7 @@ public:
 
 private:
     void run();
-    void write(std::vector<Entry> entries);
+    void write(const std::vector<Entry>& entries);
 
     scratch::RecordLog log_;
     scratch::ScratchFile& scratch_;

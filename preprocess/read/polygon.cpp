@@ -142,24 +142,29 @@ private:
 
     void build(std::uint32_t begin, std::uint32_t end) {
         addNode(begin, end);
-        for (std::uint32_t i = 0; i < nodes_.size(); ++i) { // children come behind their parents
-            const Node node = nodes_[i];
-            if (node.left <= kLeafPoints) continue;
-            const glm::dvec2 size = node.max - node.min;
-            const int axis = size.x >= size.y ? 0 : 1;
-            const auto key = [&](std::uint32_t index) {
-                const double value = points_[index][axis];
-                return value == value ? value : -std::numeric_limits<double>::infinity();
-            };
-            const std::uint32_t middle = node.begin + node.left / 2;
-            std::nth_element(
-                sorted_.begin() + node.begin,
-                sorted_.begin() + middle,
-                sorted_.begin() + node.end,
-                [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-            nodes_[i].child = addNode(node.begin, middle);
-            addNode(middle, node.end);
-        }
+        std::uint32_t next = 0;
+        while (next < nodes_.size()) // splitting a node appends its children
+            split(next++);
+    }
+
+    void split(std::uint32_t number) {
+        const Node node = nodes_[number];
+        if (node.left <= kLeafPoints) return;
+        const glm::dvec2 size = node.max - node.min;
+        const int axis = size.x >= size.y ? 0 : 1;
+        const auto key = [&](std::uint32_t index) {
+            const double value = points_[index][axis];
+            return value == value ? value : -std::numeric_limits<double>::infinity();
+        };
+        const std::uint32_t middle = node.begin + node.left / 2;
+        std::nth_element(
+            sorted_.begin() + node.begin,
+            sorted_.begin() + middle,
+            sorted_.begin() + node.end,
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+        const std::uint32_t child = addNode(node.begin, middle);
+        addNode(middle, node.end);
+        nodes_[number].child = child;
     }
 
     std::span<const glm::dvec2> points_;

@@ -27,11 +27,11 @@ constexpr std::array<Weights, 4> kPoints = {
      {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
 
 struct Side {
-    std::array<glm::dvec3, 3> corners;
-    Triangle positions;
-    glm::dvec3 normal; // unit length; zero if there is no area
-    double area = 0;   // twice the area
-    double width = 0;  // the smallest height
+    std::array<glm::dvec3, 3> corners{};
+    Triangle positions{};
+    glm::dvec3 normal{}; // unit length; zero if there is no area
+    double area = 0;     // twice the area
+    double width = 0;    // the smallest height
     std::uint32_t triangle = 0;
 };
 
@@ -83,29 +83,41 @@ void take(LayerGap& gap, const Side& side, double distance, double difference) {
     gap.charge = std::max(gap.charge, static_cast<float>(colorCharge(0.5 * side.width, difference)));
 }
 
-} // namespace
-
-std::vector<LayerGap> layerGaps(const Patch& patch) {
+/// The triangles of a patch that have an area and one colour.
+struct ColoredSides {
     std::vector<Side> sides;
     std::vector<std::uint32_t> colors;
-    double area = 0;
+    double area = 0; // the sum of the sides' areas
+};
+
+ColoredSides coloredSides(const Patch& patch) {
+    ColoredSides result;
     for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
         const auto& [a, b, c] = patch.triangles[t];
         const std::uint32_t color = patch.vertices[a].color;
         if (patch.vertices[b].color != color || patch.vertices[c].color != color) continue;
         const Side side = sideOf(patch, patch.triangles[t]);
         if (!(side.area > 0)) continue;
-        sides.push_back(side);
-        sides.back().triangle = t;
-        colors.push_back(color);
-        area += side.area;
+        result.sides.push_back(side);
+        result.sides.back().triangle = t;
+        result.colors.push_back(color);
+        result.area += side.area;
     }
+    return result;
+}
+
+} // namespace
+
+std::vector<LayerGap> layerGaps(const Patch& patch) {
+    const ColoredSides colored = coloredSides(patch);
+    const std::vector<Side>& sides = colored.sides;
+    const std::vector<std::uint32_t>& colors = colored.colors;
     if (std::ranges::all_of(colors, [&](std::uint32_t color) { return color == colors.front(); })) return {};
     std::vector<proximity::TreeBox> boxes(sides.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (const glm::dvec3& p : sides[i].corners)
             boxes[i].add(p);
-    const double large = kLargeArea * area / static_cast<double>(sides.size());
+    const double large = kLargeArea * colored.area / static_cast<double>(sides.size());
     const proximity::BoxTree tree(boxes, colors);
     std::vector<LayerGap> gaps(patch.triangles.size());
     for (std::size_t i = 0; i < sides.size(); ++i) {

@@ -112,6 +112,11 @@ HWY_INLINE Mask hasLogRows(const Partition& part) {
     return hn::Gt(part(kLogRows), hn::Zero(kFloats));
 }
 
+/// The clip coordinate w of a point, and 1 / w.
+struct ClipW {
+    Floats w, inverse;
+};
+
 /// Returns the bias for a flat receiver at `offset`, and for a somewhat steeper neighbour, over half a texel and the
 /// filter kernel.
 template <class Partition>
@@ -121,8 +126,7 @@ HWY_INLINE Floats receiverBias(
     const Vec3& offset,
     const Vec3& normal,
     Floats cosine,
-    Floats w,
-    Floats inverseW) {
+    const ClipW& clip) {
     const auto distance = hn::Neg(dot(normal, offset));
     const auto withPlane = [&](int k) HWY_ATTR {
         return hn::Add(dot(normal, {part(k), part(k + 1), part(k + 2)}), hn::Mul(distance, part(k + 3)));
@@ -130,14 +134,14 @@ HWY_INLINE Floats receiverBias(
     const auto across = hn::Max(hn::Abs(withPlane(kByDepth)), constant(1e-30F));
     const auto isLog = hasLogRows(part);
     const auto one = constant(1);
-    const auto byRow = hn::Mul(hn::Abs(withPlane(kByRow)), hn::IfThenElse(isLog, inverseW, one));
+    const auto byRow = hn::Mul(hn::Abs(withPlane(kByRow)), hn::IfThenElse(isLog, clip.inverse, one));
     const auto slope = hn::Div(hn::Add(hn::Abs(withPlane(kByColumn)), byRow), across);
     const auto grazing = hn::Min(constant(1), hn::Mul(cosine, constant(10)));
     const auto unevenX = part(kUnevenX);
     const bool isPoint = isFromPoint(f);
-    const auto unevenZ = isPoint ? part(kUnevenZ) : hn::Mul(part(kUnevenZ), hn::IfThenElse(isLog, one, w));
+    const auto unevenZ = isPoint ? part(kUnevenZ) : hn::Mul(part(kUnevenZ), hn::IfThenElse(isLog, one, clip.w));
     auto uneven = hn::Sqrt(hn::Add(hn::Mul(unevenX, unevenX), hn::Mul(unevenZ, unevenZ)));
-    if (isPoint) uneven = hn::Mul(uneven, inverseW);
+    if (isPoint) uneven = hn::Mul(uneven, clip.inverse);
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
@@ -177,7 +181,7 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),
-            receiverBias(f, part, offset, normal, cosine, w, inverseW)),
+            receiverBias(f, part, offset, normal, cosine, {w, inverseW})),
         constant(1));
     const auto half = constant(0.5F * static_cast<float>(std::max(f.frame->filterTexels, 1) - 1));
     const auto far = constant(1e6F);

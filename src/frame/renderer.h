@@ -113,7 +113,7 @@ private:
     /// Does the work of `prepare` with the current ground, except penumbrae and sky light.
     PreparedFrame prepareShadows(
         const plan::View& view,
-        const plan::Quality& quality,
+        const plan::Quality& asked,
         Waiting waiting,
         const std::shared_ptr<const plan::PlannedFrame>& before,
         double margin);

@@ -93,7 +93,7 @@ double partsOf(Cells cells) {
             open.pop_back();
             for (int i = std::max(x - 1, 0); i <= std::min(x + 1, kColumns - 1); ++i)
                 for (int j = std::max(y - 1, 0); j <= std::min(y + 1, kColumns - 1); ++j)
-                    if (char& cell = cells[static_cast<std::size_t>(i * kColumns + j)]; cell != 0) {
+                    if (char& cell = cells[std::size_t(i) * kColumns + std::size_t(j)]; cell != 0) {
                         cell = 0;
                         open.push_back(i * kColumns + j);
                     }
@@ -221,7 +221,7 @@ public:
 
 private:
     static std::size_t index(const glm::ivec3& voxel) {
-        return static_cast<std::size_t>((voxel.x * kVoxels + voxel.y) * kVoxels + voxel.z);
+        return (std::size_t(voxel.x) * kVoxels + std::size_t(voxel.y)) * kVoxels + std::size_t(voxel.z);
     }
 
     std::vector<double> area_;
@@ -259,7 +259,7 @@ private:
     static std::size_t columnOf(const glm::dvec2& at) {
         const glm::ivec2 cell =
             glm::clamp(glm::ivec2(glm::floor((at + 0.5) * double(kColumns))), glm::ivec2(0), glm::ivec2(kColumns - 1));
-        return static_cast<std::size_t>(cell.x * kColumns + cell.y);
+        return std::size_t(cell.x) * kColumns + std::size_t(cell.y);
     }
 
     /// Returns the hull of the samples below a height.
@@ -318,7 +318,7 @@ private:
     }
 
     Cells cellsBetween(double low, double high) const {
-        Cells cells(kColumns * kColumns);
+        Cells cells(std::size_t{kColumns} * kColumns);
         for (const Sample& sample : surface_.samples())
             if (const double height = heightOf(sample.at); height >= low && height < high)
                 cells[columnOf(across(sample.at, axis_))] = 1;
@@ -331,7 +331,7 @@ private:
             bool isLevel = false;
         };
 
-        std::vector<Column> columns(kColumns * kColumns);
+        std::vector<Column> columns(std::size_t{kColumns} * kColumns);
         for (const Sample& sample : surface_.samples()) {
             Column& column = columns[columnOf(across(sample.at, axis_))];
             const double height = heightOf(sample.at);

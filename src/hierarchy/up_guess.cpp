@@ -45,7 +45,7 @@ std::optional<UpAxis> upOfMap(const Box& box) {
     for (int axis = 0; axis < 3; ++axis) {
         const double least = std::min(middle[(axis + 1) % 3], middle[(axis + 2) % 3]);
         if (least > kFar && least > kWidths * width && middle[axis] < kHigh)
-            return axisOf(static_cast<std::size_t>(2 * axis));
+            return axisOf(2 * static_cast<std::size_t>(axis));
     }
     return {};
 }
@@ -85,7 +85,7 @@ void UpSurvey::add(const Page& page, double error) {
     const auto isRefined = [error](double groupError, const Sphere&) { return groupError > error; };
     forEachDrawn(page, isRefined, [&](const Group&, const Cluster& cluster) {
         for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount; ++t) {
-            std::array<glm::vec3, 3> triangle;
+            std::array<glm::vec3, 3> triangle{};
             bool isWithin = true;
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const GridPoint& p = page.vertices[cluster.firstVertex + page.triangles[t][corner]].position;

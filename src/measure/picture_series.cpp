@@ -59,6 +59,7 @@ plan::Shading commonShading(
 
 std::vector<Camera> camerasOf(const std::optional<path::CameraPath>& walked, const plan::View& first, int frames) {
     std::vector<Camera> cameras;
+    cameras.reserve(static_cast<std::size_t>(frames));
     for (int i = 0; i < frames; ++i)
         cameras.push_back(
             walked ? path::cameraAt(*walked, path::frameTime(*walked, i, frames))

@@ -120,7 +120,7 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     plain.overlay = executor::Overlay::None;
     plain.wantsSurfaces = hasOracle || isCompared || isMeasured || hasCrawl;
     plain.wantsWholeMaps = hasCrawl;
-    frame::PreparedFrame again = frame;
+    frame::PreparedFrame again = static_cast<const frame::PreparedFrame&>(frame);
     renderer.draw(again, plain);
     const executor::FrameDrawing drawn = renderer.drawing(again, plain);
     const executor::Picture picture = executor.picture();

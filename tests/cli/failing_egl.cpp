@@ -11,7 +11,8 @@
 namespace {
 
 constexpr int kMaxDevices = 4;
-std::array<char, kMaxDevices> devices{}; // their addresses name them
+// Their addresses name them. NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+std::array<char, kMaxDevices> devices{};
 
 int numberOf(const char* variable) {
     const char* text = std::getenv(variable);
@@ -20,6 +21,7 @@ int numberOf(const char* variable) {
 
 template <class Function>
 Function real(const char* name) {
+    // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): dlopen returns no pointer to const
     static void* const library = dlopen("/usr/lib/x86_64-linux-gnu/libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     return reinterpret_cast<Function>(dlsym(library, name));
 }

@@ -119,6 +119,7 @@ TEST(MapEdge, ShiftsAreEvenlySpreadAndTheFirstIsNone) {
     for (const int count : {16, 64}) {
         for (const int axis : {0, 1}) {
             std::vector<double> places;
+            places.reserve(static_cast<std::size_t>(count));
             for (int sample = 0; sample < count; ++sample)
                 places.push_back(mapShift(sample)[axis]);
             std::sort(places.begin(), places.end());

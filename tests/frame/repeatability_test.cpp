@@ -192,6 +192,21 @@ TEST(Repeatability, AnAccumulatedFrameLeavesNoWiderCut) {
     EXPECT_TRUE(costAndClusters() == plain);
 }
 
+/// Draws `asked` with each culling of casters, each occlusion culling, one thread and two, and expects equal pictures.
+void expectEqualPictures(const hierarchy::ModelFile& file, Asked asked) {
+    std::optional<executor::Picture> first;
+    for (const auto& culling : plan::kCasterCullings)
+        for (const auto& occlusion : plan::kChoices)
+            for (const int threads : {1, 2}) {
+                asked.quality.cullCasters = culling.value;
+                asked.quality.occlusion = occlusion.value;
+                tbb::task_arena arena(threads);
+                const executor::Picture picture = arena.execute([&] { return freshPicture(file, asked); });
+                if (!first) first = picture;
+                EXPECT_TRUE(picture.pixels == first->pixels) << culling.word << ", " << occlusion.word;
+            }
+}
+
 // In back light too, where next to nothing that is seen faces the sun.
 TEST(Repeatability, NoOptimisationChangesAPicture) {
     DrawnModel model(crateOnGround().model());
@@ -201,19 +216,8 @@ TEST(Repeatability, NoOptimisationChangesAPicture) {
             asked.view.camera.target.y = 2.4; // little of the plain, which faces the sun
             asked.quality.look.shading = plan::Shading::Auto;
             asked.quality.look.ground = hasGround;
-            std::optional<executor::Picture> first;
-            for (const auto& culling : plan::kCasterCullings)
-                for (const auto& occlusion : plan::kChoices)
-                    for (const int threads : {1, 2}) {
-                        asked.quality.cullCasters = culling.value;
-                        asked.quality.occlusion = occlusion.value;
-                        tbb::task_arena arena(threads);
-                        const executor::Picture picture =
-                            arena.execute([&] { return freshPicture(model.file(), asked); });
-                        if (!first) first = picture;
-                        EXPECT_TRUE(picture.pixels == first->pixels)
-                            << culling.word << ", " << occlusion.word << ", ground " << hasGround;
-                    }
+            SCOPED_TRACE(hasGround ? "with ground" : "without ground");
+            expectEqualPictures(model.file(), asked);
         }
     }
 }

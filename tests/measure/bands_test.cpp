@@ -55,9 +55,57 @@ TEST(Bands, CoverAPictureInWholeStripes) {
         next += band.count;
         options.rows = band;
         EXPECT_LT(
-            frame::pictureBytes(view, quality, options).count, memory.count / 4 + 5U * 7680 * 4320 + (32U << 20U));
+            frame::pictureBytes(view, quality, options).count,
+            memory.count / 4 + 5U * 7680 * 4320 + mebibytes(32).count);
     }
     EXPECT_EQ(next, view.height);
+}
+
+struct Variant {
+    ShadowMode mode = ShadowMode::Exact;
+    int samples = 1;
+    bool hasExtras = false; // a ground, a sky, penumbrae and a transparent background
+};
+
+std::vector<Variant> variants() {
+    std::vector<Variant> all;
+    for (const ShadowMode mode : {ShadowMode::Exact, ShadowMode::Maps, ShadowMode::Rays, ShadowMode::Off}) {
+        all.push_back({mode, 1, false});
+        all.push_back({mode, 2, false});
+        all.push_back({mode, 2, true});
+    }
+    return all;
+}
+
+plan::Quality qualityOf(const Variant& variant) {
+    plan::Quality quality;
+    quality.shadows = variant.mode;
+    quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
+    if (!variant.hasExtras) {
+        quality.look.shading = plan::Shading::Auto;
+        return quality;
+    }
+    quality.look.shading = plan::Shading::Lit;
+    quality.look.ground = true;
+    quality.look.background.kind = plan::Background::Kind::Transparent;
+    quality.sky.directions = 2;
+    return quality;
+}
+
+/// Expects that both sessions draw the same picture.
+void expectSamePicture(Session& wide, Session& narrow, const plan::View& view, const Variant& variant) {
+    SCOPED_TRACE(std::to_string(static_cast<int>(variant.mode)) + " " + std::to_string(variant.samples));
+    NoProgress progress;
+    const plan::Quality quality = qualityOf(variant);
+    wide.renderer().forget();
+    narrow.renderer().forget();
+    const FinishedPicture whole = drawFinished(wide, view, quality, {}, variant.samples, progress);
+    const FinishedPicture bands = drawFinished(narrow, view, quality, {}, variant.samples, progress);
+    EXPECT_TRUE(whole.picture.pixels == bands.picture.pixels);
+    ASSERT_EQ(whole.coverage.has_value(), bands.coverage.has_value());
+    if (whole.coverage) {
+        EXPECT_TRUE(whole.coverage->pixels == bands.coverage->pixels);
+    }
 }
 
 /// The same picture by a session that has much memory and by one that has little.
@@ -70,37 +118,18 @@ TEST(Bands, HaveTheBytesOfTheWholePicture) {
     const CrateFile crate;
     Session wide(crate.path(), much, ignore);
     Session narrow(crate.path(), little, ignore);
-    NoProgress progress;
     plan::View view = settings::viewOf(much, wide.model());
     view.width = 300;
     view.height = 450;
     int banded = 0;
-    for (const ShadowMode mode : {ShadowMode::Exact, ShadowMode::Maps, ShadowMode::Rays, ShadowMode::Off})
-        for (const int samples : {1, 2})
-            for (const bool hasExtras : {false, true}) {
-                if (hasExtras && samples == 1) continue;
-                plan::Quality quality;
-                quality.shadows = mode;
-                quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
-                quality.look.shading = hasExtras ? plan::Shading::Lit : plan::Shading::Auto;
-                quality.look.ground = hasExtras;
-                if (hasExtras) quality.look.background.kind = plan::Background::Kind::Transparent;
-                if (hasExtras && samples > 1) quality.sky.directions = 2;
-                view.sunAngleRadians = hasExtras && samples > 1 ? 0.05 : 0;
-                frame::FrameOptions options;
-                options.isAccumulated = samples > 1;
-                banded +=
-                    frame::bandsOf(view, quality, options, narrow.renderer().residency().memory()).size() > 1 ? 1 : 0;
-                wide.renderer().forget();
-                narrow.renderer().forget();
-                const FinishedPicture whole = drawFinished(wide, view, quality, {}, samples, progress);
-                const FinishedPicture bands = drawFinished(narrow, view, quality, {}, samples, progress);
-                EXPECT_TRUE(whole.picture.pixels == bands.picture.pixels) << static_cast<int>(mode) << " " << samples;
-                ASSERT_EQ(whole.coverage.has_value(), bands.coverage.has_value());
-                if (whole.coverage) {
-                    EXPECT_TRUE(whole.coverage->pixels == bands.coverage->pixels);
-                }
-            }
+    for (const Variant& variant : variants()) {
+        view.sunAngleRadians = variant.hasExtras ? 0.05 : 0;
+        frame::FrameOptions options;
+        options.isAccumulated = variant.samples > 1;
+        const Bytes memory = narrow.renderer().residency().memory();
+        banded += frame::bandsOf(view, qualityOf(variant), options, memory).size() > 1 ? 1 : 0;
+        expectSamePicture(wide, narrow, view, variant);
+    }
     EXPECT_GT(banded, 6) << "this tests nothing";
 }
 

@@ -74,6 +74,7 @@ std::vector<std::byte> pngOf(const PngKind& kind, std::vector<std::vector<png_by
     comment.text_length = text.size();
     if (!text.empty()) png_set_text(png, info, &comment, 1);
     std::vector<png_bytep> pointers;
+    pointers.reserve(rows.size());
     for (auto& row : rows)
         pointers.push_back(row.data());
     png_set_rows(png, info, pointers.data());
@@ -93,8 +94,7 @@ std::array<int, 4> colorOf(int type, const std::vector<int>& samples) {
     return {samples[0], samples[1], samples[2], type == PNG_COLOR_TYPE_RGB ? 255 : samples[3]};
 }
 
-TEST(GltfImages, PngsOfAllKindsHaveTheirPixels) {
-    Random random(41);
+std::vector<PngKind> pngKinds() {
     std::vector<PngKind> kinds;
     for (const int interlace : {PNG_INTERLACE_NONE, PNG_INTERLACE_ADAM7}) {
         kinds.push_back({PNG_COLOR_TYPE_PALETTE, 4, interlace});
@@ -106,32 +106,46 @@ TEST(GltfImages, PngsOfAllKindsHaveTheirPixels) {
                  {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA})
                 kinds.push_back({type, bits, interlace});
     }
+    return kinds;
+}
+
+/// Stores sample `at` of a row.
+void putSample(std::vector<png_byte>& row, const PngKind& kind, std::size_t at, unsigned value) {
+    if (kind.bits == 16) {
+        row[2 * at] = static_cast<png_byte>(value >> 8U);
+        row[2 * at + 1] = static_cast<png_byte>(value & 255U);
+        return;
+    }
+    const std::size_t bit = at * static_cast<std::size_t>(kind.bits);
+    row[bit / 8] = static_cast<png_byte>(row[bit / 8] | value << (8 - kind.bits - bit % 8));
+}
+
+/// Fills a row with random pixels and appends their colours to `expected`.
+void fillRow(
+    std::vector<png_byte>& row, const PngKind& kind, Random& random, std::vector<std::array<int, 4>>& expected) {
+    const std::size_t samples = samplesOf(kind.type);
+    const bool isPalette = kind.type == PNG_COLOR_TYPE_PALETTE;
+    const double full = (1U << kind.bits) - 1;
+    for (std::size_t x = 0; x < kSide; ++x) {
+        std::vector<int> pixel;
+        for (std::size_t c = 0; c < samples; ++c) {
+            const auto value = static_cast<unsigned>(random.below(isPalette ? kPalette : 1U << kind.bits));
+            putSample(row, kind, x * samples + c, value);
+            pixel.push_back(isPalette ? static_cast<int>(value) : static_cast<int>(std::lround(value * 255 / full)));
+        }
+        expected.push_back(colorOf(kind.type, pixel));
+    }
+}
+
+TEST(GltfImages, PngsOfAllKindsHaveTheirPixels) {
+    Random random(41);
     MemoryRoom room("m", mebibytes(16));
-    for (const PngKind& kind : kinds) {
+    for (const PngKind& kind : pngKinds()) {
         SCOPED_TRACE(testing::Message() << kind.type << " " << kind.bits << " " << kind.interlace);
-        const std::size_t samples = samplesOf(kind.type);
-        const bool isPalette = kind.type == PNG_COLOR_TYPE_PALETTE;
-        std::vector<std::vector<png_byte>> rows(kSide, std::vector<png_byte>(kSide * samples * 2, 0));
+        std::vector<std::vector<png_byte>> rows(kSide, std::vector<png_byte>(kSide * samplesOf(kind.type) * 2, 0));
         std::vector<std::array<int, 4>> expected;
         for (auto& row : rows)
-            for (std::size_t x = 0; x < kSide; ++x) {
-                std::vector<int> pixel;
-                for (std::size_t c = 0; c < samples; ++c) {
-                    const std::size_t at = x * samples + c;
-                    const unsigned value = static_cast<unsigned>(random.below(isPalette ? kPalette : 1U << kind.bits));
-                    if (kind.bits == 16) {
-                        row[2 * at] = static_cast<png_byte>(value >> 8U);
-                        row[2 * at + 1] = static_cast<png_byte>(value & 255U);
-                    } else {
-                        const std::size_t bit = at * static_cast<std::size_t>(kind.bits);
-                        row[bit / 8] = static_cast<png_byte>(row[bit / 8] | value << (8 - kind.bits - bit % 8));
-                    }
-                    const double most = (1U << kind.bits) - 1;
-                    pixel.push_back(
-                        isPalette ? static_cast<int>(value) : static_cast<int>(std::lround(value * 255 / most)));
-                }
-                expected.push_back(colorOf(kind.type, pixel));
-            }
+            fillRow(row, kind, random, expected);
         const DecodedImage image = decodedImage(pngOf(kind, rows), room, "x");
         ASSERT_EQ(image.pixels.size(), expected.size() * 4);
         for (std::size_t i = 0; i < expected.size(); ++i)
@@ -149,7 +163,7 @@ std::uint64_t peakKibibytes() {
 TEST(GltfImages, TextsOfAPngAreNotUnpacked) {
     constexpr std::size_t kTextBytes = 4'000'000;
     constexpr int kTexts = 50;
-    const std::vector<std::vector<png_byte>> rows(kSide, std::vector<png_byte>(kSide * 3, 90));
+    const std::vector<std::vector<png_byte>> rows(kSide, std::vector<png_byte>(std::size_t{kSide} * 3, 90));
     std::vector<std::byte> png = pngOf({}, rows, std::string(kTextBytes, 'a'));
     const std::array<std::byte, 4> type = {std::byte{'z'}, std::byte{'T'}, std::byte{'X'}, std::byte{'t'}};
     const auto found = std::search(png.begin(), png.end(), type.begin(), type.end());

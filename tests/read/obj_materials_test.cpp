@@ -105,10 +105,10 @@ TEST_F(ObjWithMaterials, AreNamedAsPeopleNameThem) {
           "mtllib Sub Folder\\Deep.mtl",
           "mtllib SUB FOLDER\\deep.mtl",
           "mtllib Sub Folder\\..\\my red.mtl",
-          "mtllib C:\\Users\\Some One\\My Red.mtl",
+          R"(mtllib C:\Users\Some One\My Red.mtl)",
           "mtllib c:/users/my red.mtl",
-          "mtllib \\\\server\\share\\MY RED.mtl",
-          "mtllib ..\\..\\gone\\My Red.mtl",
+          R"(mtllib \\server\share\MY RED.mtl)",
+          R"(mtllib ..\..\gone\My Red.mtl)",
           "mtllib /home/gone/My Red.mtl",
           "mtllib gone.mtl C:\\a\\My Red.mtl # a comment",
           "mtllib My \\\nRed.mtl"})
@@ -313,10 +313,10 @@ TEST_F(ObjWithMaterials, LibrariesMayBeInQuotes) {
     for (const char* const names :
          {"\"a.mtl\"",
           "\"my lib.mtl\"",
-          "\"gone.mtl\" \"a.mtl\"",
+          R"("gone.mtl" "a.mtl")",
           "\"A.mtl\"",
-          "\"sub dir\\b.mtl\"",
-          "\"C:\\old place\\a.mtl\""})
+          R"("sub dir\b.mtl")",
+          R"("C:\old place\a.mtl")"})
         EXPECT_TRUE(isRed(names)) << names;
     std::filesystem::remove(folder + "/a.mtl");
     EXPECT_FALSE(isRed("\"a.mtl\""));

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <set>
@@ -167,14 +169,36 @@ private:
         return !hasToBeFinite || isFinite(vertices_[static_cast<std::size_t>(vertex)].position);
     }
 
-    bool resolve() {
-        double most = 0;
-        bool isColored = false;
+    /// The largest channel of the colours of vertices; nothing if none has a colour.
+    std::optional<double> largestChannel() const {
+        std::optional<double> largest;
         for (const Vertex& vertex : vertices_)
-            if (vertex.color) {
-                isColored = true;
-                most = std::max({most, vertex.color->x, vertex.color->y, vertex.color->z});
-            }
+            if (const auto& c = vertex.color) largest = std::max({largest.value_or(0), c->x, c->y, c->z});
+        return largest;
+    }
+
+    bool areCornersThere(const Face& face, bool isPolygon) const {
+        return std::ranges::all_of(face.corners, [&](const auto& corner) {
+            return (!isPolygon && !hasNormal(corner)) || isThere(corner[0], isPolygon);
+        });
+    }
+
+    /// Gives the normals of a face to its vertices; those that differ from the first one of their vertex go to
+    /// `others`.
+    void takeNormals(const Face& face, std::map<std::int64_t, glm::vec3>& others) {
+        for (const auto& corner : face.corners) {
+            if (!hasNormal(corner)) continue;
+            const glm::vec3 normal = normals_[static_cast<std::size_t>(corner[1])];
+            std::optional<glm::vec3>& own = vertices_[static_cast<std::size_t>(corner[0])].normal;
+            if (!own) own = normal;
+            others.erase(corner[0]);
+            if (*own != normal) others[corner[0]] = normal;
+        }
+    }
+
+    bool resolve() {
+        const std::optional<double> most = largestChannel();
+        const bool isColored = most.has_value();
         const bool hasFaceColors = !isColored && hasUsedColor_;
         std::map<std::int64_t, glm::vec3> others; // normals of vertices besides the first ones, until the next polygon
         for (const Face& face : faces_) {
@@ -182,23 +206,15 @@ private:
             for (const auto& corner : face.corners)
                 different.insert(corner[0]);
             const bool isPolygon = different.size() > 2;
-            for (const auto& corner : face.corners)
-                if ((isPolygon || hasNormal(corner)) && !isThere(corner[0], isPolygon)) return false;
-            for (const auto& corner : face.corners) {
-                if (!hasNormal(corner)) continue;
-                const glm::vec3 normal = normals_[static_cast<std::size_t>(corner[1])];
-                std::optional<glm::vec3>& own = vertices_[static_cast<std::size_t>(corner[0])].normal;
-                if (!own) own = normal;
-                others.erase(corner[0]);
-                if (*own != normal) others[corner[0]] = normal;
-            }
+            if (!areCornersThere(face, isPolygon)) return false;
+            takeNormals(face, others);
             if (!isPolygon) {
                 ++mesh_.notAPolygon;
                 continue;
             }
             for (std::size_t i = 2; i < face.corners.size(); ++i)
                 for (const std::size_t k : {std::size_t{0}, i - 1, i})
-                    add(face.corners[k][0], others, hasFaceColors ? face.color : 0xFFFFFFFF, most > 1 ? 255 : 1);
+                    add(face.corners[k][0], others, hasFaceColors ? face.color : 0xFFFFFFFF, most > 1.0 ? 255 : 1);
             others.clear();
         }
         finish(isColored || hasFaceColors);
@@ -210,8 +226,9 @@ private:
         if (vertex.color) {
             color = 0xFF000000U;
             for (int i = 0; i < 3; ++i)
-                color |= static_cast<std::uint32_t>(std::clamp((*vertex.color)[i] * (255 / full), 0.0, 255.0) + 0.5)
-                         << (8 * i);
+                color |=
+                    static_cast<std::uint32_t>(std::lround(std::clamp((*vertex.color)[i] * (255 / full), 0.0, 255.0)))
+                    << (8 * i);
         }
         const auto other = others.find(number);
         const glm::vec3 normal = other == others.end() ? glm::vec3(0) : other->second;

@@ -385,39 +385,46 @@ TEST(ReadPly, MutatedFilesGiveAMeshOrAnError) {
     EXPECT_LT(refused, 2900U);
 }
 
-TEST(ReadPly, NormalsThatAreNotFiniteAreCountedWhereTheyAreRead) {
-    const std::string path = scratchPly("normals");
+/// A PLY of one triangle and a vertex more, with two normals that are not finite.
+std::string plyWithBadNormals(bool isAscii, bool hasFaceColors) {
     const float none = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();
     const std::vector<std::array<float, 6>> rows = {
         {0, 0, 0, none, 0, 1}, {1, 0, 0, 0, 0, 1}, {0, 1, 0, 0, inf, 0}, {1, 1, 0, 0, 0, 0}};
+    std::string text =
+        std::string("ply\nformat ") + (isAscii ? "ascii" : "binary_little_endian") + " 1.0\nelement vertex 4\n";
+    for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+        text += std::string("property float ") + name + "\n";
+    text += "element face 1\nproperty list uchar uchar vertex_indices\n";
+    if (hasFaceColors) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    text += "end_header\n";
+    for (const auto& row : rows) {
+        for (const float value : row)
+            text += isAscii ? std::to_string(value) + " " : std::string(reinterpret_cast<const char*>(&value), 4);
+        if (isAscii) text += "\n";
+    }
+    if (isAscii) return text + std::string("3 0 1 2 9 9 9").substr(0, hasFaceColors ? 13 : 7) + "\n";
+    return text + std::string("\3\0\1\2\11\11\11", hasFaceColors ? 7 : 4);
+}
+
+void expectTwoBadNormals(const std::string& path) {
+    const auto source = openPlyWithFaceColors(path, mebibytes(64));
+    const auto& dropped = source->summary().attributesDropped;
+    std::uint64_t bad = dropped.contains(kBadNormals) ? dropped.at(kBadNormals) : 0;
+    source->readVertices([&](const VertexBlock& block) {
+        bad += block.badNormals;
+        EXPECT_EQ(block.normals[0], glm::vec3(0));
+        EXPECT_EQ(block.normals[1], glm::vec3(0, 0, 1));
+    });
+    EXPECT_EQ(bad, 2U);
+}
+
+TEST(ReadPly, NormalsThatAreNotFiniteAreCountedWhereTheyAreRead) {
+    const std::string path = scratchPly("normals");
     for (const bool isAscii : {true, false})
         for (const bool hasFaceColors : {true, false}) {
-            const std::string color =
-                hasFaceColors ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "";
-            std::string text =
-                std::string("ply\nformat ") + (isAscii ? "ascii" : "binary_little_endian") + " 1.0\nelement vertex 4\n";
-            for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
-                text += std::string("property float ") + name + "\n";
-            text += "element face 1\nproperty list uchar uchar vertex_indices\n" + color + "end_header\n";
-            for (const auto& row : rows) {
-                for (const float value : row)
-                    text +=
-                        isAscii ? std::to_string(value) + " " : std::string(reinterpret_cast<const char*>(&value), 4);
-                if (isAscii) text += "\n";
-            }
-            text += isAscii ? std::string("3 0 1 2 9 9 9").substr(0, hasFaceColors ? 13 : 7) + "\n"
-                            : std::string("\3\0\1\2\11\11\11", hasFaceColors ? 7 : 4);
-            writeScratch(path, text);
-            const auto source = openPlyWithFaceColors(path, mebibytes(64));
-            const auto& dropped = source->summary().attributesDropped;
-            std::uint64_t bad = dropped.contains(kBadNormals) ? dropped.at(kBadNormals) : 0;
-            source->readVertices([&](const VertexBlock& block) {
-                bad += block.badNormals;
-                EXPECT_EQ(block.normals[0], glm::vec3(0));
-                EXPECT_EQ(block.normals[1], glm::vec3(0, 0, 1));
-            });
-            EXPECT_EQ(bad, 2U);
+            writeScratch(path, plyWithBadNormals(isAscii, hasFaceColors));
+            expectTwoBadNormals(path);
         }
     std::filesystem::remove(path);
 }

@@ -12,10 +12,10 @@ namespace {
 using plan::Capabilities;
 
 struct Case {
-    const char* name;
+    const char* name = "";
     BackendRequest request;
-    Backend expected;
-    const char* reason;
+    Backend expected = Backend::Auto;
+    const char* reason = "";
 };
 
 const BackendNeed kSection{"--section 0,0,0,0,1,0", "only the software backend draws sections"};

@@ -128,7 +128,7 @@ std::uint32_t seenFromAbove(
     double highest = -1;
     std::uint32_t color = 0;
     for (const Triangle& t : triangles) {
-        std::array<glm::dvec3, 3> p;
+        std::array<glm::dvec3, 3> p{};
         for (std::size_t i = 0; i < 3; ++i)
             p[i] = patch.positions[simplified.positionOf(patch, t[i])];
         const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);

@@ -203,18 +203,22 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
     BinnedRange binned;
     source_.readVertexRange(range.begin, range.end, [&](const read::VertexBlock& block) {
         const std::uint64_t first = block.firstVertex - range.begin;
-        for (std::size_t i = 0; i < block.positions.size(); ++i) {
-            if (valence[first + i] == std::byte{0}) continue;
+        const auto put = [&](std::size_t i) {
             const bool isInRange = snap.isInRange(block.positions[i]);
             const std::uint32_t chunk = isInRange ? tree.chunkOf(snap(block.positions[i])) : chunk::kBeyondGrid;
-            if (isWide)
-                wide[first + i] = chunk;
-            else
-                narrow[first + i] = static_cast<std::uint16_t>(chunk);
             if (isInRange)
                 writer.putVertex(block, i, chunk);
             else
                 binned.strayed.corners.add(block.positions[i]);
+            return chunk;
+        };
+        for (std::size_t i = 0; i < block.positions.size(); ++i) {
+            if (valence[first + i] == std::byte{0}) continue;
+            const std::uint32_t chunk = put(i);
+            if (isWide)
+                wide[first + i] = chunk;
+            else
+                narrow[first + i] = static_cast<std::uint16_t>(chunk);
         }
         progress_.advance(block.positions.size());
     });

@@ -214,7 +214,7 @@ std::string GltfFile::besideThis(const std::string& uri, const std::string& plac
     if (uri.find("://") != std::string::npos)
         throw Error(
             place, "refers to a file by more than a path", "a path from the folder of the file", quotedForMessage(uri));
-    const std::string path = root_.pathOf(fileNameOf(uri, place), place);
+    std::string path = root_.pathOf(fileNameOf(uri, place), place);
     std::error_code missing;
     requirePercentDigits(uri, std::filesystem::exists(path, missing), place);
     return path;

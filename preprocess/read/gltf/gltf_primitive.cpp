@@ -125,7 +125,7 @@ std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimi
     if (texture == nullptr && ofVertices < 0 && color.factor == glm::dvec4(1)) return {};
     std::vector<float> tints;
     std::vector<float> coordinates;
-    const std::string attribute = texture == nullptr ? "" : "TEXCOORD_" + std::to_string(color.texCoord);
+    std::string attribute = texture == nullptr ? "" : "TEXCOORD_" + std::to_string(color.texCoord);
     if (ofVertices >= 0) {
         requireAsMany(file_, ofVertices, vertices);
         tints = colorsOf(file_, ofVertices);

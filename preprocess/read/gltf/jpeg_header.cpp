@@ -77,12 +77,39 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     return true;
 }
 
+/// What the segments of a JPEG tell, one after the other.
+class JpegSegments {
+public:
+    /// Returns false if `segment` is a frame that is not valid.
+    bool take(unsigned marker, const JpegBytes& segment) {
+        if (isFrame(marker) && header_.components == 0) {
+            needsAll_ = isProgressive(marker);
+            return takeFrame(segment, header_);
+        }
+        if (marker == kAdobe && segment.beginsWith("Adobe"))
+            header_.isAdobe = true;
+        else if (marker == kStartOfScan && segment.size() > 0 && ++header_.scans == 1)
+            needsAll_ |= static_cast<int>(segment.at(0)) < header_.components;
+        return true;
+    }
+
+    std::optional<JpegHeader> header() const {
+        if (header_.components == 0) return std::nullopt;
+        JpegHeader header = header_;
+        if (!needsAll_) header.coefficientBytes = 0;
+        return header;
+    }
+
+private:
+    JpegHeader header_;
+    bool needsAll_ = false; // the decoder holds the coefficients of the whole image
+};
+
 } // namespace
 
 std::optional<JpegHeader> jpegHeaderOf(std::span<const std::byte> encoded) {
     const JpegBytes bytes(encoded);
-    JpegHeader header;
-    bool needsAll = false;
+    JpegSegments segments;
     for (std::size_t at = 0; at + 1 < bytes.size();) {
         const unsigned marker = bytes.at(at + 1);
         if (bytes.at(at) != 0xFF || marker == 0xFF || isAlone(marker)) {
@@ -92,20 +119,10 @@ std::optional<JpegHeader> jpegHeaderOf(std::span<const std::byte> encoded) {
         if (marker == kEndOfImage || at + 4 > bytes.size()) break;
         const std::size_t length = bytes.word(at + 2);
         if (length < 2 || length > bytes.size() - at - 2) break;
-        const JpegBytes segment = bytes.part(at + 4, length - 2);
-        if (isFrame(marker) && header.components == 0) {
-            if (!takeFrame(segment, header)) return std::nullopt;
-            needsAll = isProgressive(marker);
-        } else if (marker == kAdobe && segment.beginsWith("Adobe")) {
-            header.isAdobe = true;
-        } else if (marker == kStartOfScan && segment.size() > 0) {
-            if (++header.scans == 1) needsAll |= static_cast<int>(segment.at(0)) < header.components;
-        }
+        if (!segments.take(marker, bytes.part(at + 4, length - 2))) return std::nullopt;
         at += 2 + length;
     }
-    if (header.components == 0) return std::nullopt;
-    if (!needsAll) header.coefficientBytes = 0;
-    return header;
+    return segments.header();
 }
 
 } // namespace gnomon::read

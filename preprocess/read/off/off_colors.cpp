@@ -57,10 +57,11 @@ MemoryMesh withOffColors(
     drop("alpha", kept.clearCount());
     if (const std::string remark = kept.remark(hasVertices ? "vertices" : "faces"); !remark.empty())
         mesh.remarks.push_back(path + ": " + remark);
-    if (hasVertices)
-        mesh.colors = kept.packed(mesh.positions.size());
-    else
-        return withFaceColors(std::move(mesh), kept.packed(mesh.faceSizes.size()), path, memoryLimit);
+    if (!hasVertices) {
+        std::vector<std::uint32_t> packed = kept.packed(mesh.faceSizes.size());
+        return withFaceColors(std::move(mesh), std::move(packed), path, memoryLimit);
+    }
+    mesh.colors = kept.packed(mesh.positions.size());
     return mesh;
 }
 

@@ -40,8 +40,19 @@ private:
                 return static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
             });
         const std::size_t off = word.find("OFF");
-        std::string_view kinds = std::string_view(word).substr(0, off);
-        while (off != std::string::npos && !kinds.empty()) {
+        if (off != std::string::npos) takeKinds(std::string_view(word).substr(0, off));
+        if (off == std::string::npos || isOther_)
+            throw Error(
+                text_.where(),
+                "not an OFF file with three coordinates per vertex",
+                "OFF, or ST, C or N before it",
+                quotedForMessage(word));
+        return word.substr(off + 3);
+    }
+
+    /// Takes the letters before OFF, each of which names a kind of values at vertices.
+    void takeKinds(std::string_view kinds) {
+        while (!kinds.empty()) {
             const bool isTexture = kinds.starts_with("ST");
             bool& has = isTexture              ? header_.hasTexture
                         : kinds.front() == 'C' ? header_.hasColors
@@ -50,13 +61,6 @@ private:
             has = true;
             kinds.remove_prefix(isTexture ? 2 : 1);
         }
-        if (off == std::string::npos || isOther_)
-            throw Error(
-                text_.where(),
-                "not an OFF file with three coordinates per vertex",
-                "OFF, or ST, C or N before it",
-                quotedForMessage(word));
-        return word.substr(off + 3);
     }
 
     std::uint64_t count(const std::string& word) const {

@@ -89,9 +89,22 @@ VertexLayout vertexLayoutOf(const PlyElement& element) {
     return layout;
 }
 
+namespace {
+
+/// Returns the name under which the build counts a property that it drops. `channel` is 0 to 2 for a colour of faces, 3
+/// for alpha.
+std::string droppedName(const PlyElement& element, const std::string& property, std::ptrdiff_t channel) {
+    constexpr std::array kTexture = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber"};
+    if (channel < 3) return kFaceColors;
+    if (channel == 3) return "alpha";
+    if (std::find(kTexture.begin(), kTexture.end(), property) != kTexture.end()) return "texture coordinates";
+    return element.name + " " + property;
+}
+
+} // namespace
+
 std::set<std::string> droppedNames(const PlyElement& element, Role role, const std::vector<std::string>& fields) {
     if (role == Role::Other) return {"element " + element.name};
-    constexpr std::array kTexture = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber"};
     std::set<int> kept = {indexListOf(element)};
     const std::optional<ColorLayout> colors = colorLayoutOf(element);
     if (role == Role::Vertices) {
@@ -102,15 +115,10 @@ std::set<std::string> droppedNames(const PlyElement& element, Role role, const s
     for (int i = 0; i < static_cast<int>(element.properties.size()); ++i) {
         const std::string& property = element.properties[static_cast<std::size_t>(i)].name;
         const auto channel = colors ? std::find(colors->begin(), colors->end(), i) - colors->begin() : 4;
-        const bool isTexture = std::find(kTexture.begin(), kTexture.end(), property) != kTexture.end();
         const bool isField =
             role == Role::Vertices && std::find(fields.begin(), fields.end(), property) != fields.end();
         if (isField || kept.contains(i) || (channel < 3 && role == Role::Vertices)) continue;
-        names.insert(
-            channel < 3    ? kFaceColors
-            : channel == 3 ? "alpha"
-            : isTexture    ? "texture coordinates"
-                           : element.name + " " + property);
+        names.insert(droppedName(element, property, channel));
     }
     return names;
 }

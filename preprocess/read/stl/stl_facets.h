@@ -20,7 +20,7 @@ public:
     MemoryMesh take() { return std::move(mesh_); }
 
 private:
-    std::uint64_t vertexAt(const glm::dvec3& position);
+    std::uint64_t vertexAt(const glm::dvec3& given);
     void grow();
 
     MemoryMesh mesh_;

@@ -133,6 +133,12 @@ void TextStream::joinNextLine() {
     ++line_;
 }
 
+bool TextStream::endsInBackslash(const char* begin, const char* end, bool before) {
+    while (end != begin && isBlank(end[-1]))
+        --end;
+    return end != begin ? end[-1] == '\\' : before;
+}
+
 /// Goes to the end of the line in hand and no further. Returns whether the last of its characters that is not blank is
 /// a backslash outside of a comment.
 bool TextStream::skipToLineEnd() {
@@ -143,10 +149,7 @@ bool TextStream::skipToLineEnd() {
         const auto* const found = static_cast<const char*>(std::memchr(at_, lineEnd_, size));
         const char* const stop = found != nullptr ? found : end_;
         if (rules_.isContinuable) {
-            const char* last = stop;
-            while (last != at_ && isBlank(last[-1]))
-                --last;
-            if (last != at_) isContinued = last[-1] == '\\';
+            isContinued = endsInBackslash(at_, stop, isContinued);
             if (isContinued || found == nullptr) hasComment = hasComment || std::find(at_, stop, '#') != stop;
         }
         at_ = stop;

@@ -80,6 +80,9 @@ public:
 private:
     static constexpr bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+    /// Returns whether the last character of a text that is not blank is a backslash. A blank text returns `before`.
+    static bool endsInBackslash(const char* begin, const char* end, bool before);
+
     std::string_view wordOfAnyLine();
     void findPlainEnd();
     bool refill();

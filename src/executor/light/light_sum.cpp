@@ -153,7 +153,7 @@ float LightSum::groundCoverage(std::size_t i) const {
 
 Picture LightSum::picture(const Shown& shown) const {
     GNOMON_CHECK(count_ > 0);
-    const auto lastRow = static_cast<std::size_t>(firstRow_ + sums_.height);
+    const auto lastRow = static_cast<std::size_t>(firstRow_) + static_cast<std::size_t>(sums_.height);
     GNOMON_CHECK(shown.backgroundRows.size() >= lastRow);
     const std::size_t above = shown.backgroundRows.size() - lastRow; // rows of the image above this part
     block::Frame curve{};

@@ -1,4 +1,4 @@
-// Collects vertices and triangles into the blocks that sinks of a MeshSource receive.
+// Buffers that collect vertices and triangles into the blocks that the sinks of a MeshSource receive.
 #pragma once
 
 #include "preprocess/read/mesh_source.h"
@@ -9,51 +9,51 @@
 
 namespace gnomon::read {
 
-/// Rows or triangles of a full block: small enough for the second-level cache.
+/// The number of rows or triangles of a full block. A block of this size fits into the second-level cache.
 constexpr std::size_t kBlockRows = 16384;
 
-/// More corners than any real polygon; a longer list is a damaged file, and would break the bound on memory.
+/// The max number of corners of a polygon. A longer list means a damaged file, and it would exceed the bound on memory.
 constexpr std::uint64_t kMostPolygonCorners = std::uint64_t{1} << 20U;
 
-/// Returns `normal`, or zero, which stands for none, if it is not finite.
+/// Returns `normal` if it is finite, else the zero vector, which means "no normal".
 inline glm::vec3 finiteOrZero(const glm::vec3& normal) {
     return std::isfinite(normal.x + normal.y + normal.z) ? normal : glm::vec3(0);
 }
 
-/// Collects vertices.
+/// Collects vertices and passes them to a sink in blocks.
 class VertexBuffer {
 public:
-    /// Places to fill for rows that were appended; what the input has not is empty.
+    /// The memory of appended rows, which the caller fills. The spans of attributes that the input does not have are
+    /// empty.
     struct Rows {
         std::span<glm::dvec3> positions;
         std::span<glm::vec3> normals;
         std::span<std::uint32_t> colors;
-        std::span<double> fields; // fieldCount a vertex
+        std::span<double> fields; // fieldCount values per vertex
     };
 
-    /// What vertices have besides positions.
+    /// The attributes of vertices besides positions.
     struct Attributes {
         bool hasNormals = false;
         bool hasColors = false;
         std::size_t fieldCount = 0;
     };
 
-    /// Of vertices from `first` on.
+    /// Creates a buffer for vertices whose indices start at `first`.
     VertexBuffer(const VertexSink& sink, const Attributes& attributes, std::uint64_t first = 0);
 
-    /// Rows that fit before the next flush, at least 1.
+    /// Returns the number of rows that fit into the current block, at least 1.
     std::size_t room() const { return kBlockRows - size_; }
 
-    /// Appends `count` (at most room()) rows for the caller to fill before the next call. The filled block is handed on
-    /// by the call after it.
+    /// Appends `count` rows (at most room()). The caller fills them and then calls flushIfFull.
     Rows append(std::size_t count);
 
-    /// Hands a full block on; call after the rows of `append` are filled.
+    /// Passes the block to the sink if it is full. Call this after the rows of `append` are filled.
     void flushIfFull() {
         if (size_ == kBlockRows) flush();
     }
 
-    /// Counts normals of the appended rows that are not finite.
+    /// Adds `count` to the number of appended normals that are not finite.
     void countBadNormals(std::uint64_t count) { badNormals_ += count; }
 
     /// Hands on what is left.
@@ -71,10 +71,10 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Collects triangles, polygons and faces that are none.
+/// Collects triangles and polygons, and passes them to a sink in blocks. Counts faces with fewer than three corners.
 class TriangleBuffer {
 public:
-    /// Of triangles from `first` on.
+    /// Creates a buffer for triangles whose source indices start at `first`.
     explicit TriangleBuffer(const TriangleSink& sink, std::uint64_t first = 0);
 
     void add(const TriangleCorners& corners) {
@@ -82,12 +82,13 @@ public:
         if (size_ >= kBlockRows) flush();
     }
 
-    /// A face of any number of corners, given as its vertex indices.
+    /// Adds a face with any number of corners, given as vertex indices.
     void addPolygon(std::span<const std::uint64_t> corners);
 
-    /// The free places of the block, for callers that write triangles themselves and then `commit` as many.
+    /// Returns the unused triangles of the block. A caller can write triangles there and then `commit` their number.
     std::span<TriangleCorners> room() { return std::span(triangles_).subspan(size_); }
 
+    /// Adds `count` triangles that the caller has written to room().
     void commit(std::size_t count) {
         size_ += count;
         if (size_ >= kBlockRows) flush();
@@ -96,7 +97,7 @@ public:
     /// Hands on what is left.
     void flush();
 
-    /// Triangles so far.
+    /// Returns the source index of the next triangle.
     std::uint64_t count() const { return first_ + size_; }
 
 private:

@@ -1,4 +1,4 @@
-// Sequential reading of a file in big blocks, with a window of contiguous bytes to parse from.
+// Sequential reading of a file in large blocks. A parser reads from a contiguous window of bytes.
 #pragma once
 
 #include "preprocess/read/input_file.h"
@@ -9,34 +9,34 @@
 
 namespace gnomon::read {
 
-/// A forward window over a file. Holds one buffer of at most kBufferBytes, whatever the file's size.
+/// A forward window over a file. It has one buffer of at most kBufferBytes, independent of the size of the file.
 class ByteStream {
 public:
     static constexpr std::size_t kBufferBytes = std::size_t{2} << 20U;
 
     ByteStream(const InputFile& file, std::uint64_t offset);
 
-    /// The bytes at the current place that are in memory.
+    /// Returns the bytes from the current position on that are in memory; see available().
     const std::byte* data() const { return buffer_.data() + begin_; }
 
     std::size_t available() const { return end_ - begin_; }
 
-    /// Makes at least `count` bytes available (at most kBufferBytes); false if the file ends before.
+    /// Makes at least `count` bytes available (at most kBufferBytes). Returns false if the file ends before.
     bool fill(std::size_t count) { return available() >= count || refill(count); }
 
-    /// Passes over `count` available bytes.
+    /// Skips `count` available bytes.
     void consume(std::size_t count) { begin_ += count; }
 
-    /// Passes over `count` bytes without reading what is not yet in memory; `count` at most remaining().
+    /// Skips `count` bytes (at most remaining()). Does not read bytes that are not yet in memory.
     void skip(std::uint64_t count);
 
     /// Goes back to the start of the file.
     void rewind() { bufferOffset_ = begin_ = end_ = 0; }
 
-    /// The current place in bytes from the start of the file.
+    /// Returns the current position in bytes from the start of the file.
     std::uint64_t offset() const { return bufferOffset_ + begin_; }
 
-    /// Bytes from the current place to the end of the file.
+    /// Returns the number of bytes from the current position to the end of the file.
     std::uint64_t remaining() const { return fileBytes_ - offset(); }
 
     const std::string& path() const { return file_.path(); }

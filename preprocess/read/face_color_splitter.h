@@ -1,4 +1,4 @@
-// Faces with colours: a vertex is split where its faces have different ones.
+// Conversion of face colours to vertex colours: a vertex is duplicated for each different colour of its faces.
 #pragma once
 
 #include "core/units.h"
@@ -10,22 +10,25 @@
 
 namespace gnomon::read {
 
-/// Collects the vertices of a file and then its coloured faces, and splits the one by the other.
+/// Collects the vertices of a file, then its coloured faces, and duplicates vertices per colour.
 class FaceColorSplitter {
 public:
-    /// `path` and `memoryLimit` for what is refused; the vertices come with values for `fields`.
+    /// Creates a mesh whose vertices have one value per name in `fields`. Errors name `path`; `memoryLimit` is the max
+    /// memory of the collected data.
     FaceColorSplitter(std::string path, Bytes memoryLimit, std::vector<std::string> fields)
         : path_(std::move(path)), memoryLimit_(memoryLimit) {
         mesh_.fieldNames = std::move(fields);
     }
 
+    /// Adds vertices in index order. Throws Error if the collected data needs more memory than the limit.
     void addVertices(const VertexBlock& block);
 
-    /// A face of such vertices. Throws Error where what is held by now takes more than the limit.
+    /// Adds a face with the colour `color` (RGBA8). Throws Error if the collected data needs more memory than the
+    /// limit.
     void addFace(std::span<const std::uint64_t> corners, std::uint32_t color);
 
-    /// The mesh: vertices in their order, those of one by the colours that its faces have. Vertices of no face are
-    /// left out.
+    /// Returns the mesh. Vertices are ordered by their index in the file, and copies of a vertex by colour. Vertices
+    /// without a face are removed.
     MemoryMesh take();
 
 private:
@@ -33,10 +36,11 @@ private:
 
     std::string path_;
     Bytes memoryLimit_;
-    MemoryMesh mesh_; // its corners name a vertex in the upper and a colour in the lower half
+    MemoryMesh mesh_; // each corner has the vertex index in its upper and the colour in its lower 32 bits
 };
 
-/// Returns `mesh` with the colours of its faces, RGBA8, one per face. `path` and `memoryLimit` as above.
+/// Returns `mesh` with vertex colours that give each face its colour in `colors` (RGBA8, one per face). Throws Error,
+/// which names `path`, if this needs more than `memoryLimit`.
 MemoryMesh withFaceColors(
     MemoryMesh mesh, std::span<const std::uint32_t> colors, const std::string& path, Bytes memoryLimit);
 

@@ -1,4 +1,4 @@
-// A file of input that stays as it was when it was opened, or is refused.
+// Input files that are read several times, with a check that they do not change meanwhile.
 #pragma once
 
 #include "core/file.h"
@@ -11,32 +11,33 @@
 
 namespace gnomon::read {
 
-/// Throws Error where `path` leads to something that cannot be read several times: a pipe, a socket or a device. What
-/// is not there at all is left to the one who opens it.
+/// Throws Error if `path` is a pipe, a socket or a device, because a source is read several times. A missing file is
+/// not an error here; opening it reports the error.
 void requireRereadable(const std::string& path);
 
-/// An input that is read several times. Another process may change it meanwhile; nobody may build from a mix of both.
+/// A file that is read several times. Another process may change the file meanwhile, and a build must not mix both
+/// versions.
 class InputFile {
 public:
-    /// Throws Error with the system's reason.
+    /// Opens the file `path`. Throws Error with the reason of the operating system.
     explicit InputFile(const std::string& path);
 
     const std::string& path() const { return file_.path(); }
 
-    /// In bytes, when it was opened.
+    /// Returns the size of the file in bytes at the time of opening.
     std::uint64_t size() const { return size_; }
 
-    /// Up to `out.size()` bytes from `offset`; fewer only at the end that the file had when it was opened. Throws Error
-    /// if bytes that were there then are gone. Polls.
+    /// Reads up to `out.size()` bytes from `offset` and returns their number. Returns fewer only at the original end of
+    /// the file. Throws Error if the file has become shorter. Polls the progress of pollWith.
     std::size_t readSomeAt(std::uint64_t offset, std::span<std::byte> out) const;
 
-    /// Fills `out` from `offset`; throws Error if the file ends before.
+    /// Fills `out` with the bytes from `offset` on. Throws Error if the file ends before.
     void readAt(std::uint64_t offset, std::span<std::byte> out) const;
 
-    /// Throws Error if the size or the time of the last change is another than when the file was opened.
+    /// Throws Error if the size or the modification time has changed since the file was opened.
     void requireUnchanged() const;
 
-    /// From now on every call of `readSomeAt` polls `progress`, which must outlive them.
+    /// Makes all later calls of readSomeAt poll `progress`, which must outlive them.
     void pollWith(Progress& progress) { progress_ = &progress; }
 
 private:

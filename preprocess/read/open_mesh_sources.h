@@ -1,4 +1,4 @@
-// The way in: paths become one MeshSource.
+// Opens mesh files of all supported formats as one MeshSource.
 #pragma once
 
 #include "core/units.h"
@@ -10,20 +10,20 @@
 
 namespace gnomon::read {
 
-/// What becomes of a texture: its colours at the vertices, or nothing.
+/// The treatment of textures: sample them at the vertices, or ignore them.
 enum class Textures { Bake, Off };
 
-/// Opens every path and joins them into one model: vertices and triangles follow one another in the order of `paths`,
-/// indices are shifted accordingly. A block of a joined model holds vertices of one input only, so it lacks normals or
-/// colours where that input has none, even if the summary has them because another does.
+/// Opens all `paths` and joins them to one source. Vertices and triangles follow one another in the order of `paths`,
+/// and indices are shifted accordingly. A block has vertices of one input only. The joined source has normals only if
+/// all inputs have normals. It has colours if any input has colours; blocks of other inputs then have none.
 ///
-/// PLY files and .glb are known by their first bytes, whatever their name; the others by their suffix. PLY and OBJ are
-/// streamed, but for a PLY whose faces have colours; that, glTF, STL and OFF are read whole and throw Error if that
-/// could take more than `memoryLimit`. All errors name the file.
+/// Detects PLY and .glb by their first bytes, the other formats by the suffix of the name. PLY and OBJ are streamed,
+/// except a PLY whose faces have colours. Such a PLY, glTF, STL and OFF are read into memory; throws Error if this
+/// could need more than `memoryLimit`. All errors name the file.
 ///
-/// `fields` are scalar properties of the vertices to read besides, which every input must be a PLY for and must have.
-/// `sourceRoot` is the folder that buffers, images and material libraries may come from; if it is empty, the folder of
-/// each input is (see SourceRoot).
+/// `fields` are scalar vertex properties to read in addition; every input must be a PLY that has them. Buffers, images
+/// and material libraries must be in the folder `sourceRoot`, or in the folder of the input if `sourceRoot` is empty
+/// (see SourceRoot).
 std::unique_ptr<MeshSource> openMeshSources(
     const std::vector<std::string>& paths,
     Bytes memoryLimit,

@@ -1,4 +1,4 @@
-// Cutting a polygon into triangles, concave ones rightly.
+// Triangulation of convex and concave polygons.
 #pragma once
 
 #include "core/progress.h"
@@ -10,25 +10,27 @@
 
 namespace gnomon::read {
 
-/// The three corners of a triangle as positions in the polygon's list of corners.
+/// The three corners of a triangle, as indices into the polygon's list of corners.
 using PolygonTriangle = std::array<std::uint32_t, 3>;
 
-/// Cuts a polygon of n >= 3 corners into exactly n - 2 triangles that keep its orientation. A strictly convex one
-/// becomes the fan from corner 0; any other is cut by ear clipping in its plane (Newell's normal, projected along the
-/// nearest axis, which rounds nothing), which covers a simple polygon exactly; one that crosses itself still gives
-/// n - 2 triangles. Time is about n log n for real outlines and bounded for any input: two thousand steps per corner,
-/// and one hundred from where the polygon turns out to cross itself (a thousand where corners without area are in the
-/// way); what is left then becomes a fan. Polls `progress`. Appends to `out`. Corners may be at any distance from the
-/// origin: all is relative to the first. Source: Meisters, "Polygons have ears", 1975.
+/// Divides a polygon of n >= 3 corners into exactly n - 2 triangles with the same orientation, and appends them to
+/// `out`. A strictly convex polygon becomes the fan from corner 0. Any other polygon is cut by ear clipping (Meisters,
+/// "Polygons have ears", 1975) after a projection along the axis nearest to Newell's normal, which does not round. The
+/// result covers a simple polygon exactly. A polygon that crosses itself still gives n - 2 triangles.
+///
+/// The time is about n log n for real outlines and bounded for any input. The limit is 2000 steps per corner. It drops
+/// to 1000 further steps per corner when corners without area block the clipping, and to 100 when the polygon turns out
+/// to cross itself. The remaining polygon then becomes a fan. Polls `progress`. All positions are relative to the first
+/// corner, so corners can be at any distance from the origin.
 void triangulatePolygon(std::span<const glm::dvec3> corners, std::vector<PolygonTriangle>& out, Progress& progress);
 
-/// Replaces the fans of a TriangleBlock by right triangulations; keeps its scratch between polygons.
+/// Replaces the fans of a TriangleBlock by correct triangulations. It reuses its memory between polygons.
 class PolygonRefiner {
 public:
-    /// Polls `progress`, so that many polygons can be interrupted.
+    /// Polls `progress`, so that the user can stop the work on many polygons.
     explicit PolygonRefiner(Progress& progress) : progress_(progress) {}
 
-    /// Rewrites `fan` (the triangles of one PolygonRun) in place; `positionOf(vertex index)` gives a glm::dvec3.
+    /// Rewrites `fan`, the triangles of one PolygonRun, in place. `positionOf(vertex index)` returns a glm::dvec3.
     template <class PositionOf>
     void refine(std::span<TriangleCorners> fan, PositionOf positionOf) {
         vertices_.assign({fan.front()[0], fan.front()[1]});

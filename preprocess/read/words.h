@@ -1,4 +1,4 @@
-// Lines of text as words.
+// Functions that split text into words and convert words.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace gnomon::read {
 
-/// The words of `line` between blanks; they point into it.
+/// Returns the words of `line` that are separated by blanks. The words point into `line`.
 inline std::vector<std::string_view> wordsOf(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\r\v\f";
     std::vector<std::string_view> result;
@@ -21,7 +21,7 @@ inline std::vector<std::string_view> wordsOf(std::string_view line) {
     return result;
 }
 
-/// `text` with its ASCII letters in lower case.
+/// Returns `text` with its ASCII letters in lower case.
 inline std::string lowered(std::string_view text) {
     std::string result(text);
     for (char& c : result)
@@ -29,7 +29,8 @@ inline std::string lowered(std::string_view text) {
     return result;
 }
 
-/// Returns whether a report can name `text`: it is short and has only ASCII letters, digits, '_', '-' and blanks.
+/// Returns whether `text` is safe as a name in a report: at most 16 characters, and only ASCII letters, digits, '_',
+/// '-' and blanks.
 inline bool isPlainName(std::string_view text) {
     constexpr std::size_t kLongest = 16;
     return text.size() <= kLongest && std::all_of(text.begin(), text.end(), [](char c) {
@@ -38,19 +39,21 @@ inline bool isPlainName(std::string_view text) {
            });
 }
 
-/// `text` without the quotes around it, if it has both.
+/// Returns `text` without its quotes if it begins and ends with a quote.
 inline std::string_view unquoted(std::string_view text) {
     const bool hasQuotes = text.size() > 2 && text.front() == '"' && text.back() == '"';
     return hasQuotes ? text.substr(1, text.size() - 2) : text;
 }
 
-/// The last suffix of the file name in `path`, with its dot, in lower case; empty if it has none.
+/// Returns the last suffix of the file name in `path`, with its dot, in lower case. Returns an empty string if there is
+/// none.
 inline std::string loweredSuffix(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");
     return lowered(dot == std::string_view::npos || path[dot] == '/' ? "" : path.substr(dot));
 }
 
-/// The beginning of `text` in quotes with unprintable bytes as "?": a file can hold anything, an error is one line.
+/// Returns the first 40 characters of `text` in quotes. Replaces unprintable bytes by "?", because a file can contain
+/// anything and an error is one line.
 inline std::string quotedForMessage(std::string_view text) {
     constexpr std::size_t kShown = 40;
     std::string result = "\"";

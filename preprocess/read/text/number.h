@@ -1,4 +1,4 @@
-// Numbers in text: one rule for every format. Nothing depends on the locale.
+// Conversion of text to numbers, with the same rules for all formats. The result does not depend on the locale.
 #pragma once
 
 #include <charconv>
@@ -11,12 +11,12 @@
 
 namespace gnomon::read {
 
-/// Returns the length of the sign of a word that begins with '+', which std::from_chars does not read.
+/// Returns 1 if `word` begins with a '+', which std::from_chars does not accept, else 0.
 inline std::size_t plusLength(std::string_view word) {
     return word.starts_with('+') && !word.starts_with("+-") ? 1 : 0;
 }
 
-/// Returns the whole number that all of `word` is, with a sign or without; nothing for any other word.
+/// Returns the integer `word`, with or without a sign. Returns nothing if the whole word is not an integer.
 template <class Integer>
 std::optional<Integer> integerIn(std::string_view word) {
     Integer value{};
@@ -26,12 +26,13 @@ std::optional<Integer> integerIn(std::string_view word) {
     return value;
 }
 
-/// Returns the double nearest to the decimal number that all of `word` is; nothing for a word that is no number. A
-/// number too small for a double is 0, and one too large is infinite. Knows the words of C ("nan", "inf") and those of
-/// older Windows programs ("1.#QNAN", "-1.#IND", "1.#INF").
+/// Returns the double nearest to the decimal number `word`. Returns nothing if the whole word is not a number. A number
+/// too small for a double becomes 0, and a number too large becomes infinite. Accepts the words of C ("nan", "inf") and
+/// of older Windows programs ("1.#QNAN", "-1.#IND", "1.#INF").
 std::optional<double> numberIn(std::string_view word);
 
-/// Returns whether `word`, whose number is infinite, has digits and not the word "inf".
+/// Returns whether `word` is a decimal number that is too large for a double. `value` is its value from numberIn.
+/// Returns false for words that mean infinity, such as "inf".
 inline bool isHugeNumber(std::string_view word, double value) {
     return std::isinf(value) && word.find_first_of("123456789") != std::string_view::npos &&
            word.find('#') == std::string_view::npos;

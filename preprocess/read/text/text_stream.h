@@ -1,4 +1,4 @@
-// The words of a text file one after the other, line by line: what the readers of OBJ, OFF and ASCII STL share.
+// Reads a text file word by word and line by line, for OBJ, OFF and ASCII STL.
 #pragma once
 
 #include "preprocess/read/byte_stream.h"
@@ -8,36 +8,37 @@
 
 namespace gnomon::read {
 
-/// Throws Error that names the encoding if `file` begins as text in UTF-16 or UTF-32 does, with a byte order mark or
-/// without. Each format of text calls this before it reads.
+/// Throws Error that names the encoding if `file` begins like text in UTF-16 or UTF-32, with or without a byte order
+/// mark. Each text format calls this before it reads.
 void requireUtf8(const InputFile& file);
 
-/// Returns the bytes of a byte order mark of UTF-8 that `file` begins with: 3, or 0 for none.
+/// Returns the length in bytes of the UTF-8 byte order mark at the start of `file`: 3, or 0 if there is none.
 std::uint64_t markBytesOf(const InputFile& file);
 
-/// A forward window over the words of a text. It holds one buffer, whatever the length of the file or of its lines.
-/// Lines end with LF or CR LF, or with CR in files of the old Mac kind.
+/// A forward reader of the words of a text. It has one buffer, independent of the length of the file and of its lines.
+/// Lines end with LF, CR LF, or CR (old Mac files).
 class TextStream {
 public:
-    /// The rules of a format.
+    /// The lexical rules of a format.
     struct Rules {
-        bool hasComments = false;   ///< a '#' begins a comment, except behind a '.' (see numberIn)
-        bool isContinuable = false; ///< a backslash at the end of a line joins the next line
+        bool hasComments = false;   ///< a '#' begins a comment, except after a '.' (see numberIn)
+        bool isContinuable = false; ///< a backslash at the end of a line joins it with the next line
     };
 
-    /// A longer word is no number and no keyword; it comes in pieces.
+    /// The max length of a number or keyword, in characters. A longer word is returned in pieces.
     static constexpr std::size_t kLongestWord = 1000;
 
-    /// Throws Error for text that is not UTF-8.
+    /// Opens `file`. Throws Error for text in UTF-16 or UTF-32.
     TextStream(const InputFile& file, const Rules& rules);
 
-    /// Goes to the end of the line in hand, behind which the next line begins.
+    /// Skips the rest of the current line and its line end.
     void endLine();
 
-    /// Goes to the next line; the rest of the line in hand is skipped. False at the end of the file.
+    /// Goes to the next line and skips the rest of the current line. Returns false at the end of the file.
     bool nextLine();
 
-    /// Returns the next word of the line, empty at its end. Valid until the next call.
+    /// Returns the next word of the current line. Returns an empty word at the end of the line. The word is valid until
+    /// the next call.
     std::string_view word() {
         if (plainEnd_ == nullptr) return wordOfAnyLine();
         while (at_ != plainEnd_ && isBlank(*at_))
@@ -48,33 +49,33 @@ public:
         return {begin, static_cast<std::size_t>(at_ - begin)};
     }
 
-    /// Returns the next word of this or a later line, empty at the end of the file.
+    /// Returns the next word of this line or of a later line. Returns an empty word at the end of the file.
     std::string_view wordOnAnyLine();
 
-    /// Throws Error for a word of more than kLongestWord characters, which is neither a number nor a keyword.
+    /// Throws Error if `word` has more than kLongestWord characters, so it is neither a number nor a keyword.
     void requireShort(std::string_view word) const;
 
-    /// Returns the number that `word` is, finite or not. Throws Error for a word that is no number, and for a number
-    /// that is too large for a double.
+    /// Returns the number `word`, finite or not. Throws Error if the word is not a number, and if the number is too
+    /// large for a double.
     double numberOf(std::string_view word) const;
 
-    /// Returns the rest of the line in hand, without the blanks around it and with its comments. Throws Error for more
-    /// than 1 MiB.
+    /// Returns the rest of the current line with its comments, without blanks at both ends. Joins continued lines.
+    /// Throws Error for more than 1 MiB.
     std::string rest();
 
-    /// Moves forward to a place where a line begins. `lines` are before it.
+    /// Moves forward to `offset`, the start of a line in bytes. `lines` is the number of lines before it.
     void moveTo(std::uint64_t offset, std::uint64_t lines);
 
-    /// The bytes from the start of the file to the current place.
+    /// Returns the current position in bytes from the start of the file.
     std::uint64_t offset() const { return stream_.offset() + static_cast<std::uint64_t>(at_ - begin_); }
 
-    /// Whether a line is in hand, whose end is not passed.
+    /// Returns whether the current position is inside a line, before its line end.
     bool isInLine() const { return !isBehindLine_; }
 
-    /// The number of the line in hand.
+    /// Returns the number of the current line, counted from 1.
     std::uint64_t line() const { return line_; }
 
-    /// "PATH:LINE" of the line in hand.
+    /// Returns "PATH:LINE" of the current line.
     std::string where() const;
 
 private:
@@ -95,14 +96,15 @@ private:
     ByteStream stream_;
     Rules rules_;
     char lineEnd_ = '\n';
-    const char* begin_ = nullptr; // of the window
+    const char* begin_ = nullptr; // start of the window
     const char* at_ = nullptr;
     const char* end_ = nullptr;
-    const char* plainEnd_ = nullptr; // of a line that the window has, without comments and continuation; else null
-    bool isLast_ = false;            // the window has the end of the file
-    bool isBehindLine_ = true;       // the line in hand is over, and its end is consumed
+    const char* plainEnd_ = nullptr; // end of the current line if the whole line is in the window, without comments and
+                                     // continuation; else null
+    bool isLast_ = false;            // the window contains the end of the file
+    bool isBehindLine_ = true;       // the current line and its line end are consumed
     std::uint64_t line_ = 0;
-    std::string held_; // a word whose place in the window is lost
+    std::string held_; // copy of a word whose bytes are no longer in the window
 };
 
 } // namespace gnomon::read

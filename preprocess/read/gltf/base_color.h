@@ -1,4 +1,4 @@
-// The base colour of a glTF material: the colour of its surface in white light.
+// The base colour of a glTF material, with its texture.
 #pragma once
 
 #include "preprocess/read/gltf/decoded_image.h"
@@ -12,33 +12,36 @@
 
 namespace gnomon::read {
 
-/// Factors in linear light, and where they are to be multiplied by a texture.
+/// The base colour of a material in linear light: a factor, which is multiplied by a texture if there is one.
 struct BaseColor {
     glm::dvec4 factor{1};
-    int texture = -1;                       ///< of the model; -1 for none
-    int texCoord = 0;                       ///< the set of texture coordinates
-    bool isClear = false;                   ///< alpha counts; else it is 1
-    glm::dmat3x2 toImage{1, 0, 0, 1, 0, 0}; ///< from (u, v, 1), by KHR_texture_transform
+    int texture = -1;                       ///< index in the model; -1 for none
+    int texCoord = 0;                       ///< index of the set of texture coordinates
+    bool isClear = false;                   ///< the material uses alpha; else alpha is 1
+    glm::dmat3x2 toImage{1, 0, 0, 1, 0, 0}; ///< from (u, v, 1) to texture coordinates, by KHR_texture_transform
 };
 
-/// Returns the base colour of material `material`; white for -1. KHR_materials_pbrSpecularGlossiness replaces the
-/// colour of the material that has it. Throws Error if there is no such material.
+/// Returns the base colour of material `material`; white for -1. If the material has
+/// KHR_materials_pbrSpecularGlossiness, returns the diffuse colour of this extension instead. Throws Error if there is
+/// no such material.
 BaseColor baseColorOf(const GltfFile& file, int material);
 
-/// A texture that can be looked up.
+/// A decoded texture with its wrap modes.
 struct BaseTexture {
     DecodedImage image;
     std::array<int, 2> wraps{TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT}; ///< along u and v
 
-    /// Red, green, blue and alpha in linear light at (u, v), u to the right and v downwards, between the four texels
-    /// around it.
+    /// Returns the bilinear sample at (u, v) in linear light: red, green, blue and alpha. u points to the right and v
+    /// downwards.
     glm::dvec4 at(glm::dvec2 uv) const;
 };
 
-/// Texture `texture`; nothing where its image is not there or of a format that is not read.
+/// Returns texture `texture`. Returns nothing if its image is missing, or if only an extension that is not read
+/// provides it.
 std::optional<BaseTexture> baseTextureOf(GltfFile& file, int texture);
 
-/// RGBA8 with red in the lowest byte, colours by the sRGB curve (IEC 61966-2-1), of linear values, cut off at 0 and 1.
+/// Returns the linear colour as RGBA8 with red in the lowest byte. Clamps to 0 to 1 and applies the sRGB curve (IEC
+/// 61966-2-1) to red, green and blue.
 std::uint32_t packedColor(const glm::dvec4& linear);
 
 } // namespace gnomon::read

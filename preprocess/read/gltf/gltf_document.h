@@ -1,4 +1,4 @@
-// The JSON of a glTF file before tinygltf parses it: required extensions, and the data that no model uses.
+// Checks the JSON of a glTF file before tinygltf parses it: version, required extensions, and unused parts.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ std::string textOf(const nlohmann::json& object, const char* key);
 /// glTF 2.0, section 3.2.
 void requireVersion(const nlohmann::json& document, const std::string& path);
 
-/// Throws Error if the document requires an extension that is not read. A required format of textures is such an
-/// extension only if `readsTextures`. Also throws Error for geometry that only Draco's extension holds.
+/// Throws Error if the document requires an extension that is not read. An extension with a texture format matters only
+/// if `readsTextures`. Also throws Error for a mesh that is stored only in Draco's extension.
 void requireExtensions(const nlohmann::json& document, const std::string& path, bool readsTextures);
 
-/// Returns the parts of the document that no model uses, with a count for each name: entries of lists such as
-/// animations, lights, members of materials, and objects with an extension that is not read. Meshes, nodes and cameras
-/// are not among them: their readers count these.
+/// Returns the names and counts of the parts of the document that no model uses: entries of lists such as animations,
+/// lights, members of materials, and objects with an extension that is not read. Meshes, nodes and cameras are not
+/// included, because their readers count them.
 std::map<std::string, std::uint64_t> unusedParts(const nlohmann::json& document);
 
 } // namespace gnomon::read

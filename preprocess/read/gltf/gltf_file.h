@@ -1,4 +1,4 @@
-// A glTF 2.0 file, .gltf or .glb, with the bytes that it refers to.
+// A glTF 2.0 file (.gltf or .glb), with the buffers and images that it refers to.
 #pragma once
 
 #include "preprocess/read/gltf/memory_room.h"
@@ -18,40 +18,43 @@
 
 namespace gnomon::read {
 
-/// Scenes, nodes, meshes, accessors and materials as tinygltf parses them. This class itself reads buffers and images,
-/// checks their sizes and returns their bytes. It counts the data that no model uses, such as animations.
+/// A parsed glTF file. tinygltf parses scenes, nodes, meshes, accessors and materials. This class itself reads buffers
+/// and images, checks their sizes and returns their bytes. It counts the data that no model uses, such as animations.
 class GltfFile {
 public:
-    /// Throws Error, which names the file, if the file is not glTF 2.0, lacks a buffer, requires an extension that is
-    /// not read (Draco's among them), or may take more than `limit`. A file may require a format of textures that is
-    /// not read only if the caller reads no textures. Files that it refers to obey the rule of SourceRoot.
+    /// Opens and parses the file. Throws Error, which names the file, if it is not glTF 2.0, lacks a buffer, requires
+    /// an extension that is not read (such as Draco's), or can need more than `limit`. A required texture format that
+    /// is not read is an error only if `readsTextures`. Files that it refers to must satisfy the rule of SourceRoot.
     GltfFile(const std::string& path, Bytes limit, bool readsTextures = true, const std::string& sourceRoot = {});
 
     const std::string& path() const { return files_.front()->path(); }
 
     const tinygltf::Model& model() const { return model_; }
 
-    /// The bytes of a buffer view, unpacked if EXT_meshopt_compression packs them; valid as long as the file. Throws
-    /// Error where they lie outside of their buffer or are damaged.
+    /// Returns the bytes of a buffer view, decoded if it uses EXT_meshopt_compression. They are valid as long as this
+    /// object. Throws Error if they are outside their buffer or damaged.
     std::span<const std::byte> bufferView(int index);
 
-    /// The encoded image `index`; empty where its file is not there.
+    /// Returns the encoded bytes of image `index`; empty if its file is missing.
     std::vector<std::byte> image(int index);
 
-    /// The cameras of the document, of which tinygltf parses nothing.
+    /// Returns the cameras of the document as JSON, because tinygltf does not parse them.
     const nlohmann::json& cameras() const { return cameras_; }
 
-    /// Of this file and of all that it refers to and that was read.
+    /// Returns the total size in bytes of this file and of all files that were read because it refers to them.
     std::uint64_t fileBytes() const;
 
+    /// Returns the names and counts of the data that is not used.
     const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
 
+    /// Returns the memory budget of the file.
     MemoryRoom& room() { return room_; }
 
-    /// The files that were read, for those who ask later whether they changed; ends the use of this object.
+    /// Returns the files that were read, so that the caller can check later whether they changed. This object must not
+    /// be used afterwards.
     std::vector<std::unique_ptr<InputFile>> takeFiles() && { return std::move(files_); }
 
-    /// Element `index` of one of the model's lists. Throws Error that calls it `name` if there is none.
+    /// Returns element `index` of a list of the model. Throws Error, which calls the element `name`, if there is none.
     template <class T>
     const T& elementOf(const std::vector<T>& list, int index, const char* name) const {
         if (index < 0 || static_cast<std::size_t>(index) >= list.size())
@@ -60,7 +63,7 @@ public:
         return list[static_cast<std::size_t>(index)];
     }
 
-    /// "PATH: NAME N", the place of an error.
+    /// Returns "PATH: NAME N", the position of an error.
     std::string where(std::string_view name, std::uint64_t index) const;
 
 private:
@@ -78,12 +81,12 @@ private:
     std::span<const std::byte> inBuffer(std::string_view name, int view, double buffer, double offset, double length);
     std::vector<std::byte> unpacked(int view, const tinygltf::Value& packed);
 
-    std::vector<std::unique_ptr<InputFile>> files_; // this one first
+    std::vector<std::unique_ptr<InputFile>> files_; // the .gltf or .glb itself is first
     SourceRoot root_;
     MemoryRoom room_;
-    std::vector<std::byte> embedded_; // what a .glb holds for its first buffer
+    std::vector<std::byte> embedded_; // the binary chunk of a .glb, used as its first buffer
     std::vector<std::vector<std::byte>> buffers_;
-    std::vector<std::vector<std::byte>> unpacked_; // by view
+    std::vector<std::vector<std::byte>> unpacked_; // decoded bytes by buffer view
     Json images_;
     Json cameras_;
     std::map<std::string, std::uint64_t> leftOut_;

@@ -1,4 +1,4 @@
-// A primitive of a mesh of glTF as triangles.
+// Reads the primitives of glTF meshes as triangles.
 #pragma once
 
 #include "preprocess/read/gltf/base_color.h"
@@ -15,31 +15,32 @@
 
 namespace gnomon::read {
 
-/// In the space of its mesh.
+/// The triangles of a primitive, in the space of its mesh.
 struct GltfPrimitive {
-    std::vector<float> positions;      ///< three a vertex
-    std::vector<float> normals;        ///< the same; empty if it has none
-    std::vector<std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty where it is white
+    std::vector<float> positions;      ///< three per vertex
+    std::vector<float> normals;        ///< three per vertex; empty if there are no normals
+    std::vector<std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if all are white
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
     std::uint64_t vertexCount() const { return positions.size() / 3; }
 };
 
-/// Reads primitives; keeps the images that several of them show.
+/// Reads primitives. It stores decoded textures, because several primitives can use one.
 class GltfPrimitives {
 public:
-    /// Textures are looked up at vertices if `bakesTextures`, else they are left out.
+    /// Samples textures at the vertices if `bakesTextures`, else ignores them.
     GltfPrimitives(GltfFile& file, bool bakesTextures) : file_(file), bakesTextures_(bakesTextures) {}
 
-    /// Triangles, strips and fans, in the order of glTF 2.0, section 3.7.2.1; nothing for points and lines. Throws
-    /// Error that names the accessor for indices out of range and attributes of another length.
+    /// Returns a primitive of triangles, strips or fans, in the order of glTF 2.0, section 3.7.2.1. Returns nothing for
+    /// points, lines and primitives without positions. Throws Error that names the accessor for indices out of range
+    /// and for attributes with a wrong number of elements.
     std::optional<GltfPrimitive> read(const tinygltf::Primitive& from);
 
-    /// The attributes and primitives that no model uses, and how many primitives have them.
+    /// Returns the attributes and primitives that are not used, with the number of primitives that have them.
     const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
 
-    /// Texels along an edge of a triangle, where textures were looked up at vertices, in the mean of all such edges;
-    /// what lies between is lost. 0 where none was.
+    /// Returns the mean number of texels along a triangle edge, over all triangles whose texture was sampled at the
+    /// vertices. The detail between vertices is lost. Returns 0 if no texture was sampled.
     double texelsPerEdge() const { return edges_ > 0 ? texels_ / static_cast<double>(edges_) : 0; }
 
 private:

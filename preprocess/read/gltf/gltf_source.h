@@ -1,4 +1,4 @@
-// glTF 2.0 as a MeshSource.
+// glTF 2.0 files as a MeshSource.
 #pragma once
 
 #include "core/units.h"
@@ -9,12 +9,13 @@
 
 namespace gnomon::read {
 
-/// Reads the default scene: its meshes are held once, as they are stored, and placed anew in each pass, so that a
-/// thousand instances cost no more memory than one. Where a placement mirrors, triangles turn their corners.
+/// Reads the default scene. Memory holds each mesh once, as stored in the file, and each pass transforms its instances.
+/// A thousand instances therefore need little more memory than one. A transform that mirrors reverses the order of the
+/// corners.
 ///
-/// Vertices have the material's base colour, times that of the vertex, as sRGB; `bakesTextures` multiplies the texture
-/// in as it is at the vertex. Throws Error for what is damaged, needs extensions that are not read (Draco's among
-/// them), takes more than `memoryLimit`, or refers to files outside of `sourceRoot` (see SourceRoot).
+/// The colour of a vertex is the material's base colour times the vertex colour, as sRGB. `bakesTextures` also
+/// multiplies by the texture at the vertex. Throws Error if the file is damaged, requires extensions that are not read
+/// (such as Draco's), needs more than `memoryLimit`, or refers to files outside `sourceRoot` (see SourceRoot).
 std::unique_ptr<MeshSource> readGltf(
     const std::string& path, Bytes memoryLimit, bool bakesTextures, const std::string& sourceRoot);
 

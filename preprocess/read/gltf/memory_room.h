@@ -1,4 +1,4 @@
-// How much of the memory that a reader was given it may still take.
+// The memory budget of a reader that loads a whole file.
 #pragma once
 
 #include "core/error.h"
@@ -8,12 +8,14 @@
 
 namespace gnomon::read {
 
-/// Memory is asked for here before it is taken: a file of a few bytes may claim any number of values.
+/// Counts memory against a limit before it is allocated, because a file of a few bytes can declare any number of
+/// values.
 class MemoryRoom {
 public:
     MemoryRoom(std::string path, Bytes limit) : path_(std::move(path)), limit_(limit) {}
 
-    /// Throws Error that names the file if `count` values of `bytes` each do not fit beside what was taken before.
+    /// Reserves memory for `count` values of `bytes` bytes each. Throws Error that names the file if this exceeds the
+    /// limit.
     void take(std::uint64_t count, std::uint64_t bytes = 1) {
         if (bytes == 0 || count <= (limit_.count - taken_) / bytes) {
             taken_ += count * bytes;
@@ -27,7 +29,7 @@ public:
                 readableBytes({taken_}));
     }
 
-    /// Gives back what was taken.
+    /// Releases `bytes` bytes of reserved memory.
     void give(std::uint64_t bytes) { taken_ -= bytes; }
 
     Bytes taken() const { return {taken_}; }

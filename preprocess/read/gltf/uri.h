@@ -1,4 +1,4 @@
-// The uri of a buffer or an image of glTF: bytes in the text itself, or the name of a file.
+// The URI of a glTF buffer or image: embedded bytes, or the name of a file.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,18 @@
 
 namespace gnomon::read {
 
-/// Whether the uri holds its bytes itself (RFC 2397).
+/// Returns whether the URI contains its bytes (RFC 2397).
 bool isDataUri(std::string_view uri);
 
-/// Returns the bytes of a uri that holds them in base64. Throws Error, placed by `place`, for another encoding and for
-/// characters that are not base64.
+/// Returns the bytes that a URI contains in base64. Throws Error at `place` for another encoding and for characters
+/// that are not base64.
 std::vector<std::byte> bytesOfDataUri(std::string_view uri, const std::string& place);
 
-/// Returns the file name of a uri: each percent sign and its two hexadecimal digits become one byte (RFC 3986). A
-/// percent sign without two digits stays. Throws Error, placed by `place`, for a byte of 0, which no file name has.
+/// Returns the file name of a URI: each percent sign with two hexadecimal digits becomes one byte (RFC 3986). A percent
+/// sign without two digits is preserved. Throws Error at `place` for a zero byte, which no file name has.
 std::string fileNameOf(std::string_view uri, const std::string& place);
 
-/// Throws Error, placed by `place`, if the uri has a percent sign without two digits and no file has that name.
+/// Throws Error at `place` if the URI has a percent sign without two digits and `hasFile` is false.
 void requirePercentDigits(std::string_view uri, bool hasFile, const std::string& place);
 
 } // namespace gnomon::read

@@ -1,4 +1,4 @@
-// The files that `mtllib` lines of an OBJ mean.
+// Search for the material libraries that the `mtllib` lines of an OBJ name.
 #pragma once
 
 #include "preprocess/read/source_root.h"
@@ -12,25 +12,25 @@
 
 namespace gnomon::read {
 
-/// Finds material libraries as people name them: with blanks, in quotes, with backslashes, with letters of the wrong
-/// case, and by paths of the machine that wrote the OBJ. The work has a bound, whatever the number of names.
+/// Finds material libraries by inexact names: with blanks, in quotes, with backslashes, with the wrong case, or with
+/// the path of another computer. The number of file system searches is bounded, for any number of names.
 class LibraryFinder {
 public:
-    /// Of the OBJ `path`. `sourceRoot` is the folder that libraries may come from (see SourceRoot).
+    /// Searches for libraries of the OBJ `path`. All libraries must be in the folder `sourceRoot` (see SourceRoot).
     LibraryFinder(const std::string& path, const std::string& sourceRoot);
 
-    /// What a line of names means.
+    /// The files of one line of names.
     struct Found {
         std::vector<std::string> files;
-        std::uint64_t missing = 0; ///< names that no file has
+        std::uint64_t missing = 0; ///< number of names without a file
     };
 
-    /// Returns the files of `names`, which follow `mtllib`. Names may contain blanks: of all ways to join words, the
-    /// longest that is a file counts. A path without a file stands for the file of that name in the folder of the OBJ.
-    /// Throws Error at `where` for a file outside of the source root.
+    /// Returns the files of `names`, the text after `mtllib`. A name can contain blanks: the longest sequence of words
+    /// that is a file counts. If a path has no file, uses the file of the same name in the folder of the OBJ. Throws
+    /// Error at `where` for a file outside the source root.
     Found filesOf(std::string_view names, const std::string& where);
 
-    /// Returns what a user should know of names that were not taken literally; empty for nothing.
+    /// Returns a note for the user about a name that was not used literally; empty if there is none.
     const std::string& remark() const { return remark_; }
 
 private:
@@ -41,8 +41,9 @@ private:
 
     std::string folder_;
     SourceRoot root_;
-    std::unordered_map<std::string, std::string> files_;                 ///< by name; empty where there is none
-    std::map<std::string, std::map<std::string, std::string>> listings_; ///< by folder: names by names in lower case
+    std::unordered_map<std::string, std::string> files_; ///< file per name; empty if there is none
+    std::map<std::string, std::map<std::string, std::string>>
+        listings_; ///< per folder: file names by their lower-case names
     std::size_t searches_ = 0;
     std::string remark_;
 };

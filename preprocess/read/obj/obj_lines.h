@@ -1,4 +1,4 @@
-// The lines of an OBJ one after the other, as vertices, normals and faces, without holding any of them.
+// Streams the lines of an OBJ as vertices, normals and faces, without storing them.
 #pragma once
 
 #include "preprocess/read/obj/obj_materials.h"
@@ -16,7 +16,8 @@
 
 namespace gnomon::read {
 
-/// A corner of a face; both count from 0. What goes back too far wraps, and is beyond any end.
+/// A corner of a face. Both indices count from 0. A relative index that points before the first element wraps to a
+/// value above every count.
 struct ObjCorner {
     static constexpr std::uint64_t kNoNormal = ~std::uint64_t{0};
 
@@ -24,10 +25,10 @@ struct ObjCorner {
     std::uint64_t normal = kNoNormal;
 };
 
-/// What a line may be. `vc` lines have colours of vertices, in their order.
+/// The kind of a line. `vc` lines list the colours of vertices, in the order of the vertices.
 enum class ObjKind : std::uint8_t { Vertex = 1, Normal = 2, Face = 4, Color = 8 };
 
-/// Some kinds together.
+/// A bit mask of kinds.
 using ObjKinds = std::uint8_t;
 
 constexpr ObjKinds kindBit(ObjKind kind) {
@@ -37,46 +38,49 @@ constexpr ObjKinds kindBit(ObjKind kind) {
 constexpr ObjKinds kAllObjKinds =
     kindBit(ObjKind::Vertex) | kindBit(ObjKind::Normal) | kindBit(ObjKind::Face) | kindBit(ObjKind::Color);
 
-/// One of them. A member of another kind means nothing.
+/// One line of the file. Members of other kinds are undefined.
 struct ObjLine {
     ObjKind kind = ObjKind::Vertex;
     glm::dvec3 vector{0};                  ///< a position or a normal, finite or not
-    std::optional<glm::dvec3> vertexColor; ///< red, green, blue, as they stand there
+    std::optional<glm::dvec3> vertexColor; ///< red, green and blue as in the file
     std::span<const ObjCorner> corners;    ///< valid until the next line
-    std::uint32_t faceColor = 0xFFFFFFFF;  ///< RGBA8, of the material in use
+    std::uint32_t faceColor = 0xFFFFFFFF;  ///< colour of the current material, RGBA8
 };
 
-/// A stretch of whole lines of the file, and what stands before it and in it.
+/// A range of whole lines of the file, with the counts before it and the kinds of its lines.
 struct ObjStretch {
-    std::uint64_t offset = 0; ///< bytes
-    std::uint64_t line = 0;   ///< lines before
+    std::uint64_t offset = 0; ///< bytes from the start of the file
+    std::uint64_t line = 0;   ///< number of lines before the range
     std::uint64_t vertices = 0;
     std::uint64_t normals = 0;
-    ObjKinds kinds = 0; ///< in it; a face for a material as well
+    ObjKinds kinds = 0; ///< kinds of the lines in the range; `usemtl` counts as a face
 };
 
-/// What a first pass over an OBJ finds.
+/// The result of the first pass over an OBJ.
 struct ObjSurvey {
-    std::vector<ObjStretch> stretches;                      ///< of about a MiB each
-    std::map<std::string, std::uint64_t> attributesDropped; ///< what is neither read nor a material
-    std::map<std::string, std::uint64_t> unknownKeywords;   ///< and their lines
+    std::vector<ObjStretch> stretches;                      ///< ranges of about 1 MiB each
+    std::map<std::string, std::uint64_t> attributesDropped; ///< number of lines that are not read, by name
+    std::map<std::string, std::uint64_t> unknownKeywords;   ///< number of lines per unknown keyword
 };
 
-/// A pass over an OBJ. Throws Error with path and line at the first line that is not one.
+/// A pass over an OBJ. Throws Error with path and line at the first line with a defect.
 class ObjLines {
 public:
-    /// The first pass, over every line: fills `survey`, which must be empty, and reads the libraries of `materials`.
+    /// Starts the first pass, which reads every line. It fills `survey`, which must be empty, and reads the libraries
+    /// of `materials`.
     ObjLines(const InputFile& file, ObjMaterials& materials, ObjSurvey& survey);
 
-    /// A later pass, over lines of `wanted` kinds alone, with what the first pass found.
+    /// Starts a later pass, which returns only lines of the kinds `wanted`. It skips ranges without such lines, as
+    /// found by the first pass.
     ObjLines(const InputFile& file, const ObjMaterials& materials, const ObjSurvey& survey, ObjKinds wanted);
 
-    /// False at the end.
+    /// Reads the next line into `line`. Returns false at the end of the file.
     bool next(ObjLine& line);
 
-    /// "PATH:LINE" of the line in hand.
+    /// Returns "PATH:LINE" of the current line.
     std::string where() const { return text_.where(); }
 
+    /// Returns the number of vertex lines so far.
     std::uint64_t vertices() const { return vertices_; }
 
     std::uint64_t normals() const { return normals_; }
@@ -96,14 +100,14 @@ private:
 
     TextStream text_;
     const ObjMaterials& materials_;
-    ObjMaterials* libraries_ = nullptr; // to be read, in the first pass
-    ObjSurvey* survey_ = nullptr;       // to be filled, in the first pass
+    ObjMaterials* libraries_ = nullptr; // libraries to read in the first pass; else null
+    ObjSurvey* survey_ = nullptr;       // result of the first pass; else null
     std::span<const ObjStretch> stretches_;
-    std::size_t stretch_ = 0; // that comes next
+    std::size_t stretch_ = 0; // index of the next range
     ObjKinds wanted_ = kAllObjKinds;
     std::uint64_t vertices_ = 0;
     std::uint64_t normals_ = 0;
-    std::uint32_t color_ = 0xFFFFFFFF; // of the material in use
+    std::uint32_t color_ = 0xFFFFFFFF; // colour of the current material
     std::vector<ObjCorner> corners_;
 };
 

@@ -1,4 +1,4 @@
-// The materials of an OBJ: libraries of Wavefront MTL, of which the diffuse colours are kept.
+// The materials of an OBJ from Wavefront MTL libraries. Only their diffuse colours are used.
 #pragma once
 
 #include "preprocess/read/obj/library_finder.h"
@@ -12,39 +12,41 @@
 
 namespace gnomon::read {
 
-/// Reads each library that an OBJ names once, and says which colour a face has.
+/// Reads each material library of an OBJ once, and returns the colours of materials.
 class ObjMaterials {
 public:
-    /// Of the OBJ `path`. `sourceRoot` is the folder that libraries may come from (see SourceRoot).
+    /// Reads materials for the OBJ `path`. All libraries must be in the folder `sourceRoot` (see SourceRoot).
     ObjMaterials(const std::string& path, const std::string& sourceRoot) : finder_(path, sourceRoot) {}
 
-    /// Reads the libraries `names`, which follow `mtllib` (see LibraryFinder). Throws Error that names line and library
-    /// for a colour that is none, and Error at `where` for a file outside of the source root.
+    /// Reads the libraries `names`, the text after `mtllib` (see LibraryFinder). Throws Error with library and line for
+    /// a bad colour. Throws Error at `where` for a file outside the source root.
     void addLibraries(std::string_view names, const std::string& where);
 
-    /// Counts a use of material `name`, which follows `usemtl`.
+    /// Counts a use of the material `name`, the text after `usemtl`.
     void use(const std::string& name);
 
-    /// Returns the colour of material `name` as RGBA8, red in the lowest byte; white if no library has it. `Kd` counts
-    /// as sRGB, as it is shown. A '#' may belong to the name or begin a comment: the whole name comes first.
+    /// Returns the colour of the material `name` as RGBA8, red in the lowest byte; white if no library defines it. `Kd`
+    /// is used as sRGB without conversion. A '#' can be part of the name or begin a comment: the whole name is tried
+    /// first.
     std::uint32_t colorOf(const std::string& name) const;
 
-    /// Returns whether a material that is used has a colour other than white.
+    /// Returns whether a used material has a colour other than white.
     bool hasColors() const { return hasColors_; }
 
-    /// Returns what is missing, or is left out of the materials that are used, and how often.
+    /// Returns the number of missing libraries and materials, and of statements of used materials that are not read, by
+    /// name.
     std::map<std::string, std::uint64_t> leftOut() const;
 
-    /// The libraries that were read.
+    /// Returns the paths of the libraries that were read.
     const std::vector<std::string>& files() const { return files_; }
 
-    /// Returns what a user should know of the libraries; empty for nothing.
+    /// Returns a note for the user about the libraries; empty if there is none.
     const std::string& remark() const { return finder_.remark(); }
 
 private:
     struct Material {
         std::uint32_t color = 0xFFFFFFFF;
-        std::uint64_t leftOut = 0; ///< bit by bit the statements of leftOutNames_
+        std::uint64_t leftOut = 0; ///< bit mask of the statements that are not read, by index in leftOutNames_
         bool isUsed = false;
     };
 
@@ -58,12 +60,12 @@ private:
 
     LibraryFinder finder_;
     std::unordered_map<std::string, Material> materials_;
-    std::unordered_map<std::string, std::string> fullNames_; ///< by names without comments
+    std::unordered_map<std::string, std::string> fullNames_; ///< full names by names without comments
     std::vector<std::string> files_;
     std::vector<std::string> leftOutNames_{"other material statements"};
     std::map<std::string, std::uint64_t> leftOut_;
-    std::map<std::string, std::uint64_t> unknown_; ///< uses of materials before a library has them
-    std::uint64_t missing_ = 0;                    ///< uses beyond those of unknown_
+    std::map<std::string, std::uint64_t> unknown_; ///< uses per material that no library has defined yet
+    std::uint64_t missing_ = 0;                    ///< uses of materials for which unknown_ has no space
     bool hasColors_ = false;
 };
 

@@ -1,4 +1,4 @@
-// What the faces of an OBJ make of its vertices: a vertex whose corners have different normals or colours is several.
+// The vertices that the faces of an OBJ need: a vertex whose corners have different normals or colours is duplicated.
 #pragma once
 
 #include "core/units.h"
@@ -14,62 +14,68 @@
 
 namespace gnomon::read {
 
-/// Whether three of the corners differ: others are no face.
+/// Returns whether at least three corners have different vertices. Other faces have no triangles.
 bool isObjFace(std::span<const ObjCorner> corners);
 
-/// A vertex of the file as some corners have it, unlike others.
+/// A copy of a vertex of the file with another normal or colour.
 struct ObjVariant {
     std::uint32_t vertex = 0;
-    std::uint32_t normal = 0; ///< of the file's; or ObjVertices::kOwn
+    std::uint32_t normal = 0; ///< index of a normal of the file, or ObjVertices::kOwn
     std::uint32_t color = 0;
 };
 
-/// Faces are given twice, in the same order: `add` finds what vertices there are, `cornersOf` names them.
+/// Finds the vertices that faces need. The caller passes all faces twice in the same order: to `add`, which collects
+/// the vertices, and then to `cornersOf`, which returns their indices.
 class ObjVertices {
 public:
-    /// The normal that the vertex was given first, or none if it never was.
+    /// Means the own normal of a vertex: the first that a face gives to it. Also means "no normal" if no face gives
+    /// one.
     static constexpr std::uint32_t kOwn = std::numeric_limits<std::uint32_t>::max();
 
     struct Options {
         std::string path;
         Bytes memoryLimit;
         std::uint64_t vertexCount = 0;
-        bool hasAlignedNormals = false; ///< corner by corner the number of the normal is that of the vertex
+        bool hasAlignedNormals = false; ///< in each corner, the index of the normal is the index of the vertex
         bool hasFaceColors = false;
     };
 
-    /// `normals` as they stand in the file, unless they are aligned; finite ones.
+    /// Prepares `options.vertexCount` vertices. `normals` are the normals of the file in file order, with zero for
+    /// those that are not finite; empty if they are aligned. `normalCount` is their number in the file.
     ObjVertices(Options options, std::vector<glm::vec3> normals, std::uint64_t normalCount);
 
+    /// Collects the vertices of `face`.
     void add(const ObjLine& face);
 
-    /// After the last face.
+    /// Sorts the collected vertices. Call this after the last `add`.
     void finish();
 
-    /// Before the faces are given again.
+    /// Starts the second sequence of faces. Call this before the first `cornersOf`.
     void begin() { forgetOthers(); }
 
-    /// The vertices of `face`, empty where it is none: fewer than three different corners.
+    /// Returns the delivered vertices of the corners of `face`. Returns an empty list if fewer than three corners are
+    /// different.
     std::span<const std::uint64_t> cornersOf(const ObjLine& face);
 
+    /// Returns the number of delivered vertices, including copies.
     std::uint64_t count() const { return firstVariant_ + variants_.size(); }
 
-    /// Returns the vertex of the file that the delivered vertex `vertex` comes from.
+    /// Returns the vertex of the file from which the delivered vertex `vertex` comes.
     std::uint64_t ofFile(std::uint64_t vertex) const;
 
     bool hasNormals() const { return hasNormals_; }
 
-    /// Whether `vertex` of the file is there as it is, with its own normal and `ownColor`.
+    /// Returns whether `vertex` of the file is delivered with its own normal and `ownColor`.
     bool isThere(std::uint64_t vertex) const { return !options_.hasFaceColors || isUsed_[vertex]; }
 
-    /// The number of its own normal; kOwn for none.
+    /// Returns the index of the own normal of `vertex`, or kOwn if it has none.
     std::uint32_t ownNormal(std::uint64_t vertex) const;
 
     const glm::vec3& normal(std::uint32_t number) const { return normals_[number]; }
 
     std::uint32_t ownColor(std::uint64_t vertex) const { return ownColors_.empty() ? 0xFFFFFFFF : ownColors_[vertex]; }
 
-    /// What comes after the vertices that are there as they are, by vertex.
+    /// Returns the copies, ordered by vertex. They are delivered after all vertices with their own normal and colour.
     std::span<const ObjVariant> variants() const { return variants_; }
 
     std::uint64_t heldBytes() const;
@@ -88,16 +94,16 @@ private:
     std::vector<glm::vec3> normals_;
     std::uint64_t normalCount_;
     bool hasNormals_ = false;
-    std::vector<bool> hasOwnNormal_;        ///< where normals are aligned
-    std::vector<std::uint32_t> ownNormals_; ///< else
+    std::vector<bool> hasOwnNormal_;        ///< used if normals are aligned
+    std::vector<std::uint32_t> ownNormals_; ///< used if normals are not aligned
     std::vector<std::uint32_t> ownColors_;
-    std::vector<bool> isUsed_; ///< with its own normal and colour
+    std::vector<bool> isUsed_; ///< a face uses the vertex with its own normal and colour
     std::vector<std::uint64_t> usedBefore_;
     std::vector<ObjVariant> variants_;
     std::size_t compacted_ = 0;
     std::uint64_t firstVariant_ = 0;
-    /// The normals that corners have in place of their vertices' own: of the face in hand, and of those before that
-    /// were none. A face may have a million corners.
+    /// Normals of corners that differ from the own normals of their vertices: of the current face, and of the faces
+    /// directly before it that are not polygons. A map is fast for faces with up to a million corners.
     std::unordered_map<std::uint64_t, std::uint32_t> others_;
     std::vector<std::uint64_t> corners_;
 };

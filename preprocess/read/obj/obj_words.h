@@ -1,17 +1,19 @@
-// Words of an OBJ's lines: corners of faces.
+// Parses the corners of OBJ faces.
 #pragma once
 
 #include "preprocess/read/text/number.h"
 
 namespace gnomon::read {
 
-/// The indices of a corner as the file has them: from 1 on, or below 0 back from the last one so far; 0 for none.
+/// The indices of a corner as in the file: from 1 on, or negative and relative to the last element so far. 0 means that
+/// the index is missing.
 struct ObjIndices {
     std::int32_t vertex = 0;
     std::int32_t normal = 0;
 };
 
-/// V, V/T, V//N or V/T/N; V is the one that must be there, and none may be 0.
+/// Returns the indices of a corner: V, V/T, V//N or V/T/N. V is required, and no index may be 0. Returns nothing for
+/// other words.
 inline std::optional<ObjIndices> cornerIn(std::string_view word) {
     ObjIndices corner;
     for (int part = 0; part < 3; ++part) {

@@ -1,4 +1,4 @@
-// The body of a binary OFF.
+// Reads the body of a binary OFF.
 #pragma once
 
 #include "preprocess/read/memory_source.h"
@@ -6,9 +6,9 @@
 
 namespace gnomon::read {
 
-/// Reads counts, vertices and faces of a binary OFF whose keyword is `header`. Programs write it in either order of
-/// bytes, and with or without the number of channels of its colour behind each face; the size of the file says which.
-/// Throws Error with the byte of a defect, and for colours that take more than `memoryLimit`.
+/// Reads the counts, vertices and faces of a binary OFF with the header `header`. Programs write either byte order, and
+/// with or without a number of colour channels after each face. Tries the four layouts until one reads the file to its
+/// exact end. Throws Error with the byte of a defect, and Error if colours need more than `memoryLimit`.
 MemoryMesh readOffBinary(const InputFile& file, const OffHeader& header, Bytes memoryLimit);
 
 } // namespace gnomon::read

@@ -1,4 +1,4 @@
-// The keyword and the counts that an OFF begins with.
+// The header of an OFF: its keyword and its counts.
 #pragma once
 
 #include "preprocess/read/text/text_stream.h"
@@ -9,21 +9,21 @@ namespace gnomon::read {
 
 constexpr TextStream::Rules kOffRules{.hasComments = true, .isContinuable = false};
 
-/// What an OFF says of its body.
+/// The header of an OFF, which describes its body.
 struct OffHeader {
     bool hasTexture = false;
     bool hasColors = false;
     bool hasNormals = false;
-    bool isBinary = false; ///< then counts are in the body
+    bool isBinary = false; ///< the body then contains the counts
     std::uint64_t vertices = 0;
     std::uint64_t faces = 0;
-    std::uint64_t bodyOffset = 0; ///< bytes
-    std::uint64_t bodyLine = 0;   ///< lines before the body
+    std::uint64_t bodyOffset = 0; ///< bytes from the start of the file
+    std::uint64_t bodyLine = 0;   ///< number of lines before the body
 };
 
-/// Reads the header of `file`: the keyword, which may be missing or glued to the counts, then the counts over one line
-/// or several; the count of edges may be missing. Throws Error with the line, also for counts that the file has no room
-/// for.
+/// Reads the header of `file`: the keyword, then the counts. The keyword can be missing or joined to the first count.
+/// The counts can be on several lines, and the count of edges can be missing. Throws Error with the line of a defect.
+/// Throws Error if the file is too short for the counts.
 OffHeader readOffHeader(const InputFile& file);
 
 } // namespace gnomon::read

@@ -1,4 +1,4 @@
-// OFF as a MeshSource.
+// OFF files as a MeshSource.
 #pragma once
 
 #include "core/units.h"
@@ -9,13 +9,14 @@
 
 namespace gnomon::read {
 
-/// Reads the OFF `path`, text or binary, into memory. Throws Error with the line or byte of a defect, and before
-/// reading if that could take more than `memoryLimit`.
+/// Reads the OFF `path`, text or binary, into memory. Throws Error with the line or byte of a defect. Throws Error
+/// before reading if this could need more than `memoryLimit`.
 ///
-/// The keyword says which values vertices have: normals (N), colours (C), texture coordinates (ST). It may be glued to
-/// the counts or missing, and comments may come first. Each vertex and each face has a line, on which a colour of three
-/// or four channels may follow whatever the keyword says; a file without such colours may break its lines anywhere.
-/// Colours of faces count where vertices have none. Channels range to 1 if none of them exceeds 1, else to 255.
+/// The keyword declares the values of vertices: normals (N), colours (C), texture coordinates (ST). It can be missing
+/// or joined to the counts, and comments can precede it. Each vertex and each face has its own line. A colour of three
+/// or four channels can follow on this line, whatever the keyword declares. A file without such colours can break its
+/// lines anywhere. Face colours are used only if vertices have none. Channels range to 1 if no channel exceeds 1, else
+/// to 255.
 ///
 /// Source: Geomview's description of the format, section "OFF".
 std::unique_ptr<MeshSource> readOff(const std::string& path, Bytes memoryLimit);

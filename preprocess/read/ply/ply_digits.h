@@ -1,4 +1,4 @@
-// Coordinates of an ASCII PLY that have more digits than their type holds.
+// A warning for coordinates of an ASCII PLY that have more digits than a float can store.
 #pragma once
 
 #include "preprocess/read/ply/ply_rows.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::read {
 
-/// Returns a warning if a coordinate of type float among the first 65536 vertices is written with more digits than a
-/// float holds: the float nearest to it differs by more than half a unit of its last digit. Empty without one.
+/// Returns a warning if one of the first 65536 vertices has a float coordinate with more digits than a float can store:
+/// the nearest float differs by more than half a unit of the last digit. Returns an empty string otherwise.
 std::string warningOfDigits(AsciiValues& values, const PlyElement& element, const VertexLayout& layout);
 
 } // namespace gnomon::read

@@ -1,19 +1,20 @@
-// The fast paths for binary PLY bodies: vertices of fixed width column by column, triangle lists row by row in place.
+// Fast readers of binary PLY bodies: vertices of fixed width column by column, and triangles row by row.
 #pragma once
 
 #include "preprocess/read/ply/ply_rows.h"
 
 namespace gnomon::read {
 
-/// As readVertexRows, for an element without lists in a binary body.
+/// Reads the vertices of an element without lists in a binary body. The result is that of readVertexRows.
 void readVertexColumns(BinaryValues& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out);
 
-/// As readFaceRow for every row of the element. Fast where `list` is the only list and its indices are integers of
-/// four bytes; whatever is no triangle of good indices goes through readFaceRow.
+/// Reads all rows of a face element. The result is that of readFaceRow for each row. The fast path requires that `list`
+/// is the only list and that its indices are integers of four bytes. A row that is not a triangle with valid indices
+/// goes through readFaceRow.
 void readFaceRows(
     BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out);
 
-/// The vertices of an element, as fast as its layout allows.
+/// Reads the vertices of an element with the fastest reader for its layout.
 inline void readVertexElement(
     BinaryValues& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
     if (element.hasLists()) return readVertexRows(values, element, layout, out);
@@ -25,7 +26,7 @@ inline void readVertexElement(
     readVertexRows(values, element, layout, out);
 }
 
-/// Its faces likewise.
+/// Reads the faces of an element with the fastest reader for its body.
 inline void readFaceElement(
     BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out) {
     readFaceRows(values, element, list, vertexCount, out);
@@ -38,7 +39,8 @@ inline void readFaceElement(
         readFaceRow(values, element, list, vertexCount, out, corners);
 }
 
-/// The bytes of a row that is a triangle, where `list` is the only list of the element and is read fast; 0 elsewhere.
+/// Returns the size in bytes of a row that is a triangle, if the fast path can read the element (see readFaceRows),
+/// else 0.
 std::size_t triangleRowBytes(const PlyElement& element, int list);
 
 } // namespace gnomon::read

@@ -1,4 +1,4 @@
-// The header of a PLY file: its elements, their properties and where the body begins.
+// The header of a PLY file: its elements, their properties, and the position of the body.
 #pragma once
 
 #include "preprocess/read/input_file.h"
@@ -13,7 +13,7 @@ enum class PlyFormat { Ascii, BinaryLittleEndian, BinaryBigEndian };
 
 enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 
-/// Bytes of one value in a binary body.
+/// Returns the size in bytes of one value in a binary body.
 constexpr std::uint32_t byteSize(PlyType type) {
     switch (type) {
     case PlyType::Int8:
@@ -41,13 +41,13 @@ constexpr const char* nameOf(PlyType type) {
     return kNames[static_cast<int>(type)];
 }
 
-/// The maximum of a type of integers.
+/// Returns the maximum of an integer type, and 0 for floats.
 constexpr double largestOf(PlyType type) {
     constexpr double kMaxima[] = {127, 255, 32767, 65535, 2147483647, 4294967295, 0, 0};
     return kMaxima[static_cast<int>(type)];
 }
 
-/// One property: a value, or a list with the type of its count.
+/// A property of an element: one value per row, or a list per row with a count of type `countType`.
 struct PlyProperty {
     std::string name;
     PlyType type = PlyType::Float32;
@@ -55,33 +55,34 @@ struct PlyProperty {
     PlyType countType = PlyType::Uint8;
 };
 
-/// One element: `count` rows of the same properties.
+/// An element: `count` rows with the same properties.
 struct PlyElement {
     std::string name;
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
 
-    /// The position of the first property with one of two names, or -1.
+    /// Returns the index of the first property with the name `wanted` or `alias`, or -1.
     int indexOf(const char* wanted, const char* alias = "") const;
 
     bool hasLists() const;
 
-    /// The fewest bytes that a row takes: binary, all lists empty; ascii, one digit and one separator a value.
+    /// Returns the min size of a row in bytes. In a binary body, all lists are empty. In an ASCII body, each value has
+    /// one digit and one separator.
     std::uint64_t leastRowBytes(PlyFormat format) const;
 };
 
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::uint64_t bodyOffset = 0; ///< bytes
-    std::uint64_t bodyLine = 1;   ///< the line the body begins on, counted from 1
-    char lineEnd = '\n';          ///< '\r' in files of the old Mac kind
+    std::uint64_t bodyOffset = 0; ///< bytes from the start of the file
+    std::uint64_t bodyLine = 1;   ///< line on which the body begins, counted from 1
+    char lineEnd = '\n';          ///< '\r' in old Mac files
 };
 
-/// Reads the header of `file`. Lines may end in LF, CR LF or CR. A line of an unknown keyword before the first element
-/// cannot change the layout and is taken for a comment that lost its keyword (Blender has written those); after it, it
-/// is an error. Throws Error with the line, also when the file is shorter than the declared counts allow.
-/// Source: Turk, "The PLY Polygon File Format", 1994.
+/// Reads the header of `file`. Lines can end with LF, CR LF or CR. A line with an unknown keyword before the first
+/// element cannot change the layout, so it counts as a comment without its keyword (Blender has written such lines).
+/// After the first element, such a line is an error. Throws Error with the line for a bad header. Throws Error if the
+/// file is too short for the declared counts. Source: Turk, "The PLY Polygon File Format", 1994.
 PlyHeader readPlyHeader(const InputFile& file);
 
 } // namespace gnomon::read

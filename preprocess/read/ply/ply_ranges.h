@@ -1,4 +1,4 @@
-// Reading the rows of a PLY from anywhere: where they lie is told by the size of the file or found in one pass.
+// Random access to the rows of a PLY. The positions of rows follow from the size of the file, or one pass finds them.
 #pragma once
 
 #include "core/progress.h"
@@ -9,44 +9,47 @@
 
 namespace gnomon::read {
 
-/// Of a file whose triangles are all in one element. Safe from many threads at once but while it is indexed.
+/// Reads ranges of rows of a PLY whose triangles are all in one element. All functions except indexRows and takeIndex
+/// are thread-safe.
 class PlyRanges {
 public:
-    /// Of the elements `vertices` and `faces` of the header. `file` and `header` must outlive it.
+    /// Reads the elements with the indices `vertices` and `faces` in `header`. `file` and `header` must outlive this
+    /// object.
     PlyRanges(const InputFile& file, const PlyHeader& header, std::size_t vertices, std::size_t faces);
 
-    /// As MeshSource::indexRows; false for nothing.
+    /// Finds the positions of rows (see MeshSource::indexRows). Returns false if the file has a defect.
     bool indexRows(Progress& progress);
 
-    /// As MeshSource::takeRowIndex.
+    /// Sets the index that another process found (see MeshSource::takeRowIndex).
     void takeIndex(const RowIndex::Part& index);
 
-    /// Throws Error before rows are indexed.
+    /// Returns the index of rows. Throws Error if there is no index yet.
     const RowIndex::Part& index() const;
 
-    /// The vertices [begin, end).
+    /// Reads the vertices [begin, end) into `out` and flushes it.
     void readVertices(std::uint64_t begin, std::uint64_t end, const VertexLayout& layout, VertexBuffer& out) const;
 
-    /// As MeshSource::readFaceRange.
+    /// Reads the faces [begin, end) (see MeshSource::readFaceRange).
     bool readFaces(std::uint64_t begin, std::uint64_t end, std::uint64_t vertexCount, const TriangleSink& sink) const;
 
 private:
-    /// An element.
+    /// An element and the layout of its rows.
     struct Rows {
         const PlyElement& element;
-        int list = -1;           // of faces: the property with their corners
-        std::uint64_t bytes = 0; // of each row, 0 where they differ
+        int list = -1;           // for faces: index of the property with the corners
+        std::uint64_t bytes = 0; // size of each row; 0 if sizes differ
     };
 
     Rows vertexRows() const;
     Rows faceRows() const;
     void findFixedRows();
 
-    /// Throws Error at a defect.
+    /// Reads the whole file and returns the index of its rows. Throws Error at the first defect.
     template <class Values>
     RowIndex::Part indexed(Values values, Progress& progress) const;
 
-    /// Where rows lie, behind `before` triangles; how many triangles are behind them.
+    /// Appends the positions of the rows of an element to `places`. `before` is the number of triangles before the
+    /// element. Returns the number of triangles up to its end.
     template <class Values>
     std::uint64_t indexElement(
         Values& values,
@@ -55,12 +58,12 @@ private:
         std::vector<RowIndex::Place>& places,
         Progress& progress) const;
 
-    /// How many triangles were passed over.
+    /// Skips the rows of `element` and returns the number of their triangles.
     template <class Values>
     std::uint64_t passOver(Values& values, const PlyElement& element, int list) const;
 
-    /// Calls `read` with values that stand at row `begin`, with an element of the rows [begin, end) alone and with the
-    /// number of triangles before them.
+    /// Calls `read(values, rows, firstTriangle)` for the rows [begin, end) in `range`. `values` is at row `begin`,
+    /// `rows` is an element with these rows only, and `firstTriangle` is the number of triangles before them.
     template <class Read>
     void readRange(
         const Rows& rows,
@@ -72,7 +75,7 @@ private:
     const PlyHeader& header_;
     std::size_t vertices_;
     std::size_t faces_;
-    bool areTriangles_ = false; // all faces, as the size of the file tells
+    bool areTriangles_ = false; // all faces are triangles, as the size of the file implies
     std::optional<RowIndex::Part> index_;
 };
 

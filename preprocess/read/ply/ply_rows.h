@@ -1,4 +1,5 @@
-// The rows of a PLY body in any layout, value by value; the fast paths of ply_fast.h fall back on these.
+// Generic readers of the rows of a PLY body in any layout, value by value. The fast readers of ply_fast.h fall back to
+// them.
 #pragma once
 
 #include "core/error.h"
@@ -13,35 +14,37 @@
 
 namespace gnomon::read {
 
-// What is kept of a vertex, as places in a row of doubles: three coordinates, three of the normal, four channels.
+// The slots of a vertex: three coordinates, three components of the normal, four channels of the colour.
 constexpr std::size_t kPosition = 0;
 constexpr std::size_t kNormal = 3;
 constexpr std::size_t kColor = 6;
 constexpr std::size_t kAlpha = 9;
 constexpr std::size_t kVertexSlots = 10;
 
-/// Which property fills which slot.
+/// The mapping from vertex slots to the properties of an element.
 struct VertexLayout {
-    std::array<int, kVertexSlots> property{}; ///< index into the element's properties, -1 where there is none
+    std::array<int, kVertexSlots> property{}; ///< property index per slot; -1 if there is none
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;
     std::vector<std::size_t> fields;                ///< indices of the properties that are read as fields
-    std::array<double, 4> full{255, 255, 255, 255}; ///< the value of a full channel: red, green, blue and alpha
+    std::array<double, 4> full{255, 255, 255, 255}; ///< value of full intensity: red, green, blue and alpha
 
-    /// Whether the element has all of `count` slots from `first` on.
+    /// Returns whether the element has properties for all `count` slots from `first` on.
     bool has(std::size_t first, std::size_t count) const {
         return std::all_of(
             property.begin() + first, property.begin() + first + count, [](int index) { return index >= 0; });
     }
 };
 
-/// Returns the byte of a channel that is full at `full`. Programs that write the type char mean uchar.
+/// Returns a channel as a byte, where `full` becomes 255. Adds 256 to negative values of type char, because programs
+/// that declare char write uchar.
 inline std::uint8_t colorByte(PlyType type, double value, double full) {
     return channelByte(type == PlyType::Int8 && value < 0 ? value + 256 : value, full);
 }
 
-/// Reads the count of a list whose values the rest of the file can hold.
+/// Returns the count of a list. Throws Error if it is negative or if the rest of the file cannot contain so many
+/// values.
 template <class Values>
 std::uint64_t readListCount(Values& values, const PlyProperty& list) {
     const std::int64_t count = values.integer(list.countType);
@@ -61,7 +64,7 @@ void skipProperty(Values& values, const PlyProperty& property) {
     values.skip(property.type, property.isList ? readListCount(values, property) : 1);
 }
 
-/// Passes over all rows of an element.
+/// Skips all rows of `element`.
 template <class Values>
 void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
     values.beginElement(element);
@@ -77,7 +80,7 @@ void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
     }
 }
 
-/// Passes over all rows of an element whose polygons are in the property `list`; how many triangles they come to.
+/// Skips all rows of a face element, whose corners are in the property `list`. Returns the number of their triangles.
 template <class Values>
 std::uint64_t skipFaces(Values& values, const PlyElement& element, std::size_t list) {
     std::uint64_t triangles = 0;
@@ -94,7 +97,7 @@ std::uint64_t skipFaces(Values& values, const PlyElement& element, std::size_t l
     return triangles;
 }
 
-/// Throws Error unless `value` indexes one of `vertexCount` vertices.
+/// Returns `value` as a vertex index. Throws Error unless it is from 0 to `vertexCount` - 1.
 template <class Values>
 std::uint64_t checkedIndex(const Values& values, std::int64_t value, std::uint64_t vertexCount) {
     if (value < 0 || static_cast<std::uint64_t>(value) >= vertexCount)
@@ -106,7 +109,8 @@ std::uint64_t checkedIndex(const Values& values, std::int64_t value, std::uint64
     return static_cast<std::uint64_t>(value);
 }
 
-/// The corners of one polygon.
+/// Reads the corners of one polygon into `corners`. Throws Error for an index out of range and for more than
+/// kMostPolygonCorners corners.
 template <class Values>
 void readCorners(
     Values& values, const PlyProperty& list, std::uint64_t vertexCount, std::vector<std::uint64_t>& corners) {
@@ -122,7 +126,7 @@ void readCorners(
         corners.push_back(checkedIndex(values, values.integer(list.type), vertexCount));
 }
 
-/// One row of a face element; `corners` is scratch.
+/// Reads one row of a face element into `out`. `corners` is reused memory.
 template <class Values>
 void readFaceRow(
     Values& values,
@@ -142,8 +146,8 @@ void readFaceRow(
     out.addPolygon(corners);
 }
 
-/// Decodes triangle strips: the winding alternates, a restart begins a new strip, a triangle with two equal corners
-/// only stitches strips together.
+/// Decodes triangle strips. The winding alternates. A restart begins a new strip. A triangle with two equal corners
+/// only joins strips and is skipped.
 class StripDecoder {
 public:
     explicit StripDecoder(TriangleBuffer& out) : out_(out) {}
@@ -166,7 +170,7 @@ private:
     std::uint64_t length_ = 0;
 };
 
-/// One row of a tristrips element; a list of any length passes in bounded memory.
+/// Reads one row of a tristrips element into `out`, in bounded memory for a list of any length.
 template <class Values>
 void readStripRow(Values& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out) {
     StripDecoder strip(out);
@@ -179,7 +183,7 @@ void readStripRow(Values& values, const PlyElement& element, int list, std::uint
         const std::uint64_t count = readListCount(values, property);
         for (std::uint64_t k = 0; k < count; ++k) {
             const std::int64_t index = values.integer(property.type);
-            // An unsigned type can only hold -1 as its largest value.
+            // An unsigned type stores -1 as its maximum.
             const bool isUnsignedRestart = property.type == PlyType::Uint32 && index == 0xFFFFFFFF;
             if (index == -1 || (isUnsignedRestart && vertexCount <= 0xFFFFFFFF))
                 strip.restart();
@@ -190,7 +194,7 @@ void readStripRow(Values& values, const PlyElement& element, int list, std::uint
     values.endRow();
 }
 
-/// The values of one vertex that count, and where they are among those of its element.
+/// The values of one vertex row that the layout uses, by slot and by field.
 class VertexRow {
 public:
     VertexRow(const PlyElement& element, const VertexLayout& layout)
@@ -211,7 +215,7 @@ public:
     void read(Values& values) {
         for (std::size_t i = 0; i < slotOf_.size(); ++i) {
             const PlyProperty& property = element_.properties[i];
-            const bool isField = fieldOf_[i] < fields_.size(); // which may fill a slot besides
+            const bool isField = fieldOf_[i] < fields_.size(); // a field can also fill a slot
             if (slotOf_[i] < 0 && !isField) {
                 skipProperty(values, property);
                 continue;
@@ -234,14 +238,14 @@ public:
 private:
     const PlyElement& element_;
     std::array<double, 4> full_;
-    std::vector<int> slotOf_;          // by property, -1 for none
-    std::vector<std::size_t> fieldOf_; // by property, the number of fields for none
+    std::vector<int> slotOf_;          // slot per property; -1 for none
+    std::vector<std::size_t> fieldOf_; // field per property; the number of fields for none
     std::array<PlyType, kVertexSlots> types_{};
     std::array<double, kVertexSlots> slots_{};
     std::vector<double> fields_;
 };
 
-/// The vertices of an element in any layout.
+/// Reads the vertices of an element in any layout into `out`.
 template <class Values>
 void readVertexRows(Values& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
     VertexRow row(element, layout);

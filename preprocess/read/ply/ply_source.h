@@ -1,4 +1,4 @@
-// PLY as a MeshSource: streamed, in any legal layout.
+// PLY files as a streamed MeshSource, in any valid layout.
 #pragma once
 
 #include "core/units.h"
@@ -10,19 +10,20 @@
 
 namespace gnomon::read {
 
-/// Opens a PLY file and reads its header. Any element named `face` or `tristrips` with a list `vertex_indices` (or
-/// `vertex_index`) gives triangles, in file order; `vertex` gives x y z, nx ny nz, red green blue alpha (or diffuse_*).
-/// Everything else is passed over. Elements may come in any order. Memory: a few MiB, whatever the file's size.
+/// Opens a PLY file and reads its header. Triangles come from elements `face` and `tristrips` with a list
+/// `vertex_indices` (or `vertex_index`), in file order. The element `vertex` has x y z, nx ny nz, and colours such as
+/// red green blue alpha (see colorLayoutOf). Other data is skipped. Elements can have any order. Memory: a few MiB,
+/// independent of the size of the file.
 ///
-/// Throws Error with line or byte: no PLY, a bad header, counts that the file is too short for, no x y z, no faces.
-/// The passes throw for truncated bodies, list counts that are negative or absurd, indices out of range, and data after
-/// the last element.
+/// Throws Error with line or byte if the file is not a PLY, has a bad header, is too short for its counts, or has no x
+/// y z or no faces. The passes throw Error for truncated bodies, negative or absurd list counts, indices out of range,
+/// and data after the last element.
 std::unique_ptr<MeshSource> openPly(const std::string& path);
 
-/// The same with the colours of faces where vertices have none and all triangles are faces of one element: read whole,
-/// a vertex split where its faces have different colours. Throws Error where that takes more than `memoryLimit`.
-/// Scalar properties of the vertices named in `fields` are read too, in that order; Error lists those that there are
-/// where one of them is not there, or is kept anyway.
+/// Opens a PLY like openPly, and also reads face colours if vertices have no colours and all triangles are faces of one
+/// element. It then reads the file into memory and duplicates a vertex whose faces have different colours. Throws Error
+/// if this needs more than `memoryLimit`. Also reads the scalar vertex properties `fields`, in this order. Throws Error
+/// with the list of available properties if one is missing or is already part of positions, normals or colours.
 std::unique_ptr<MeshSource> openPlyWithFaceColors(
     const std::string& path, Bytes memoryLimit, const std::vector<std::string>& fields = {});
 

@@ -1,4 +1,4 @@
-// The values of a PLY body one after the other, from bytes or from text, behind the same calls.
+// Sequential readers of the values of a PLY body, binary or ASCII, with the same interface.
 #pragma once
 
 #include "preprocess/read/byte_stream.h"
@@ -10,26 +10,26 @@
 
 namespace gnomon::read {
 
-/// Where a pass may begin again.
+/// A position in the file from which a pass can read.
 struct PlyPlace {
     std::uint64_t offset = 0; ///< bytes
-    std::uint64_t line = 1;   ///< ascii only
+    std::uint64_t line = 1;   ///< only for ASCII
 };
 
-/// How far a pass is in the element that it reads, for errors.
+/// The progress of a pass in its current element, for errors.
 struct PlyProgress {
     std::string element;
-    std::uint64_t rows = 0; ///< that the header promises
-    std::uint64_t done = 0; ///< that were whole
+    std::uint64_t rows = 0; ///< number of rows in the header
+    std::uint64_t done = 0; ///< number of rows that were read completely
 
-    /// The row that is being read.
+    /// Returns the number and element of the current row as text.
     std::string row() const;
 
-    /// Of a file that ends inside the element.
+    /// Throws Error for a file that ends inside the element. `where` is the position of the end.
     [[noreturn]] void throwEndsEarly(const std::string& where) const;
 };
 
-/// A value of type T from unaligned bytes, its bytes reversed if `isSwapped`.
+/// Returns a value of type T from unaligned bytes. Reverses the bytes if `isSwapped`.
 template <class T>
 T loadValue(const std::byte* bytes, bool isSwapped) {
     T value;
@@ -44,7 +44,7 @@ T loadValue(const std::byte* bytes, bool isSwapped) {
     return value;
 }
 
-/// Calls `use` with the value of `type` at `bytes`, in its own C++ type.
+/// Calls `use` with the value at `bytes`, in the C++ type of `type`.
 template <class Use>
 auto withValue(PlyType type, const std::byte* bytes, bool isSwapped, Use use) {
     switch (type) {
@@ -68,7 +68,7 @@ auto withValue(PlyType type, const std::byte* bytes, bool isSwapped, Use use) {
     return use(loadValue<double>(bytes, isSwapped));
 }
 
-/// The values of a binary body. Every call throws Error with the byte offset where the file ends too early.
+/// Reads the values of a binary body. Each call throws Error with the byte offset if the file ends too early.
 class BinaryValues {
 public:
     BinaryValues(const InputFile& file, PlyFormat format, PlyPlace start);
@@ -77,7 +77,7 @@ public:
         return withValue(type, take(byteSize(type)), isSwapped_, [](auto value) { return static_cast<double>(value); });
     }
 
-    /// A count or an index; a float is one only if it is whole.
+    /// Returns the next value as a count or index. Throws Error for a float that is not a whole number.
     std::int64_t integer(PlyType type) {
         if (isFloat(type)) return wholeNumber(real(type));
         return withValue(
@@ -86,10 +86,10 @@ public:
 
     void skip(PlyType type, std::uint64_t count = 1);
 
-    /// Passes over `count` rows of `rowBytes` bytes, which the file must still have.
+    /// Skips `count` rows of `rowBytes` bytes. Throws Error if the file ends before.
     void skipRows(std::uint64_t rowBytes, std::uint64_t count);
 
-    /// What is read from here on is the rows of `element` from `row` on.
+    /// Sets the element of the next values for errors. The next row is `row`.
     void beginElement(const PlyElement& element, std::uint64_t row = 0) {
         progress_ = {element.name, element.count, row};
     }
@@ -98,10 +98,10 @@ public:
 
     void endRows(std::uint64_t count) { progress_.done += count; }
 
-    /// The most values of `type` that the rest of the file can hold.
+    /// Returns the max number of values of `type` in the rest of the file.
     std::uint64_t mostValues(PlyType type) const { return stream_.remaining() / byteSize(type); }
 
-    /// The value read last, for errors.
+    /// Returns the path and the byte offset of the last value, for errors.
     std::string where() const;
 
     std::string row() const { return progress_.row(); }
@@ -134,8 +134,9 @@ private:
     PlyProgress progress_;
 };
 
-/// The values of an ascii body: words between blanks and line ends. A row may wrap, but the next begins on a new line.
-/// A value is rounded to its declared type, so that the same mesh in ascii and in binary is the same mesh.
+/// Reads the values of an ASCII body: words between blanks and line ends. A row can span lines, but the next row begins
+/// on a new line. Rounds each value to its declared type, so that an ASCII and a binary file of the same mesh give the
+/// same result.
 class AsciiValues {
 public:
     AsciiValues(const InputFile& file, char lineEnd, PlyPlace start);
@@ -155,7 +156,7 @@ public:
 
     std::string row() const { return progress_.row(); }
 
-    /// The number that `real` read last, as text; valid until the next call of another function.
+    /// Returns the text of the number that `real` read last. Valid until the next call of another function.
     std::string_view lastWord() const { return lastWord_; }
 
     PlyPlace place() const { return {stream_.offset(), line_}; }

@@ -1,4 +1,4 @@
-// Collects the facets of an STL: their corners become shared vertices.
+// Converts the facets of an STL to an indexed mesh: corners at equal positions become one vertex.
 #pragma once
 
 #include "preprocess/read/memory_source.h"
@@ -11,10 +11,12 @@
 
 namespace gnomon::read {
 
+/// Collects the facets of an STL as an indexed mesh.
 class StlFacets {
 public:
-    /// Adds a facet. `normal` is compared with its corners, and counted if it says something else; a zero normal says
-    /// nothing. Returns whether the facet has three different corners; others count as not a polygon.
+    /// Adds a facet. Returns whether it has three different corners; other facets count as not a polygon. Counts the
+    /// facet if `normal` differs by more than about 8 degrees from the normal of its corners. A zero `normal` is
+    /// ignored.
     bool add(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal);
 
     MemoryMesh take() { return std::move(mesh_); }
@@ -24,8 +26,7 @@ private:
     void grow();
 
     MemoryMesh mesh_;
-    std::vector<std::uint32_t>
-        table_; ///< of vertices by the hash of their positions, one more than their index; 0: none
+    std::vector<std::uint32_t> table_; ///< hash table by position: vertex index + 1, or 0 for empty
 };
 
 } // namespace gnomon::read

@@ -1,4 +1,4 @@
-// STL, binary and ASCII, as a MeshSource.
+// STL files, binary and ASCII, as a MeshSource.
 #pragma once
 
 #include "core/units.h"
@@ -9,13 +9,13 @@
 
 namespace gnomon::read {
 
-/// Reads the STL `path` into memory. The size of the file says whether it is binary. Corners at equal positions are one
-/// vertex; a facet without three different corners counts as not a polygon. Throws Error with the line or byte of a
-/// defect, and before reading if that could take more than `memoryLimit`.
+/// Reads the STL `path` into memory. The size of the file decides whether it is binary. Corners at equal positions
+/// become one vertex. A facet without three different corners counts as not a polygon. Throws Error with the line or
+/// byte of a defect. Throws Error before reading if this could need more than `memoryLimit`.
 ///
-/// A binary facet may have a colour of 15 bits. In the manner of VisCAM and SolidView bit 15 says that it has one, and
-/// red is in the highest bits. In the manner of Magics, which a header with "COLOR=" announces, bit 15 says that it has
-/// none but that of the header, and red is in the lowest bits.
+/// A binary facet can have a colour of 15 bits, by one of two conventions. VisCAM and SolidView set bit 15 if the facet
+/// has a colour, and red is in the highest bits. Magics is used if the header contains "COLOR=". There, bit 15 means
+/// that the facet has the colour of the header, and red is in the lowest bits.
 std::unique_ptr<MeshSource> readStl(const std::string& path, Bytes memoryLimit);
 
 } // namespace gnomon::read

@@ -1,4 +1,4 @@
-// ASCII STL.
+// Reads ASCII STL files.
 #pragma once
 
 #include "preprocess/read/memory_source.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::read {
 
-/// Reads all solids of an ASCII STL. Line ends mean nothing, except that the name of a solid ends with its line.
-/// Keywords may be in any case. Throws Error with the line of a defect.
+/// Reads all solids of an ASCII STL. Line ends have no meaning, except that the name of a solid ends with its line.
+/// Keywords can have any case. Throws Error with the line of a defect.
 MemoryMesh readStlText(const InputFile& file);
 
 } // namespace gnomon::read

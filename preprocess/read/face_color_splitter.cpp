@@ -12,7 +12,7 @@ namespace {
 constexpr unsigned kColorBits = 32;
 constexpr std::uint64_t kMostVertices = std::uint64_t{1} << kColorBits;
 
-/// What a corner may come to: twice its name while names are sorted, a vertex of its own, and as much again where an
+/// The max memory per corner: its key twice while keys are sorted, a vertex of its own, and twice the size while an
 /// array grows.
 constexpr std::uint64_t kBytesPerCorner =
     4 * sizeof(std::uint64_t) + 2 * (sizeof(glm::dvec3) + sizeof(glm::vec3) + sizeof(std::uint32_t));

@@ -28,7 +28,7 @@ void requireRereadable(const std::string& path) {
     using Type = std::filesystem::file_type;
     std::error_code ignored;
     const Type type = std::filesystem::status(path, ignored).type();
-    // A file that cannot be opened says so itself, and so does a folder.
+    // Opening a missing file or a folder throws its own Error.
     const bool isSomethingElse =
         type == Type::fifo || type == Type::socket || type == Type::character || type == Type::block;
     if (isSomethingElse) throw Error(path, "a source is read several times", "a file", nameOf(type));

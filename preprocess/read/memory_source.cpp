@@ -71,7 +71,7 @@ private:
 } // namespace
 
 void requireRoomForWhole(const std::string& path, std::uint64_t fileBytes, Bytes memoryLimit) {
-    // Arrays, the slack of growing ones, and tables of vertices: short lines of text are the worst.
+    // Arrays, unused capacity of growing arrays, and tables of vertices. Short lines of text need most memory per byte.
     constexpr std::uint64_t kBytesPerFileByte = 12;
     if (fileBytes <= memoryLimit.count / kBytesPerFileByte) return;
     throw Error(

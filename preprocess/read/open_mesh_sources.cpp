@@ -163,7 +163,7 @@ private:
         return block;
     }
 
-    /// `block`, with its triangles in `shifted`.
+    /// Returns `block` with shifted indices. Its triangles are stored in `shifted`.
     static TriangleBlock joined(
         TriangleBlock block,
         std::uint64_t firstVertex,
@@ -189,7 +189,7 @@ bool startsWith(const std::string& path, std::string_view magic) {
     return count >= magic.size() && std::memcmp(begin.data(), magic.data(), magic.size()) == 0;
 }
 
-/// What is known of a format that is not read, to say what to do instead.
+/// A format that is not read, with advice for the error message.
 struct OtherFormat {
     std::string_view suffix;
     const char* advice;
@@ -218,7 +218,7 @@ constexpr std::array kOtherFormats = {
     throw Error(path, "not a mesh that can be read", "PLY, OBJ, STL, OFF or glTF", "something else");
 }
 
-/// Opens `path` by what it begins with, else by the end of its name.
+/// Opens `path` with the reader for its first bytes, else for its suffix.
 std::unique_ptr<MeshSource> openByFormat(
     const std::string& path,
     Bytes room,

@@ -14,12 +14,13 @@ namespace gnomon::read {
 
 namespace {
 
-// Twice the signed area of a, b, c; positive when they turn left.
+// Returns twice the signed area of the triangle a, b, c. It is positive for a left turn.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Newell's normal of the closed loop (Sutherland, Sproull, Schumacker 1974): its components are the projected areas.
+// Returns Newell's normal of the closed loop (Sutherland, Sproull, Schumacker 1974). Its components are twice the
+// projected areas.
 glm::dvec3 newellNormal(std::span<const glm::dvec3> corners) {
     glm::dvec3 normal(0);
     glm::dvec3 last = corners.back() - corners.front();
@@ -31,7 +32,7 @@ glm::dvec3 newellNormal(std::span<const glm::dvec3> corners) {
     return normal;
 }
 
-// The loop in a plane where it turns left as a whole: the axis nearest the normal is left out.
+// Returns the loop in 2D, with a positive area. Removes the coordinate of the axis nearest to the normal.
 std::vector<glm::dvec2> flatten(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -54,8 +55,8 @@ bool isStrictlyConvex(std::span<const glm::dvec2> loop) {
     return true;
 }
 
-/// Finds points in a triangle without asking all of them: a k-d tree, from which points can be removed. A triangle that
-/// is long and narrow meets few of its boxes, wherever the points are.
+/// Finds the points in a triangle with a k-d tree, without a test of all points. Points can be removed. A long and
+/// narrow triangle intersects few boxes of the tree.
 class PointTree {
 public:
     PointTree(std::span<const glm::dvec2> points, std::vector<std::uint32_t> indices)
@@ -65,8 +66,8 @@ public:
             placeOf_[sorted_[place]] = place;
     }
 
-    /// Calls `test(index)` for each point that may lie in the triangle, which turns left, until one call is true;
-    /// returns whether one was. Adds the boxes and points that it looked at to `work`.
+    /// Calls `test(index)` for each point that can be in the triangle, until one call returns true. Returns whether one
+    /// did. The triangle must turn left. Adds the number of visited boxes and points to `work`.
     template <class Test>
     bool any(const std::array<glm::dvec2, 3>& triangle, std::uint64_t& work, Test test) {
         if (nodes_.empty()) return false;
@@ -89,7 +90,7 @@ public:
         return false;
     }
 
-    /// Forgets a point, which must be there.
+    /// Removes a point, which must be in the tree.
     void remove(std::uint32_t index) {
         std::uint32_t node = 0;
         while (true) {
@@ -104,16 +105,16 @@ private:
     struct Node {
         glm::dvec2 min{std::numeric_limits<double>::infinity()};
         glm::dvec2 max{-std::numeric_limits<double>::infinity()};
-        std::uint32_t begin = 0; ///< of its points in sorted_
+        std::uint32_t begin = 0; ///< range of its points in sorted_
         std::uint32_t end = 0;
-        std::uint32_t left = 0;  ///< points that are not removed
-        std::uint32_t child = 0; ///< the first of its two children; 0: none
+        std::uint32_t left = 0;  ///< number of points that are not removed
+        std::uint32_t child = 0; ///< index of the first of two children; 0 for a leaf
     };
 
     static constexpr std::uint32_t kLeafPoints = 8;
 
-    /// Returns whether the box is outside of the triangle's box or on the outer side of an edge. Rounding is monotone:
-    /// no point in the box has a larger turn than the corner of the box that is looked at.
+    /// Returns whether the box does not intersect the triangle's box, or is on the outer side of an edge. The test uses
+    /// the corner of the box with the largest turn. Rounding is monotone, so no point in the box has a larger turn.
     static bool isApart(const Node& node, const std::array<glm::dvec2, 3>& triangle) {
         const glm::dvec2 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
         const glm::dvec2 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
@@ -169,7 +170,7 @@ private:
 
     std::span<const glm::dvec2> points_;
     std::vector<std::uint32_t> sorted_;
-    std::vector<std::uint32_t> placeOf_; ///< in sorted_, by index
+    std::vector<std::uint32_t> placeOf_; ///< position in sorted_ per point
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> stack_;
 };
@@ -200,7 +201,8 @@ public:
         while (left_ > 3 && work_ < mostWork_) {
             pollNowAndThen();
             if (candidates.empty()) {
-                // Clipping can free corners far away, so all are asked again before the loop is taken for a bad one.
+                // Clipping can turn far corners into ears. So all corners are tested again before the loop counts as
+                // bad.
                 if (!foundSinceScan) clipOfBadLoop();
                 candidates = remaining();
                 work_ += candidates.size();
@@ -222,15 +224,15 @@ public:
     }
 
 private:
-    // Simple loops stay below this: a star of a million spikes of random lengths takes less than half.
+    // Simple loops need less work: a star of a million spikes with random lengths needs less than half.
     static constexpr std::uint64_t kMostWorkPerCorner = 2'000;
 
-    // And this is what is left to a loop from where it turns out to have corners without area in its way, or to cross
-    // itself: one that does so everywhere asks for a scan of all of it before each triangle, and none is right for it.
+    // The work that remains for a loop with corners without area or with crossings. A loop that crosses itself
+    // everywhere needs a scan of all corners per triangle, and none of its triangulations is correct.
     static constexpr std::uint64_t kMostWorkPerFlatCorner = 1'000;
     static constexpr std::uint64_t kMostWorkPerCrossingCorner = 100;
 
-    static constexpr std::uint64_t kWorkBetweenPolls = std::uint64_t{1} << 22U; // some milliseconds
+    static constexpr std::uint64_t kWorkBetweenPolls = std::uint64_t{1} << 22U; // a few milliseconds
 
     struct Link {
         std::uint32_t previous;
@@ -243,7 +245,7 @@ private:
         return turn(points_[links_[i].previous], points_[i], points_[links_[i].next]) > 0;
     }
 
-    /// The corners that are left, in their order.
+    /// Returns the remaining corners in loop order.
     std::deque<std::uint32_t> remaining() {
         while (links_[first_].isGone)
             ++first_;
@@ -256,8 +258,8 @@ private:
         return result;
     }
 
-    // An ear: a convex corner whose triangle holds no other corner. Only corners that are not convex can be the first
-    // to reach into it.
+    // Returns whether corner `i` is an ear: a convex corner whose triangle contains no other corner. It is sufficient
+    // to test the corners that are not convex, because one of them enters the triangle first.
     bool isEar(std::uint32_t i) {
         if (!isConvex(i)) return false;
         const glm::dvec2& a = points_[links_[i].previous];
@@ -275,8 +277,8 @@ private:
         const glm::dvec2& b = points_[corner];
         const glm::dvec2& c = points_[after];
         const glm::dvec2& p = points_[blocker];
-        // A loop may touch itself. Along the bridge to a hole, a twin of an end of the ear blocks nothing; a twin of
-        // the ear's tip blocks if it is a notch that opens into the ear.
+        // A loop can touch itself. On the bridge to a hole, a corner at the position of a neighbour of the ear does not
+        // block. A corner at the position of the ear's tip blocks if it is a notch that opens into the ear.
         if (p == a || p == c) return false;
         if (p == b) {
             const auto leadsInside = [&](std::uint32_t other) {
@@ -293,8 +295,8 @@ private:
         progress_.advance(0);
     }
 
-    // Where no ear is left, the loop is degenerate or crosses itself: a corner without area costs least, then a convex
-    // one.
+    // Clips one corner of a loop without ears, which is degenerate or crosses itself. Prefers a corner without area,
+    // then a convex corner.
     void clipOfBadLoop() {
         const std::deque<std::uint32_t> corners = remaining();
         work_ += corners.size();
@@ -308,7 +310,7 @@ private:
         clip(convex != corners.end() ? *convex : corners.front());
     }
 
-    /// From where a loop turns out to be bad; a bound that holds already stays.
+    /// Lowers the limit of work for the rest of a bad loop. A lower limit remains.
     void allowOnly(std::uint64_t workPerCorner) {
         if (workPerCorner >= workPerCorner_) return;
         workPerCorner_ = workPerCorner;
@@ -335,10 +337,10 @@ private:
 
     std::vector<glm::dvec2> points_;
     std::vector<Link> links_;
-    std::optional<PointTree> blockers_; ///< the corners that are not convex: clipping makes none of them
+    std::optional<PointTree> blockers_; ///< the corners that are not convex; clipping adds none
     std::size_t left_;
-    std::uint32_t first_ = 0; ///< no corner that is left comes before it
-    std::uint64_t work_ = 0;  ///< corners that were looked at
+    std::uint32_t first_ = 0; ///< no remaining corner comes before it
+    std::uint64_t work_ = 0;  ///< number of visited corners and boxes
     std::uint64_t mostWork_;
     std::uint64_t nextPoll_ = 0;
     std::uint64_t workPerCorner_ = kMostWorkPerCorner;

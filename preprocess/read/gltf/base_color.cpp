@@ -10,7 +10,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// IEC 61966-2-1, both ways.
+/// Returns the linear value of an sRGB value (IEC 61966-2-1). displayOf is its inverse.
 double linearOf(double display) {
     return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
 }
@@ -29,7 +29,8 @@ const std::array<double, 256>& linearBytes() {
     return table;
 }
 
-/// The texel that a texture of `size` texels shows at texel `at` of its endless plane.
+/// Returns the index of the texel for texel `at` of the infinitely repeated texture, whose side has `size` texels.
+/// `wrap` is the wrap mode of glTF.
 int wrapped(double at, int size, int wrap) {
     if (!(std::abs(at) < 1e9)) return 0;
     const auto texel = static_cast<std::int64_t>(at);
@@ -40,21 +41,21 @@ int wrapped(double at, int size, int wrap) {
     return static_cast<int>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
 }
 
-/// A pair of numbers that an extension may give, 0 to 2 of them.
+/// Returns the array `key` of two numbers of an extension, or `otherwise` if it is missing.
 glm::dvec2 pairOf(const tinygltf::Value& object, const char* key, glm::dvec2 otherwise) {
     if (!object.Has(key) || !object.Get(key).IsArray() || object.Get(key).ArrayLen() != 2) return otherwise;
     return {object.Get(key).Get(0).GetNumberAsDouble(), object.Get(key).Get(1).GetNumberAsDouble()};
 }
 
-/// A whole number from 0 on that an extension may give.
+/// Returns the non-negative integer `key` of an extension, or `otherwise` if it is missing.
 int indexMember(const tinygltf::Value& object, const char* key, int otherwise) {
     if (!object.Has(key) || !object.Get(key).IsNumber()) return otherwise;
     const double value = object.Get(key).GetNumberAsDouble();
     return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : otherwise;
 }
 
-/// Applies KHR_texture_transform to the texture of `color`: coordinates are scaled, turned, then moved. Its set of
-/// coordinates replaces the texture's.
+/// Applies KHR_texture_transform to the texture of `color`: coordinates are scaled, rotated, then translated. If the
+/// extension has a set of coordinates, it replaces the set of the texture.
 void applyTransform(const tinygltf::Value& transform, BaseColor& color) {
     if (!transform.IsObject()) return;
     const glm::dvec2 offset = pairOf(transform, "offset", {0, 0});
@@ -69,7 +70,7 @@ void applyTransform(const tinygltf::Value& transform, BaseColor& color) {
 
 constexpr const char* kTextureTransform = "KHR_texture_transform";
 
-/// Takes the diffuse colour of KHR_materials_pbrSpecularGlossiness.
+/// Sets `color` to the diffuse colour of KHR_materials_pbrSpecularGlossiness.
 void takeDiffuse(const tinygltf::Value& surface, BaseColor& color) {
     if (!surface.IsObject()) return;
     const tinygltf::Value& factor = surface.Get("diffuseFactor");
@@ -109,7 +110,7 @@ BaseColor baseColorOf(const GltfFile& file, int material) {
 
 std::optional<BaseTexture> baseTextureOf(GltfFile& file, int texture) {
     const tinygltf::Texture& from = file.elementOf(file.model().textures, texture, "texture");
-    if (from.source < 0) return std::nullopt; // in a format of an extension
+    if (from.source < 0) return std::nullopt; // only an extension provides the image
     const std::vector<std::byte> encoded = file.image(from.source);
     if (encoded.empty()) return std::nullopt;
     BaseTexture result;
@@ -146,7 +147,7 @@ glm::dvec4 BaseTexture::at(glm::dvec2 uv) const {
 std::uint32_t packedColor(const glm::dvec4& linear) {
     std::uint32_t packed = 0;
     for (int i = 3; i >= 0; --i) {
-        const double value = linear[i] > 0 ? std::min(linear[i], 1.0) : 0; // no number at all becomes 0
+        const double value = linear[i] > 0 ? std::min(linear[i], 1.0) : 0; // NaN becomes 0
         packed = packed << 8U | static_cast<std::uint32_t>(std::lround(255 * (i < 3 ? displayOf(value) : value)));
     }
     return packed;

@@ -27,14 +27,14 @@ bool beginsWith(std::span<const std::byte> bytes, std::span<const std::uint8_t> 
            });
 }
 
-/// Throws Error if `room` has no memory for an image: its pixels, and `besides` bytes while it is decoded.
+/// Throws Error if `room` has too little memory for the pixels of an image and for `besides` bytes during decoding.
 void requireImageRoom(
     std::uint64_t width,
     std::uint64_t height,
     std::uint64_t besides,
     const MemoryRoom& room,
     const std::string& where) {
-    const std::uint64_t pixels = width * height; // of 31 bits each
+    const std::uint64_t pixels = width * height; // both factors have at most 31 bits
     const std::uint64_t free = room.limit().count - room.taken().count;
     if (pixels <= free / 4 && besides <= free - pixels * 4) return;
     throw LimitError(
@@ -51,8 +51,8 @@ void takePixels(DecodedImage& image, MemoryRoom& room) {
     image.pixels.resize(pixels * 4);
 }
 
-/// Reads a PNG from memory. libpng jumps out of its functions at an error, so no function that calls it here has
-/// objects with destructors of its own.
+/// Reads a PNG from memory. libpng leaves its functions by longjmp at an error. So no function that calls libpng here
+/// has local objects with destructors.
 class PngReader {
 public:
     explicit PngReader(std::span<const std::byte> encoded)
@@ -67,12 +67,12 @@ public:
     PngReader(PngReader&&) = delete;
     PngReader& operator=(PngReader&&) = delete;
 
-    /// Reads the chunks before the pixels, and asks for RGBA8. Returns false at an error.
+    /// Reads the chunks before the pixels and selects RGBA8 as output. Returns false at an error.
     bool readHeader() {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_read_fn(png_, this, read);
-        // Skips all chunks but those of the pixels: a text can unpack to any size, and glTF ignores colour spaces
-        // (glTF 2.0, section 3.8.3).
+        // Skips all chunks except the pixels: a text chunk can unpack to any size, and glTF ignores colour spaces (glTF
+        // 2.0, section 3.8.3).
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_read_info(png_, info_);
         png_set_expand(png_);
@@ -88,14 +88,14 @@ public:
 
     std::uint64_t height() const { return png_get_image_height(png_, info_); }
 
-    /// Reads all rows, each into its place. Returns false at an error.
+    /// Reads all rows into the memory `rows`. Returns false at an error.
     bool readRows(png_bytepp rows) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_read_image(png_, rows);
         return true;
     }
 
-    /// The reason of the error.
+    /// Returns the reason of the last error.
     const char* fault() const { return fault_.data(); }
 
 private:
@@ -136,7 +136,7 @@ DecodedImage decodedPng(std::span<const std::byte> encoded, MemoryRoom& room, co
     return image;
 }
 
-/// Turns pixels of cyan, magenta, yellow and black into RGBA. `isInverted`: 255 stands for no ink.
+/// Converts pixels from CMYK to RGBA. If `isInverted`, 255 means no ink.
 void turnInksToLight(std::vector<std::uint8_t>& pixels, bool isInverted) {
     for (std::size_t i = 0; i < pixels.size(); i += 4) {
         const auto light = [&](std::size_t c) { return isInverted ? pixels[i + c] : 255U - pixels[i + c]; };
@@ -148,7 +148,7 @@ void turnInksToLight(std::vector<std::uint8_t>& pixels, bool isInverted) {
 }
 
 DecodedImage decodedJpeg(std::span<const std::byte> encoded, MemoryRoom& room, const std::string& where) {
-    constexpr std::uint64_t kMaxScans = 100; // the usual encoders write at most 20
+    constexpr std::uint64_t kMaxScans = 100; // usual encoders write at most 20
     const std::optional<JpegHeader> header = jpegHeaderOf(encoded);
     if (!header) throw Error(where, "the JPEG is damaged: it has no frame");
     if (header->coefficientBytes > 0 && header->scans > kMaxScans)
@@ -190,7 +190,7 @@ DecodedImage decodedJpeg(std::span<const std::byte> encoded, MemoryRoom& room, c
     return image;
 }
 
-/// The name of the format that `encoded` begins like; nothing for a format of no name here.
+/// Returns the name of the image format whose signature `encoded` has, or "another format".
 const char* otherFormatOf(std::span<const std::byte> encoded) {
     struct Magic {
         std::size_t offset;

@@ -35,7 +35,7 @@ T loaded(std::span<const std::byte> bytes) {
     return value;
 }
 
-/// A number as stored, and what 1 is stored as if it is normalised.
+/// A number as stored, and the stored value that means 1 in a normalised accessor.
 struct Stored {
     double value = 0;
     double one = 1;
@@ -63,7 +63,7 @@ Stored stored(int type, std::span<const std::byte> bytes) {
     }
 }
 
-/// Elements that lie in a buffer view, each within the bytes that are there.
+/// Elements in a buffer view. Each element is inside the bytes of the view.
 struct Elements {
     std::span<const std::byte> bytes;
     std::size_t stride = 0;
@@ -74,14 +74,15 @@ struct Elements {
     }
 };
 
-/// `count` elements of `bytesEach` from `offset` of buffer view `view`; a `stride` of 0 packs them.
+/// Returns the elements of the accessor `layout`, each of `bytesEach` bytes. If `isPacked`, ignores the stride of the
+/// buffer view. Throws Error if they are outside the buffer view.
 Elements elementsIn(
     GltfFile& file, const std::string& place, const tinygltf::Accessor& layout, std::size_t bytesEach, bool isPacked) {
     const std::span<const std::byte> all = file.bufferView(layout.bufferView);
     const std::size_t step = file.model().bufferViews[static_cast<std::size_t>(layout.bufferView)].byteStride;
     const std::size_t stride = isPacked || step == 0 ? bytesEach : step;
     const std::uint64_t count = layout.count;
-    // Each element but the last takes a stride of a byte or more, so the product cannot overflow where this holds.
+    // Each element has at least one byte, so `count <= all.size()` excludes an overflow of the product.
     const bool isIn = layout.byteOffset <= all.size() && count <= all.size() &&
                       (count == 0 || (count - 1) * stride + bytesEach <= all.size() - layout.byteOffset);
     if (!isIn)
@@ -94,8 +95,8 @@ Elements elementsIn(
     return {all.subspan(layout.byteOffset), stride, layout.componentType};
 }
 
-/// Calls take(element, elements, its place among them) for all elements of an accessor, and again for those that a
-/// sparse part replaces.
+/// Calls take(element, elements, index in `elements`) for all elements of an accessor, and then for the elements that
+/// its sparse part replaces.
 template <class Take>
 void visit(GltfFile& file, int index, Take take) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);
@@ -131,7 +132,8 @@ void visit(GltfFile& file, int index, Take take) {
     }
 }
 
-/// Components [0, taken) of each element, `width` apart, over what `values` holds already.
+/// Writes the components [0, taken) of each element to `values`, where each element has `width` floats. Leaves the
+/// other floats unchanged.
 void takeNumbers(GltfFile& file, int index, std::size_t taken, std::size_t width, std::vector<float>& values) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);
     visit(file, index, [&](std::uint64_t element, const Elements& elements, std::uint64_t place) {
@@ -143,7 +145,8 @@ void takeNumbers(GltfFile& file, int index, std::size_t taken, std::size_t width
     });
 }
 
-/// Memory for `count` elements, which are refused before it is taken where nothing says that they are there.
+/// Returns an array for all elements of an accessor, filled with `value`. Reserves its memory first. Throws Error for a
+/// component type that glTF does not have.
 template <class T>
 std::vector<T> valuesFor(GltfFile& file, int index, std::size_t components, T value) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 5> kReadExtensions = {
     "KHR_mesh_quantization",
     "KHR_texture_transform"};
 
-/// Extensions that are not read, but change neither a surface nor its base colour. A file may require them.
+/// Extensions that are not read, but change neither the surface nor its base colour. A file may require them.
 constexpr std::array<std::string_view, 22> kHarmlessExtensions = {
     "EXT_lights_ies",
     "EXT_lights_image_based",
@@ -85,7 +85,8 @@ bool isIn(std::span<const std::string_view> names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Draco's geometry may be there without being announced as required; its accessors have no bytes of their own then.
+/// Throws Error for meshes that only Draco's extension stores. A file can contain them without a required extension;
+/// the accessors of such meshes have no buffer view.
 void requireNoDraco(const json& document, const std::string& path) {
     const json accessors = arrayOf(document, "accessors", path);
     const auto hasBytes = [&](const json& primitive) {
@@ -119,8 +120,8 @@ public:
             if (!isIn(kUsedLists, name) && !value.empty()) counts_[name] = value.is_array() ? value.size() : 1;
     }
 
-    /// Counts the extensions and extras of `value` and of all that it contains, but for the asset, which says only who
-    /// made the file. The limits on JSON bound the depth.
+    /// Counts the extensions and extras of `value` and of all its descendants. Skips the asset, which only describes
+    /// the author of the file. The limits on JSON bound the depth of recursion.
     void countExtensions(const json& value) {
         if (value.is_array())
             for (const json& entry : value)

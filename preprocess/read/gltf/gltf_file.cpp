@@ -18,8 +18,8 @@ namespace gnomon::read {
 
 namespace {
 
-// What a parsed document takes for each value in it, twice for a while, and for a byte of its text, most of which is in
-// strings where buffers are embedded.
+// The max memory of a parsed document per JSON value and per byte of text. The document temporarily exists twice. With
+// embedded buffers, most of the text is in strings.
 constexpr std::uint64_t kBytesPerJsonValue = 160;
 constexpr std::uint64_t kBytesPerJsonByte = 6;
 
@@ -72,7 +72,7 @@ Chunk chunkAt(const InputFile& file, std::uint64_t at, std::uint64_t end) {
     return chunk;
 }
 
-/// tinygltf's own words, which may be many lines.
+/// Returns the first line of a message of tinygltf, which can have many lines.
 std::string firstLineOf(const std::string& text) {
     const std::string line = text.substr(0, text.find('\n'));
     return line.empty() ? "no reason given" : line;
@@ -98,7 +98,7 @@ std::uint64_t GltfFile::fileBytes() const {
     return sum;
 }
 
-/// Returns the text of the document. Of a .glb, also reads the first binary chunk, and skips and counts all other
+/// Returns the JSON text of the file. For a .glb, also reads the first binary chunk, and skips and counts all other
 /// chunks (glTF 2.0, section 4.4.3).
 std::string GltfFile::readContainer() {
     const InputFile& file = *files_.front();
@@ -175,7 +175,7 @@ void GltfFile::leaveOut(Json& document) {
     if (extensions != document.end() && extensions->is_object()) extensions->erase("KHR_lights_punctual");
 }
 
-/// Reads all buffers and leaves tinygltf one of a byte for each.
+/// Reads all buffers. Replaces each buffer in the document by a buffer of one byte, so that tinygltf does not read it.
 void GltfFile::readBuffers(Json& document) {
     Json buffers = arrayOf(document, "buffers", path());
     for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -197,7 +197,8 @@ std::vector<std::byte> GltfFile::bufferBytes(const Json& buffer, std::size_t ind
         bytes = ofUri(uri, place);
     else if (index == 0)
         bytes = std::move(embedded_);
-    // A buffer without bytes is what EXT_meshopt_compression leaves in place of what it packs: nobody asks for it.
+    // EXT_meshopt_compression uses a buffer without bytes as a placeholder for decoded data. Such a buffer is never
+    // read.
     if (bytes.size() < asked && !(uri.empty() && bytes.empty()))
         throw Error(place, "too short", std::to_string(asked) + " bytes", std::to_string(bytes.size()));
     return bytes;
@@ -209,7 +210,7 @@ std::vector<std::byte> GltfFile::ofUri(const std::string& uri, const std::string
     return bytesOfDataUri(uri, place);
 }
 
-/// The path of the file that `uri` names.
+/// Returns the path of the file that `uri` names. Throws Error for a URI with a scheme such as "http://".
 std::string GltfFile::besideThis(const std::string& uri, const std::string& place) const {
     if (uri.find("://") != std::string::npos)
         throw Error(

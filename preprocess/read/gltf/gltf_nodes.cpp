@@ -17,7 +17,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// The matrix of a quaternion x, y, z, w of any length above 0; the identity for one of length 0.
+/// Returns the rotation of a quaternion x, y, z, w of any length above 0. Returns the identity for length 0.
 glm::dmat4 turnedBy(const glm::dvec4& rotation) {
     const glm::dvec4 sizes = glm::abs(rotation);
     const glm::dvec4 scaled = rotation * scaleToOne(std::max({sizes.x, sizes.y, sizes.z, sizes.w}));
@@ -27,13 +27,13 @@ glm::dmat4 turnedBy(const glm::dvec4& rotation) {
     return glm::mat4_cast(glm::dquat(unit.w, unit.x, unit.y, unit.z));
 }
 
-/// Returns the direction of `axis`, whatever its length; not finite for a length of 0.
+/// Returns `axis` scaled to unit length; not finite for length 0.
 glm::dvec3 unitOf(const glm::dvec3& axis) {
     const glm::dvec3 sizes = glm::abs(axis);
     return glm::normalize(axis * scaleToOne(std::max({sizes.x, sizes.y, sizes.z})));
 }
 
-/// Moved, turned and scaled, scaled first.
+/// Returns the matrix that scales, then rotates, then translates.
 glm::dmat4 placed(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale) {
     glm::dmat4 matrix = turnedBy(rotation);
     for (int i = 0; i < 3; ++i)
@@ -42,14 +42,16 @@ glm::dmat4 placed(const glm::dvec3& translation, const glm::dvec4& rotation, con
     return matrix;
 }
 
-/// The accessor that a number of an extension names, which the library leaves as it is in the file; -1, which is none,
-/// for what no int can be.
+/// Returns the accessor index in a number of an extension, which tinygltf does not check. Returns -1, which is no
+/// accessor, if the number is negative or too large for an int.
 int accessorOf(const tinygltf::Value& number) {
     const double value = number.GetNumberAsDouble();
     return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
 }
 
-/// An attribute of EXT_mesh_gpu_instancing, one value an instance; empty where it is not given.
+/// Returns the values of an attribute of EXT_mesh_gpu_instancing, `components` numbers per instance; empty if it is
+/// missing. `count` is the number of instances, or 0 if it is not known yet. Throws Error if attributes have different
+/// numbers of instances.
 std::vector<float> instanceValues(
     GltfFile& file, const tinygltf::Value& attributes, const char* name, std::size_t components, std::uint64_t& count) {
     if (!attributes.IsObject() || !attributes.Has(name) || !attributes.Get(name).IsNumber()) return {};
@@ -81,14 +83,14 @@ std::vector<int> rootsOf(const GltfFile& file) {
     return roots;
 }
 
-/// The number `key` of `object`; 0 if there is none.
+/// Returns the number `key` of `object`, or 0 if there is none.
 double memberNumber(const nlohmann::json& object, const char* key) {
     if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return 0;
     return object[key].get<double>();
 }
 
-/// Returns the camera that `described` is where `toWorld` puts it; nothing if glTF has no such camera or the node's
-/// axes have no direction.
+/// Returns the camera of the JSON object `described` with the transform `toWorld`. Returns nothing if glTF does not
+/// define such a camera or if the axes of the node have no direction.
 std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4& toWorld) {
     Camera camera;
     const glm::dvec3 ahead = unitOf(-glm::dvec3(toWorld[2]));
@@ -106,7 +108,7 @@ std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4
         return std::nullopt;
     }
     camera.target = camera.eye + distance * ahead;
-    const double turned = glm::length(glm::cross(ahead, camera.up)); // not finite if any axis is not
+    const double turned = glm::length(glm::cross(ahead, camera.up)); // not finite if an axis is not finite
     const bool hasView =
         distance > 0 && turned > 1e-9 && std::isfinite(glm::length(camera.target)) && camera.target != camera.eye;
     const bool hasAngle = camera.fovYRadians > 0 && camera.fovYRadians < kPi;
@@ -141,11 +143,11 @@ public:
 private:
     struct Visit {
         int node;
-        glm::dmat4 toWorld; // of its parent
+        glm::dmat4 toWorld; // transform of the parent
     };
 
     struct NodeCamera {
-        int index; // in the file's list
+        int index; // index in the file's list
         Camera camera;
     };
 
@@ -190,7 +192,7 @@ private:
             s.empty() ? glm::dvec3(1) : glm::dvec3(s[0], s[1], s[2]));
     }
 
-    /// Throws Error if the node has other than `expected` numbers in its list `name`; the list may be missing.
+    /// Throws Error if the list `name` of the node does not have `expected` numbers. The list can be missing.
     void requireNumbers(const std::vector<double>& list, std::size_t expected, const char* name, int node) const {
         if (list.empty() || list.size() == expected) return;
         throw Error(
@@ -204,7 +206,7 @@ private:
         if (rotation == glm::dvec4(0)) count("rotations of length 0", 1);
     }
 
-    /// The places of the instances of a mesh, in the space of its node.
+    /// Returns the transforms of the instances of a mesh in the space of its node.
     std::vector<glm::dmat4> instancesOf(const tinygltf::Node& node) {
         const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
         if (found == node.extensions.end() || !found->second.IsObject()) return {glm::dmat4(1)};
@@ -242,7 +244,7 @@ private:
             cameras_.push_back({index, *camera});
     }
 
-    /// Sorts the cameras by the file's list, and counts those of the list that no node of the scene has.
+    /// Sorts the cameras by the file's list. Counts the cameras of the list that no node of the scene uses.
     void takeCameras() {
         std::stable_sort(cameras_.begin(), cameras_.end(), [](const NodeCamera& a, const NodeCamera& b) {
             return a.index < b.index;

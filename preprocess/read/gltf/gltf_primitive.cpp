@@ -11,7 +11,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// The accessor of an attribute; -1 where there is none.
+/// Returns the accessor of an attribute, or -1 if there is none.
 int attributeOf(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? -1 : found->second;
@@ -27,7 +27,7 @@ void requireAsMany(const GltfFile& file, int accessor, std::uint64_t vertices) {
             std::to_string(count));
 }
 
-/// The triangles that a primitive's list of corners stands for.
+/// Returns the triangles of a list of corners, for a primitive of triangles, a strip or a fan.
 std::vector<std::array<std::uint32_t, 3>> trianglesOf(
     GltfFile& file, int mode, const std::vector<std::uint32_t>& corners, const std::string& where) {
     const std::size_t count = corners.size();
@@ -99,7 +99,8 @@ void GltfPrimitives::countBadNormals(const std::vector<float>& normals) {
         if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2])) ++leftOut_[kBadNormals];
 }
 
-/// The texture of `color`, if it is there and may be looked up.
+/// Returns the texture of `color`. Counts it as not used and returns null if textures are ignored, or if its
+/// coordinates or its image are missing.
 const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinygltf::Primitive& from) {
     if (color.texture < 0) return nullptr;
     if (!bakesTextures_) {
@@ -116,7 +117,8 @@ const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinyg
     return found->second ? &*found->second : nullptr;
 }
 
-/// Returns the name of the attribute with the coordinates of the texture that was looked up; an empty name if none was.
+/// Sets the colours of `primitive`. Returns the name of the attribute with the texture coordinates, or an empty name if
+/// no texture was sampled.
 std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimitive& primitive) {
     const BaseColor color = baseColorOf(file_, from.material);
     const BaseTexture* const texture = textureOf(color, from);

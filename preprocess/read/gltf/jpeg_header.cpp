@@ -18,17 +18,17 @@ bool isFrame(unsigned marker) {
     return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-/// Whether frames of this kind refine their coefficients scan by scan.
+/// Returns whether frames of this kind are progressive: several scans refine the coefficients.
 bool isProgressive(unsigned frame) {
     return frame % 4 == 2;
 }
 
-/// Whether no segment follows the marker: stuffed bytes, restarts, and the start of the image.
+/// Returns whether no segment follows the marker: stuffed bytes, restarts, and the start of the image.
 bool isAlone(unsigned marker) {
     return marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD8);
 }
 
-/// Bytes as the numbers of a JPEG, high byte first.
+/// Reads the big-endian numbers of a JPEG.
 class JpegBytes {
 public:
     explicit JpegBytes(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -51,7 +51,7 @@ private:
     std::span<const std::byte> bytes_;
 };
 
-/// Enters a frame's segment. Returns false if the segment is too short.
+/// Reads the segment of a frame into `header`. Returns false if the segment is too short.
 bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     constexpr std::size_t kStart = 6;
     constexpr std::size_t kComponent = 3;
@@ -67,7 +67,8 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
         mostAcross = std::max<std::uint64_t>(mostAcross, samplings(i) >> 4U);
         mostDown = std::max<std::uint64_t>(mostDown, samplings(i) & 15U);
     }
-    // A component is stored as whole units of `mostAcross` by `mostDown` blocks, of which it has its samplings.
+    // The image consists of whole units of `mostAcross` by `mostDown` blocks. A component has its samplings as blocks
+    // per unit.
     const auto unitsOf = [](std::uint64_t size, std::uint64_t most) {
         return (size + most * kBlockSide - 1) / (most * kBlockSide);
     };

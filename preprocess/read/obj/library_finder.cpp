@@ -10,10 +10,11 @@ namespace gnomon::read {
 
 namespace {
 
-constexpr std::size_t kLongestJoin = 16;   ///< words of a name
-constexpr std::size_t kMostJoinWords = 64; ///< words of a line; more are a list of names without blanks
+constexpr std::size_t kLongestJoin = 16; ///< max number of words of a name
+constexpr std::size_t kMostJoinWords =
+    64; ///< max number of words of a line for joined names; a longer line is a list of names without blanks
 
-/// Names that are searched for in the file system, and folders that are listed for them. No real OBJ has so many.
+/// Limits for names that are searched in the file system and for folders that are listed. No real OBJ reaches them.
 constexpr std::size_t kLongestName = 4096;
 constexpr std::size_t kMostSearches = 4096;
 constexpr std::size_t kMostListings = 64;
@@ -24,7 +25,7 @@ bool isFile(const std::filesystem::path& path) {
     return std::filesystem::is_regular_file(path, missing);
 }
 
-/// Returns whether `word` can be the last one of the name of a library.
+/// Returns whether `word` can be the last word of the name of a library.
 bool endsName(std::string_view word) {
     if (word.ends_with('"')) word.remove_suffix(1);
     return loweredSuffix(word) == ".mtl";
@@ -34,7 +35,8 @@ std::string baseOf(std::string_view name) {
     return std::string(name.substr(name.find_last_of("/\\") + 1));
 }
 
-/// Returns the words [first, first + count) with what is between them; empty if that is too long for a name.
+/// Returns the words [first, first + count) with the blanks between them. Returns an empty string if it is too long for
+/// a name.
 std::string joinOf(const std::vector<std::string_view>& words, std::size_t first, std::size_t count) {
     const std::string_view last = words[first + count - 1];
     const std::string_view join(
@@ -62,7 +64,7 @@ LibraryFinder::Found LibraryFinder::filesOf(std::string_view names, const std::s
             continue;
         }
         if (words[first].starts_with('#')) break; // a comment
-        // A path of another machine may contain blanks too: it is over where a word has the suffix.
+        // A path of another computer can also contain blanks. It ends at a word with the suffix.
         count = 1;
         while (count < longest && first + count < words.size() && !endsName(words[first + count - 1]))
             ++count;
@@ -95,7 +97,8 @@ std::string LibraryFinder::fileOf(const std::string& name, const std::string& wh
     return files_[name] = file;
 }
 
-/// The file `name`, or the one whose name differs in the case of letters only; empty for none.
+/// Returns the file `name`, or the file whose name differs only in the case of letters. Returns an empty string if
+/// there is none.
 std::string LibraryFinder::searchedFileOf(const std::string& name, const std::string& where) {
     const std::filesystem::path given = std::filesystem::path(name).lexically_normal();
     if (isFile(folder_ / given)) return root_.pathOf(name, where);
@@ -138,7 +141,9 @@ const std::map<std::string, std::string>& LibraryFinder::namesIn(const std::stri
          entries.increment(failed), ++count) {
         const std::string name = entries->path().filename().string();
         const auto [alike, isNew] = names.try_emplace(lowered(name), name);
-        if (!isNew) alike->second = std::min(alike->second, name); // whichever order the system lists them in
+        if (!isNew)
+            alike->second = std::min(
+                alike->second, name); // the result must not depend on the order in which the system lists names
     }
     return names;
 }

@@ -20,7 +20,7 @@ constexpr TextStream::Rules kObjRules{.hasComments = true, .isContinuable = true
 std::optional<ObjKind> kindOf(std::string_view keyword) {
     if (keyword == "v") return ObjKind::Vertex;
     if (keyword == "vn") return ObjKind::Normal;
-    if (keyword == "f" || keyword == "fo") return ObjKind::Face; // fo: of version 2.11 of the format
+    if (keyword == "f" || keyword == "fo") return ObjKind::Face; // fo: version 2.11 of the format
     if (keyword == "vc") return ObjKind::Color;
     return std::nullopt;
 }
@@ -29,7 +29,7 @@ std::uint64_t countedFromZero(std::int32_t index, std::uint64_t count) {
     return index > 0 ? static_cast<std::uint64_t>(index) - 1 : count + static_cast<std::uint64_t>(std::int64_t{index});
 }
 
-/// What lines of a keyword are called that no reader of triangles needs.
+/// The names of lines that a reader of triangles does not need, by keyword.
 constexpr std::array<std::pair<std::string_view, const char*>, 26> kOtherLines = {{
     {"vt", "texture coordinates"},
     {"l", "lines"},
@@ -77,14 +77,14 @@ bool ObjLines::next(ObjLine& line) {
     }
 }
 
-/// Begins the next stretch at the line in hand if the last one is long enough.
+/// Begins a new range at the current line if the last range is long enough.
 void ObjLines::beginStretch() {
     const std::uint64_t offset = text_.offset();
     if (!survey_->stretches.empty() && offset < survey_->stretches.back().offset + kStretchBytes) return;
     survey_->stretches.push_back({offset, text_.line() - 1, vertices_, normals_, 0});
 }
 
-/// Passes over stretches that have nothing that is wanted; false where nothing is left.
+/// Skips ranges without lines of a wanted kind. Returns false if no range remains.
 bool ObjLines::passOver() {
     if (stretch_ == stretches_.size()) return true;
     while (stretch_ < stretches_.size() && text_.offset() >= stretches_[stretch_].offset) {
@@ -99,7 +99,7 @@ bool ObjLines::passOver() {
     return true;
 }
 
-/// Returns whether the line is of a wanted kind; `line` is it then.
+/// Reads the rest of a line with the keyword `keyword`. Returns whether the line has a wanted kind; `line` is then set.
 bool ObjLines::take(std::string_view keyword, ObjLine& line) {
     const std::optional<ObjKind> kind = kindOf(keyword);
     if (!kind) {
@@ -109,7 +109,7 @@ bool ObjLines::take(std::string_view keyword, ObjLine& line) {
             surveyOther(keyword);
         return false;
     }
-    if ((wanted_ & kindBit(*kind)) == 0) { // it was looked at in the first pass
+    if ((wanted_ & kindBit(*kind)) == 0) { // the first pass has checked it
         countVector(*kind);
         return false;
     }
@@ -132,14 +132,14 @@ void ObjLines::takeVector(ObjKind kind, ObjLine& line) {
         const std::string_view word = text_.word();
         if (word.empty()) throw Error(where(), "too few numbers", "3", std::to_string(i));
         const std::optional<double> any = kind == ObjKind::Normal ? numberIn(word) : std::nullopt;
-        line.vector[i] = any ? *any : text_.numberOf(word); // a normal may be infinite
+        line.vector[i] = any ? *any : text_.numberOf(word); // a normal can be infinite
     }
     countVector(kind);
     if (kind == ObjKind::Vertex) takeVertexColor(line);
 }
 
-/// Reads the words behind the coordinates of a vertex: a weight, or three channels of a colour and an alpha. Words that
-/// are no finite numbers are left out.
+/// Reads the words after the coordinates of a vertex: a weight, or three channels of a colour and an alpha. Stops at
+/// the first word that is not a finite number.
 void ObjLines::takeVertexColor(ObjLine& line) {
     line.vertexColor.reset();
     std::array<double, 4> values{};
@@ -181,7 +181,7 @@ void ObjLines::takeMaterial() {
     note(ObjKind::Face);
 }
 
-/// Reads the line of a library of materials, and counts what is left out.
+/// Reads a line that names material libraries. Counts any other line as not read.
 void ObjLines::surveyOther(std::string_view keyword) {
     if (keyword == "mtllib") {
         const std::string names = text_.rest();
@@ -199,7 +199,7 @@ void ObjLines::surveyOther(std::string_view keyword) {
         countUnknown(keyword);
 }
 
-/// Counts a line of a keyword that no OBJ has, such as F.
+/// Counts a line with a keyword that OBJ does not define, such as F.
 void ObjLines::countUnknown(std::string_view keyword) {
     constexpr std::size_t kMaxNames = 64;
     const std::string name(keyword);

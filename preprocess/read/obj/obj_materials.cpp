@@ -14,7 +14,7 @@ namespace gnomon::read {
 namespace {
 
 constexpr std::uint64_t kMostLibraryBytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMostLeftOut = 64; ///< bits of a mask
+constexpr std::size_t kMostLeftOut = 64; ///< number of bits of a mask
 constexpr std::size_t kMostUnknown = 4096;
 
 std::string_view trimmed(std::string_view text) {
@@ -31,7 +31,7 @@ std::uint32_t channelOf(std::string_view word, const std::string& where) {
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(*value, 0.0, 1.0)));
 }
 
-/// `name` without the comment that a '#' behind a blank may begin.
+/// Returns `name` without its comment. A comment starts with a '#' that follows a blank or a tab.
 std::string withoutComment(const std::string& name) {
     for (std::size_t at = name.find('#'); at != std::string::npos; at = name.find('#', at + 1))
         if (at > 0 && (name[at - 1] == ' ' || name[at - 1] == '\t'))
@@ -67,7 +67,8 @@ void ObjMaterials::readLibrary(const std::string& file) {
             const std::string_view part = trimmed(std::string_view(text).substr(begin, end - begin));
             line += part;
             begin = end + 1;
-            isContinued = part.ends_with('\\') && part.find('#') == std::string_view::npos; // as in an OBJ
+            isContinued =
+                part.ends_with('\\') && part.find('#') == std::string_view::npos; // the same rule as in an OBJ
             if (isContinued) line.back() = ' ';
         }
         const std::vector<std::string_view> words = wordsOf(line);
@@ -87,7 +88,7 @@ ObjMaterials::Material& ObjMaterials::declared(const std::string& name) {
 void ObjMaterials::readStatement(
     Material& material, const std::vector<std::string_view>& words, const std::string& where) {
     if (lowered(words[0]) != "kd") return leaveOut(material, std::string(words[0]));
-    // "Kd spectral FILE" and "Kd xyz X Y Z" are known from the format's description alone.
+    // "Kd spectral FILE" and "Kd xyz X Y Z" occur only in the description of the format, so they are not read.
     if (words.size() > 1 && (words[1] == "spectral" || words[1] == "xyz"))
         return leaveOut(material, "Kd " + std::string(words[1]));
     std::size_t count = 1;
@@ -96,12 +97,12 @@ void ObjMaterials::readStatement(
     if (count != 2 && count < 4)
         throw Error(where, "bad colour of a material", "one number or three", std::to_string(count - 1));
     const std::uint32_t red = channelOf(words[1], where);
-    const std::uint32_t green = count == 2 ? red : channelOf(words[2], where); // one number is a grey
+    const std::uint32_t green = count == 2 ? red : channelOf(words[2], where); // one number is a grey level
     const std::uint32_t blue = count == 2 ? red : channelOf(words[3], where);
     material.color = 0xFF000000U | red | green << 8U | blue << 16U;
 }
 
-/// Notes that `material` has a statement that is not kept.
+/// Records that `material` has a statement that is not read.
 void ObjMaterials::leaveOut(Material& material, const std::string& statement) {
     const std::string name = lowered(statement) == "map_kd" ? "textures"
                              : isPlainName(statement)       ? "material " + statement

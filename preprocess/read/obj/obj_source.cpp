@@ -13,23 +13,23 @@ namespace gnomon::read {
 
 namespace {
 
-/// What one pass over all lines tells.
+/// The counts and properties that the first pass over all lines finds.
 struct ObjCounts {
     std::uint64_t vertices = 0;
     std::uint64_t normals = 0;
     std::uint64_t coloredVertices = 0;
-    double maxChannel = 0; ///< of their colours
+    double maxChannel = 0; ///< max channel of vertex colours
     std::uint64_t faces = 0;
     std::uint64_t notAPolygon = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t vertexEnd = 0; ///< one past the largest that a face names
+    std::uint64_t vertexEnd = 0; ///< largest vertex index of a face, plus 1
     bool namesNormals = false;
-    bool isAligned = true; ///< each corner with a normal has that of its vertex's number
+    bool isAligned = true; ///< in each corner with a normal, the index of the normal is the index of the vertex
     bool hasFaceColors = false;
 };
 
-/// Whether the vertex of a corner has to be there: a line of too few corners is no face, and nothing asks for its
-/// vertices but those of the file's `normals` that it names.
+/// Returns whether the vertex of `corner` must exist. In a face with too few corners, only vertices with an existing
+/// normal (index below `normals`) are used.
 bool isLookedUp(const ObjLine& face, const ObjCorner& corner, std::uint64_t normals) {
     return corner.normal < normals || isObjFace(face.corners);
 }
@@ -129,7 +129,7 @@ private:
                 file_.path() + ": colours of vertices range from 0 to 255, because one exceeds 1");
     }
 
-    /// Throws Error if there are no faces. The Error names unknown keywords, which may be misspelt.
+    /// Throws Error if there are no faces. The Error lists unknown keywords, because they can be misspelt.
     void requireObjFaces() const {
         if (summary_.faceCount > 0 || survey_.unknownKeywords.empty()) return requireFaces(summary_);
         constexpr std::size_t kMaxListed = 8;
@@ -156,7 +156,7 @@ private:
 
     bool hasVertexColors() const { return counts_.coloredVertices > 0 || !listedColors_.empty(); }
 
-    /// The colour of a vertex of the file: its own, else the one that `vc` lists, else `other`.
+    /// Returns the colour of a vertex of the file: its own, else its colour in the `vc` lines, else `other`.
     std::uint32_t colorOf(std::uint64_t vertex, const ObjLine& line, std::uint32_t other) const {
         if (line.vertexColor) return packedChannels(glm::dvec4(*line.vertexColor, full()), full());
         return vertex < listedColors_.size() ? listedColors_[vertex] : other;
@@ -166,7 +166,7 @@ private:
 
     void surveyFace(const ObjLine& face) {
         for (const ObjCorner& corner : face.corners) {
-            if (isLookedUp(face, corner, ObjCorner::kNoNormal)) // how many there are is not known yet
+            if (isLookedUp(face, corner, ObjCorner::kNoNormal)) // the number of normals is not known yet
                 counts_.vertexEnd = std::max({counts_.vertexEnd, corner.vertex, corner.vertex + 1}); // may wrap
             if (corner.normal == ObjCorner::kNoNormal) continue;
             counts_.namesNormals = true;
@@ -180,7 +180,7 @@ private:
         counts_.triangles += face.corners.size() - 2;
     }
 
-    /// Names the line of the first face whose vertices are not all there, if there is one.
+    /// Throws Error with the line of the first face that uses a missing vertex, if there is one.
     void findBadFace() {
         ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Face));
         ObjLine line;
@@ -226,7 +226,7 @@ private:
         return normals;
     }
 
-    /// Calls `use` with each vertex of the file, its line and its own normal.
+    /// Calls `use` with the index, the line and the own normal of each vertex of the file.
     template <class Use>
     void forEachVertex(const Use& use) {
         const bool isAligned = vertices_ && vertices_->hasNormals() && counts_.isAligned;
@@ -272,7 +272,7 @@ private:
     MeshSummary summary_;
     ObjCounts counts_;
     ObjSurvey survey_;
-    std::vector<std::uint32_t> listedColors_; ///< of `vc` lines, in their order
+    std::vector<std::uint32_t> listedColors_; ///< colours of the `vc` lines in file order
     std::optional<ObjVertices> vertices_;
 };
 

@@ -9,10 +9,10 @@ namespace gnomon::read {
 
 namespace {
 
-/// Vertices between two counts of those that are used.
+/// The distance in vertices between two stored counts of used vertices.
 constexpr std::size_t kRankStep = 64;
 
-/// Of an entry of a hash table and its bucket, as it grows.
+/// The max memory of an entry of a growing hash table with its bucket.
 constexpr std::uint64_t kBytesOfOther = 64;
 
 std::tuple<float, float, float> tupleOf(const glm::vec3& v) {
@@ -49,7 +49,7 @@ std::uint32_t ObjVertices::ownNormal(std::uint64_t vertex) const {
     return ownNormals_.empty() ? kOwn : ownNormals_[vertex];
 }
 
-/// Gives the vertices of a face the normals of its corners, whether it comes to be a polygon or not.
+/// Gives the vertices of a face the normals of its corners, even if the face is not a polygon.
 void ObjVertices::takeNormals(const ObjLine& face) {
     for (const ObjCorner& corner : face.corners)
         if (corner.normal < normalCount_) giveNormal(corner.vertex, static_cast<std::uint32_t>(corner.normal));
@@ -72,7 +72,7 @@ void ObjVertices::giveNormal(std::uint64_t vertex, std::uint32_t normal) {
 }
 
 void ObjVertices::forgetOthers() {
-    constexpr std::size_t kFewBuckets = 1024; // more take longer to empty than a face to read
+    constexpr std::size_t kFewBuckets = 1024; // clearing more buckets takes longer than reading a face
     if (others_.bucket_count() > kFewBuckets)
         others_ = std::unordered_map<std::uint64_t, std::uint32_t>();
     else if (!others_.empty())
@@ -91,7 +91,7 @@ bool ObjVertices::isOwn(const ObjVariant& variant) const {
            (!options_.hasFaceColors || (isUsed_[variant.vertex] && ownColors_[variant.vertex] == variant.color));
 }
 
-/// By vertex, normal and colour; normals count by what they are, not by their numbers.
+/// Orders by vertex, normal and colour. Compares normals by value, not by index.
 bool ObjVertices::isBefore(const ObjVariant& a, const ObjVariant& b) const {
     if (a.vertex != b.vertex) return a.vertex < b.vertex;
     if ((a.normal == kOwn) != (b.normal == kOwn)) return a.normal == kOwn;

@@ -14,10 +14,10 @@ namespace gnomon::read {
 
 namespace {
 
-/// How a program writes the body.
+/// A layout of the body. Programs use different layouts.
 struct Layout {
     std::endian order = std::endian::big;
-    bool countsChannels = true; ///< behind the corners of each face
+    bool countsChannels = true; ///< a number of channels follows the corners of each face
 };
 
 constexpr std::array<Layout, 4> kLayouts = {
@@ -31,7 +31,7 @@ public:
     MemoryMesh read(Bytes memoryLimit) {
         const std::uint64_t vertices = number();
         const std::uint64_t faces = number();
-        number(); // of edges
+        number(); // number of edges
         const std::uint64_t floats =
             3U + (header_.hasNormals ? 3 : 0) + (header_.hasColors ? 4 : 0) + (header_.hasTexture ? 2 : 0);
         requireRoom(vertices, sizeof(float) * floats);

@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    /// Takes the keyword apart; returns the count that is glued to it, or stands in its place.
+    /// Parses the keyword `word`. Returns the count that is joined to it or that replaces it.
     std::string keyword(std::string word) {
         if (integerIn<std::uint64_t>(word)) return word;
         if (word.starts_with("off") || word.starts_with("coff") || word.starts_with("noff") ||
@@ -72,7 +72,7 @@ private:
         return *value;
     }
 
-    /// Passes over the number of edges, which nobody needs: the rest of this line, or a line of one number.
+    /// Skips the number of edges, which is not used: the rest of this line, or a line with one number.
     void edges() {
         const std::string word(text_.word());
         if (!word.empty()) {
@@ -91,7 +91,7 @@ private:
         header_.bodyLine = text_.line();
     }
 
-    /// No count is believed that the bytes of the file cannot hold.
+    /// Throws Error if the file is too short for the counts of the header.
     void requireRoom() const {
         constexpr std::uint64_t kVertexBytes = 6; // "0 0 0 "
         constexpr std::uint64_t kFaceBytes = 2;   // "0\n"
@@ -109,7 +109,7 @@ private:
     const InputFile& file_;
     TextStream text_;
     OffHeader header_;
-    bool isOther_ = false; ///< the keyword announces a value that is not read
+    bool isOther_ = false; ///< the keyword declares a value that is not read
 };
 
 } // namespace

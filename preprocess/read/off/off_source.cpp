@@ -15,18 +15,18 @@ namespace gnomon::read {
 
 namespace {
 
-/// How the rows of an element are told apart: each has a line, or each has so many words.
+/// The separation of the rows of an element: one line per row, or a fixed number of words per row.
 enum class Rows { Lines, Words };
 
-/// One way to understand a file of text.
+/// One interpretation of a text file.
 struct Attempt {
     Rows vertices = Rows::Lines;
     Rows faces = Rows::Lines;
-    std::size_t channels = 4; ///< of the colours of vertices that have no line
+    std::size_t channels = 4; ///< number of channels of vertex colours if rows are not lines
 };
 
-/// The ways in the order in which they are tried: a file of lines is no file of words, since its colours are in the
-/// way.
+/// The interpretations in the order in which they are tried. A file with one line per row and with colours fails as a
+/// file of words, because its colours are then read as the next row.
 constexpr std::array<Attempt, 6> kAttempts = {{
     {Rows::Lines, Rows::Lines},
     {Rows::Words, Rows::Lines},
@@ -58,15 +58,15 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostValues = 16; ///< of a vertex that are looked at
+    static constexpr std::size_t kMostValues = 16; ///< number of values per vertex that are read
 
     /// The numbers of one vertex.
     struct VertexRow {
         std::array<double, kMostValues> values{};
-        std::size_t count = 0; ///< may be more than are looked at
+        std::size_t count = 0; ///< can exceed kMostValues
     };
 
-    /// Reads the row of a vertex; without lines it has `most` numbers.
+    /// Reads the row of a vertex. If rows are not lines, the row has `most` numbers.
     VertexRow readRow(std::uint64_t vertex, std::size_t most) {
         VertexRow row;
         std::string_view word = firstWord(header_.vertices - vertex, header_.faces);
@@ -92,7 +92,7 @@ private:
         addVertexColor(vertex, row, known, std::min(row.count, kMostValues) - known - texture);
     }
 
-    /// Takes `count` values of `row` from `first` on, which are behind the known ones.
+    /// Adds `count` values of `row` from `first` on as a colour. They follow the values that the keyword declares.
     void addVertexColor(std::uint64_t vertex, const VertexRow& row, std::size_t first, std::size_t count) {
         const bool isColor = count == 3 || count == 4;
         if (header_.hasColors && count != 0 && !isColor)
@@ -169,7 +169,8 @@ private:
             ++mesh_.attributesDropped["other values of faces"];
     }
 
-    /// The first word of a row; throws Error at the end of the file, where so many rows are missing.
+    /// Returns the first word of the next row. Throws Error at the end of the file. `vertices` and `faces` are the
+    /// numbers of missing rows.
     std::string_view firstWord(std::uint64_t vertices, std::uint64_t faces) {
         const bool areLines = (vertices > 0 ? attempt_.vertices : attempt_.faces) == Rows::Lines;
         if (areLines && text_.isInLine() && !text_.word().empty())
@@ -192,7 +193,7 @@ private:
     TextStream text_;
     MemoryMesh mesh_;
     OffRowColors colors_;
-    std::map<std::uint64_t, std::uint64_t> badLines_; ///< lines of vertices that are not finite
+    std::map<std::uint64_t, std::uint64_t> badLines_; ///< line per vertex whose position is not finite
 };
 
 MemoryMesh readOffText(const InputFile& file, const OffHeader& header, Bytes memoryLimit) {

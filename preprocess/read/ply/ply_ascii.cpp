@@ -11,7 +11,7 @@ namespace gnomon::read {
 
 namespace {
 
-// Longer than any number that is printed with sense.
+// No sensible number is longer.
 constexpr std::size_t kLongestWord = 1000;
 
 bool isBlank(char c) {
@@ -42,7 +42,7 @@ bool AsciiValues::skipBlanks(bool acrossLines) {
 
 std::string_view AsciiValues::word() {
     if (!skipBlanks(true)) progress_.throwEndsEarly(where());
-    // Near the end of the file there is less; a word that ends the file needs no separator.
+    // Fewer bytes can remain at the end of the file. The last word needs no separator.
     stream_.fill(kLongestWord + 1);
     const auto* text = reinterpret_cast<const char*>(stream_.data());
     const std::size_t size = std::min(stream_.available(), kLongestWord + 1);

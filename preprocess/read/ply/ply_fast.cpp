@@ -27,7 +27,7 @@ Columns columnsOf(const PlyElement& element, const VertexLayout& layout) {
     return columns;
 }
 
-// The rows of one block in the file.
+// The bytes of the rows of one block.
 struct RawRows {
     const std::byte* bytes;
     std::size_t stride;
@@ -50,7 +50,7 @@ void decodeEither(const RawRows& rows, const Column& column, Store store) {
         decodeAs<T, false>(rows, column, store);
 }
 
-// Calls store(row, value) for the whole column; the type is decided once, outside the loop.
+// Calls store(row, value) for the whole column. The switch over the type is outside the loop.
 template <class Store>
 void decode(const RawRows& rows, const Column& column, Store store) {
     switch (column.type) {
@@ -80,7 +80,7 @@ void decodePositions(const RawRows& rows, const Columns& columns, std::span<glm:
         });
 }
 
-/// Returns the number of normals that are not finite, which become zero.
+/// Decodes normals. Sets normals that are not finite to zero, and returns their number.
 std::uint64_t decodeNormals(const RawRows& rows, const Columns& columns, std::span<glm::vec3> normals) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         decode(rows, columns[kNormal + axis], [&](std::size_t i, auto value) {
@@ -120,21 +120,21 @@ void decodeFields(
 }
 
 struct FaceLayout {
-    std::size_t before = 0; ///< bytes of the values before the list
-    std::size_t after = 0;  ///< and after it
+    std::size_t before = 0; ///< size of the values before the list
+    std::size_t after = 0;  ///< size of the values after the list
     PlyType countType = PlyType::Uint8;
     bool isSwapped = false;
 
     std::size_t triangleBytes() const { return before + byteSize(countType) + 3 * sizeof(std::uint32_t) + after; }
 };
 
-// A count at `bytes`; a negative one comes out larger than any list.
+// Returns the count at `bytes`. A negative count becomes larger than any list.
 template <PlyType kType>
 std::uint32_t loadCount(const std::byte* bytes, bool isSwapped) {
     return withValue(kType, bytes, isSwapped, [](auto value) { return static_cast<std::uint32_t>(value); });
 }
 
-// Copies triangles until a row is something else, the buffer is full or the bytes end. Returns how many.
+// Copies triangles until a row is not a valid triangle, the buffer is full, or the bytes end. Returns their number.
 template <PlyType kCountType, bool kIsSwapped>
 std::size_t copyTriangles(
     std::span<const std::byte> bytes,

@@ -15,7 +15,7 @@ namespace gnomon::read {
 
 namespace {
 
-// Far above any header in use; keeps a file without an end_header from being read whole.
+// Much longer than any real header. The limit avoids that a file without end_header is read completely.
 constexpr std::uint64_t kLargestHeader = 1U << 20U;
 
 constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
@@ -39,7 +39,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
 
 class HeaderParser {
 public:
-    /// The header begins behind `markBytes` of a byte order mark.
+    /// Parses the header in `text`, which begins after a byte order mark of `markBytes` bytes.
     HeaderParser(const InputFile& file, std::string_view text, std::size_t markBytes)
         : file_(file), text_(text), position_(markBytes) {}
 
@@ -60,7 +60,8 @@ public:
 private:
     [[noreturn]] void fail(const std::string& what) const { throw Error(atLine(file_.path(), line_), what); }
 
-    // The first line decides, since the body of a binary file may begin with a byte that looks like a line end.
+    // Only the first line determines the line end, because the body of a binary file can begin with a byte that looks
+    // like a line end.
     void findLineEnd() {
         if (!text_.substr(position_).starts_with("ply"))
             throw Error(atByte(file_.path(), 0), "not a PLY file: the first line is not \"ply\"");
@@ -76,7 +77,7 @@ private:
         ++line_;
         const std::size_t end = text_.find(header_.lineEnd, position_);
         if (end == std::string_view::npos) {
-            // An ascii file may end here, without a body; the counts are judged later.
+            // An ASCII file can end here, without a body. checkCounts checks the counts later.
             const std::string_view rest = text_.substr(position_);
             if (text_.size() < file_.size() || wordsOf(rest) != std::vector<std::string_view>{"end_header"})
                 throw Error(atByte(file_.path(), text_.size()), "the header has no end_header");
@@ -142,9 +143,9 @@ private:
     PlyHeader header_;
 };
 
-// No count is believed that the bytes of the file cannot hold.
+// Throws Error if the file is too short for the counts of the header.
 void checkCounts(const InputFile& file, const PlyHeader& header) {
-    // The last value of an ascii file needs no separator.
+    // The last value of an ASCII file needs no separator.
     std::uint64_t left = file.size() - header.bodyOffset + (header.format == PlyFormat::Ascii ? 1 : 0);
     for (const PlyElement& element : header.elements) {
         const std::uint64_t row = element.leastRowBytes(header.format);

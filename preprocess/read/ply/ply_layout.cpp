@@ -59,7 +59,7 @@ ColorRule colorRuleOf(const PlyElement& element, const ColorLayout& colors, cons
     };
     ColorRule rule;
     const double max = std::max({maxima[0], maxima[1], maxima[2]});
-    for (std::size_t channel = 0; channel < 3; ++channel) // one range if they have one type, as they always do
+    for (std::size_t channel = 0; channel < 3; ++channel) // channels of the same type, which is usual, share one range
         rule.full[channel] = fullOf(channel, propertyOf(channel).type == propertyOf(0).type ? max : maxima[channel]);
     const bool hasAlpha = colors[3] >= 0;
     if (hasAlpha) rule.full[3] = fullOf(3, maxima[3]);

@@ -12,7 +12,8 @@ PlyRanges::PlyRanges(const InputFile& file, const PlyHeader& header, std::size_t
     findFixedRows();
 }
 
-// Rows of one width each lie where their numbers say, and all do if the file is as long as they come to.
+// Sets the index if all rows have a fixed length and if the size of the file equals their total size. All faces are
+// then triangles.
 void PlyRanges::findFixedRows() {
     if (header_.format == PlyFormat::Ascii) return;
     RowIndex::Part index;
@@ -102,7 +103,7 @@ void PlyRanges::takeIndex(const RowIndex::Part& index) {
     const auto isOf = [&](const std::vector<RowIndex::Place>& places, const Rows& rows) {
         const std::uint64_t strides = (rows.element.count + RowIndex::kRows - 1) / RowIndex::kRows;
         const std::uint64_t last =
-            file_.size() - rows.bytes * rows.element.count; // the header was held against the size
+            file_.size() - rows.bytes * rows.element.count; // the header was checked against the size
         return places.size() == (rows.bytes > 0 ? std::min<std::uint64_t>(strides, 1) : strides) &&
                std::ranges::all_of(places, [&](const RowIndex::Place& place) { return place.offset <= last; });
     };
@@ -153,7 +154,7 @@ void PlyRanges::readVertices(
 bool PlyRanges::readFaces(
     std::uint64_t begin, std::uint64_t end, std::uint64_t vertexCount, const TriangleSink& sink) const {
     bool isRegular = true;
-    bool isInSink = false; // whose errors are its own
+    bool isInSink = false; // errors of the sink are passed on
     const TriangleSink take = [&](const TriangleBlock& block) {
         isRegular = isRegular && !(areTriangles_ && (!block.polygons.empty() || block.notAPolygon > 0));
         if (!isRegular) return;

@@ -41,10 +41,10 @@ public:
 
     const MeshSummary& summary() const override { return summary_; }
 
-    /// Whether all triangles are faces with colours, and no vertex has any.
+    /// Returns whether all triangles are faces with colours and no vertex has a colour.
     bool hasFaceColors() const { return faceColors_.has_value(); }
 
-    /// The same mesh in memory, with the colours of its faces. Throws Error if it takes more than `memoryLimit`.
+    /// Returns the mesh in memory with the colours of its faces. Throws Error if this needs more than `memoryLimit`.
     std::unique_ptr<MeshSource> withFaceColors(Bytes memoryLimit) {
         FaceColorSplitter splitter(summary_.path, memoryLimit, summary_.fields);
         readVertices([&](const VertexBlock& block) { splitter.addVertices(block); });
@@ -153,7 +153,7 @@ private:
         if (!remark.empty()) remarks.push_back(summary_.path + ": " + remark);
     }
 
-    /// Reads the colours of all vertices where their range depends on their maxima.
+    /// Finds the range of the vertex colours. Reads all vertices if the range depends on the maxima.
     void findRangeOfVertexColors() {
         const PlyElement& element = header_.elements[vertices_];
         const ColorLayout colors = *colorLayoutOf(element);
@@ -192,7 +192,7 @@ private:
         return maxima;
     }
 
-    /// Looks at the first vertices of a text whose coordinates are of type float.
+    /// Adds a remark if float coordinates of the first vertices of an ASCII file have too many digits.
     void warnOfDigits() {
         if (header_.format != PlyFormat::Ascii) return;
         const auto warn = [&](auto values) {
@@ -216,7 +216,8 @@ private:
         }
     }
 
-    // The bytes of a binary file that no row must have are corners, where there is but one list.
+    // Estimates the number of triangles. If a binary file has only one list, all bytes above the min size of the
+    // rows are corners.
     std::uint64_t likelyTriangles() const {
         const std::uint64_t ofStrips = summary_.stripCount > 0 ? 2 * summary_.vertexCount : 0;
         std::uint64_t left = summary_.fileBytes - header_.bodyOffset;
@@ -239,7 +240,8 @@ private:
         return {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors, .fieldCount = layout_.fields.size()};
     }
 
-    // Calls `body` with values that stand at element `begin`; where that is, is found once by reading up to it.
+    // Calls `body` with values at the start of element `begin`. If this position is unknown, reads up to it once and
+    // stores it.
     template <class Body>
     void pass(Body body, std::size_t begin) {
         std::size_t known = begin;
@@ -278,7 +280,7 @@ private:
         out.flush();
     }
 
-    // Reads to the end of the file, so that a pass that ends well has seen every count proved.
+    // Reads to the end of the file, so that a complete pass has checked all counts.
     template <class Values>
     void trianglePass(Values& values, const TriangleSink& sink) {
         TriangleBuffer out(sink);
@@ -306,10 +308,10 @@ private:
     VertexLayout layout_;
     MeshSummary summary_;
     std::optional<ColorLayout> faceColors_;
-    std::size_t vertices_ = header_.elements.size();   ///< the vertex element
-    std::size_t firstFaces_ = header_.elements.size(); ///< the first element with triangles
-    std::optional<PlyRanges> ranges_;                  ///< where all triangles are of one element
-    std::vector<std::optional<PlyPlace>> starts_;      ///< of each element, where known; one more for the end
+    std::size_t vertices_ = header_.elements.size();   ///< index of the vertex element
+    std::size_t firstFaces_ = header_.elements.size(); ///< index of the first element with triangles
+    std::optional<PlyRanges> ranges_;                  ///< set if all triangles are in one element
+    std::vector<std::optional<PlyPlace>> starts_;      ///< start of each element if known, and of the end
 };
 
 } // namespace

@@ -12,7 +12,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns whether `word` is the lower-case `keyword`, in any case.
+/// Returns whether `word` is `keyword`, which is in lower case. Ignores the case of `word`.
 bool isKeyword(std::string_view word, std::string_view keyword) {
     return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char a, char b) {
         return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b;
@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    /// Takes the statement that begins with `word`. Returns a word that it has read and not used, empty for none.
+    /// Reads the statement that begins with `word`. Returns a word that it has read but not used, or an empty word.
     std::string_view statement(std::string_view word) {
         if (isKeyword(word, "vertex")) return vertex();
         if (cornerCount_ < 3) throw Error(text_.where(), "bad loop", "three vertices", quotedForMessage(word));
@@ -61,7 +61,8 @@ private:
         return {};
     }
 
-    /// Passes over a name, up to the end of the line or to what cannot be part of it, in a file of one line.
+    /// Skips the name of a solid up to the end of the line. In a file of one line, also stops at words that cannot be
+    /// part of a name. Returns a word that is not used, or an empty word.
     std::string_view restOfName() {
         bool isAfterFacet = false;
         for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
@@ -75,7 +76,8 @@ private:
         return {};
     }
 
-    /// Reads numbers until `values` are full, or up to another word, which is returned.
+    /// Reads numbers into `values`. Stops at a word that is not a number and returns it; otherwise returns an empty
+    /// word.
     template <class Vector>
     std::string_view numbers(Vector& values) {
         for (int i = 0; i < Vector::length(); ++i) {
@@ -111,8 +113,8 @@ private:
     TextStream text_;
     StlFacets facets_;
     std::array<glm::dvec3, 3> corners_{};
-    std::size_t cornerCount_ = 3; ///< of the loop in hand; 3: no loop is open
-    glm::dvec3 normal_{0};        ///< of the facet in hand
+    std::size_t cornerCount_ = 3; ///< number of corners of the current loop; 3: no loop is open
+    glm::dvec3 normal_{0};        ///< normal of the current facet
     std::uint64_t colors_ = 0;
     bool isInSolid_ = false;
 };

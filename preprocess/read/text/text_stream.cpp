@@ -26,7 +26,8 @@ constexpr EndsWord endsWordTable(bool hasComments) {
 constexpr EndsWord kEndsWord = endsWordTable(false);
 constexpr EndsWord kEndsWordOrBeginsComment = endsWordTable(true);
 
-/// Returns whether `bytes` look like text of units of `width` bytes, of which byte `significant` alone is not zero.
+/// Returns whether `bytes` look like ASCII text in units of `width` bytes, of which only byte `significant` is not
+/// zero.
 bool areWide(std::span<const std::byte> bytes, std::size_t width, std::size_t significant) {
     constexpr std::size_t kUnits = 4;
     if (bytes.size() < width * kUnits) return false;
@@ -75,8 +76,8 @@ std::string TextStream::where() const {
     return atLine(stream_.path(), line_);
 }
 
-/// Gives the window more than the longest word from the current place on, if the file has so much. False at the end of
-/// the file.
+/// Reads until the window has more than kLongestWord bytes from the current position, or the end of the file. Returns
+/// false if the current position is the end of the file.
 bool TextStream::refill() {
     stream_.consume(static_cast<std::size_t>(at_ - begin_));
     stream_.fill(kLongestWord + 1);
@@ -86,7 +87,7 @@ bool TextStream::refill() {
     return at_ != end_;
 }
 
-/// Goes to the next word of the line. False at the end of the line.
+/// Skips blanks up to the next word of the current line. Returns false at the end of the line.
 bool TextStream::skipBlanks() {
     if (isBehindLine_) return false;
     while (true) {
@@ -117,7 +118,7 @@ std::string_view TextStream::wordOfAnyLine() {
     return {};
 }
 
-/// Returns `word`, which ends with a backslash: without it if a line ends here, which the next line continues.
+/// Returns `word`, which ends with a backslash. If the line ends here, removes the backslash and goes to the next line.
 std::string_view TextStream::continued(std::string_view word) {
     held_ = word;
     if (skipBlanks()) return held_;
@@ -126,7 +127,7 @@ std::string_view TextStream::continued(std::string_view word) {
     return held_;
 }
 
-/// Goes from the end of the line in hand to the next line, which continues it.
+/// Goes from the end of the current line to the next line, which continues it.
 void TextStream::joinNextLine() {
     if (at_ != end_) ++at_;
     if (at_ == end_ && !refill()) throw Error(where(), "the file ends inside a continued line");
@@ -180,7 +181,8 @@ bool TextStream::nextLine() {
     return true;
 }
 
-/// Finds out whether the line that begins here can be read in the window as it is.
+/// Sets `plainEnd_` to the end of the current line if the whole line is in the window and has no comment and no
+/// continuation. Its words can then be read without a copy.
 void TextStream::findPlainEnd() {
     const auto* const found =
         static_cast<const char*>(std::memchr(at_, lineEnd_, static_cast<std::size_t>(end_ - at_)));
@@ -216,7 +218,7 @@ double TextStream::numberOf(std::string_view word) const {
     return *value;
 }
 
-/// Appends the bytes of the line in hand from the current place to its end.
+/// Appends the bytes from the current position to the end of the line.
 void TextStream::appendLine(std::string& text) {
     while (at_ != end_ || refill()) {
         const auto* const found =
@@ -232,7 +234,7 @@ void TextStream::appendLine(std::string& text) {
 
 std::string TextStream::rest() {
     std::string text;
-    plainEnd_ = nullptr; // a line is as well read in the other way
+    plainEnd_ = nullptr; // a plain line can also be read by the general path
     while (skipBlanks()) {
         appendLine(text);
         while (!text.empty() && isBlank(text.back()))

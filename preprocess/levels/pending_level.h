@@ -23,8 +23,8 @@ struct ClusterPlace {
     std::uint32_t bytes = 0; // size of its record
 };
 
-/// An encoded pending level: the places of its clusters, one record per cluster in the same order, and the border
-/// positions of the part.
+/// A PendingLevel in bytes: first the ClusterPlace of each cluster, then one record per cluster in the same order, then
+/// the border positions of the part of the model.
 struct EncodedPendingLevel {
     std::vector<std::byte> bytes;
     std::uint64_t clusters = 0;

@@ -102,7 +102,7 @@ private:
             const double half = up > 0 ? s.high : -s.low;
             return dvec3(s.width * cosTurns(v), up * half, s.z);
         });
-        // The canopy, a bubble in the back, and the radiator below.
+        // The first skin is the bubble canopy. The second skin is the radiator below the fuselage.
         addSkin(parts_, steps(26, 4), steps(24, 6), [](double u, double v) {
             const double r = std::sqrt(std::max(0.004, 1 - (2 * u - 1) * (2 * u - 1)));
             return dvec3(0.33 * r * cosTurns(v), 0.58 + 0.46 * r * sinTurns(v), -1.4 + 2.5 * u);

@@ -56,7 +56,7 @@ public:
     /// Adds `count` to the number of appended normals that are not finite.
     void countBadNormals(std::uint64_t count) { badNormals_ += count; }
 
-    /// Hands on what is left.
+    /// Passes the remaining rows to the sink.
     void flush();
 
 private:
@@ -94,7 +94,7 @@ public:
         if (size_ >= kBlockRows) flush();
     }
 
-    /// Hands on what is left.
+    /// Passes the remaining triangles to the sink.
     void flush();
 
     /// Returns the source index of the next triangle.

@@ -228,7 +228,8 @@ private:
         largest = std::max(largest, distance);
     }
 
-    /// Returns the corners and several points of each triangle that replaces one of a few random groups.
+    /// Chooses a few random groups and returns sample points on the triangles of the cut that were simplified from
+    /// them: the corners and several points inside each triangle.
     std::vector<Sample> denseSamples(const UniformCut& cut) {
         std::map<std::uint32_t, std::vector<const UniformCut::Part*>> byGroup;
         for (const UniformCut::Part& part : cut.parts)

@@ -18,7 +18,8 @@ exact::Corners cornersOf(
     exact::Corners corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const hierarchy::GridPoint& p = vertices[triangle[k]].position;
-        // Differences in 32 bits are also correct for positions outside the grid.
+        // The coordinates are unsigned. The subtraction wraps modulo 2^32, and the cast gives the correct signed
+        // difference, also for positions outside the grid.
         corners[k] = glm::ivec3(
             static_cast<std::int32_t>(p.x - origin.x),
             static_cast<std::int32_t>(p.y - origin.y),

@@ -305,9 +305,8 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
         work.maps[i] = 0;
         if (undecided.sliceEnds.size() < 2) continue;
         const auto end = std::lower_bound(undecided.sliceEnds.begin(), undecided.sliceEnds.end(), batch.depth[i]);
-        work.maps[i] =
-            // The index can be one past the last slice, which the sample list handles.
-            static_cast<std::int32_t>(end - undecided.sliceEnds.begin());
+        // A depth behind the last slice gives one index too many. SampleList clamps the index to the last map.
+        work.maps[i] = static_cast<std::int32_t>(end - undecided.sliceEnds.begin());
     }
     exact::PointBatch points;
     points.count = batch.count;

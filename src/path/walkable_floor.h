@@ -53,7 +53,8 @@ public:
     /// Returns true if the body keeps its radius at `cell`.
     bool isWalkable(std::uint32_t cell) const { return cells_[cell].clearance >= bodyClearance_; }
 
-    /// Returns true if the cell has a ceiling at most as high as a high hall.
+    /// Returns true if a ceiling is less than 8 eye heights above the floor of the cell. A higher ceiling counts as
+    /// sky.
     bool isInside(std::uint32_t cell) const;
 
     /// Returns the centre of a cell at floor height, in world space.

@@ -10,7 +10,8 @@ namespace gnomon::raster {
 /// kTilePixels elements; row r begins at r * kTileStride. Returns the number of covered pixels, summed over triangles.
 std::uint64_t drawDepthTile(const TileWork& work, float* depths);
 
-/// Draws the triangles of `work` into `depths` for a pass with the uneven `rows`.
+/// Draws the triangles of `work` into the tile `depths` of a logarithmic map, whose row positions are `rows`. Keeps the
+/// smaller depth per pixel. Returns the number of covered pixels, summed over triangles.
 std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, float* depths);
 
 /// Draws the triangles of `work` into the visibility tile `words` and keeps the larger word per pixel. With `farthest`,

@@ -17,7 +17,8 @@
 
 namespace gnomon::streaming {
 
-/// A damaged page. Cuts draw its parents in its place.
+/// A page that the store could not load: it is damaged or unreadable, or memory was not available. Cuts draw the
+/// coarser pages above it instead.
 struct DamagedPage {
     std::uint32_t page = 0;
     std::string reason;     // one line, with path and byte offset

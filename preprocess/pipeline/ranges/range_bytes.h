@@ -49,7 +49,8 @@ struct VertexMeasure {
     Blocks positions;             // that were asked for
 };
 
-/// The facts about a source after its measurement.
+/// The grid of a source and the max used grid coordinate per axis (`furthest`). The measurement of its vertices finds
+/// both.
 struct SortFacts {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest;

@@ -18,7 +18,7 @@ public:
         Progress& progress)
         : ranges_(source, scratch, progress), options_(options), scratch_(scratch), progress_(progress) {}
 
-    /// Sets the facts for tasks of chunks and nodes. No task may run at the same time.
+    /// Sets the grid and the vertex format that tasks of chunks and nodes use. No task may run during the call.
     void tell(const TaskFacts& facts) { facts_ = facts; }
 
     /// Returns the peak size of the per-vertex tables of all concurrent tasks, in bytes.

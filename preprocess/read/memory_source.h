@@ -20,8 +20,8 @@ struct MemoryMesh {
     std::vector<std::string> fieldNames{};                    ///< as in MeshSummary
     std::vector<double> fields{};                             ///< values of all vertices, as in VertexBlock
     std::vector<std::string> remarks{};                       ///< as in MeshSummary
-    std::uint64_t notAPolygon =
-        0; ///< faces that the reader skipped, in addition to faces with fewer than 3 corners in faceSizes
+    /// Faces that the reader skipped, in addition to faces with fewer than 3 corners in faceSizes.
+    std::uint64_t notAPolygon = 0;
 };
 
 /// Returns the memory of an array in bytes.

@@ -33,29 +33,29 @@ struct MeshSummary {
     std::uint64_t likelyTriangles = 0; ///< estimated number of triangles of all faces and strips
     bool hasNormals = false;
     bool hasColors = false;
-    bool isDouble = false;                 ///< positions need double precision
-    bool hasRanges = false;                ///< the rows can be read in any order, see MeshSource::indexRows
-    std::vector<std::string> fields;       ///< names of the scalar vertex properties that are read
-    std::uint64_t heldBytes = 0;           ///< memory that the source uses during its lifetime
-    std::vector<std::string> filesBesides; ///< other files that were read because an input refers to them: buffers,
-                                           ///< images, material libraries
+    bool isDouble = false;           ///< positions need double precision
+    bool hasRanges = false;          ///< the rows can be read in any order, see MeshSource::indexRows
+    std::vector<std::string> fields; ///< names of the scalar vertex properties that are read
+    std::uint64_t heldBytes = 0;     ///< memory that the source uses during its lifetime
+    /// Other files that were read because an input refers to them: buffers, images, material libraries.
+    std::vector<std::string> filesBesides;
     std::map<std::string, std::uint64_t> attributesDropped; ///< data of the input that is not read: name and count
     std::vector<Camera> cameras; ///< cameras of the input's scene; all have the same projection
-    std::vector<std::string>
-        remarks; ///< notes on ambiguous inputs and how they were read; one line each, beginning with the path
-    std::optional<double>
-        texelsPerEdge; ///< mean number of texels per triangle edge, if textures were sampled at the vertices only
+    /// Notes on ambiguous inputs and how they were read; one line each, beginning with the path.
+    std::vector<std::string> remarks;
+    /// Mean number of texels per triangle edge, if textures were sampled at the vertices only.
+    std::optional<double> texelsPerEdge;
 };
 
 /// A block of consecutive vertices. It is valid only during the call of the sink.
 struct VertexBlock {
     std::uint64_t firstVertex = 0;
-    std::span<const glm::dvec3>
-        positions; ///< finite for each vertex that a triangle uses; otherwise the builder rejects the source
+    /// Finite for each vertex that a triangle uses; otherwise the builder rejects the source.
+    std::span<const glm::dvec3> positions;
     std::span<const glm::vec3> normals;    ///< as stored; zero if not finite; empty if the input has no normals
     std::span<const std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if the input has no colours
-    std::span<const double>
-        fields;                   ///< one value per vertex and name in MeshSummary::fields, vertex by vertex, as stored
+    /// One value per vertex and name in MeshSummary::fields, vertex by vertex, as stored.
+    std::span<const double> fields;
     std::uint64_t badNormals = 0; ///< number of non-finite normals in this block, if the summary does not count them
 };
 
@@ -81,8 +81,8 @@ struct TriangleBlock {
     std::uint64_t firstTriangle = 0; ///< source index of triangles[0]
     std::span<const TriangleCorners> triangles;
     std::span<const PolygonRun> polygons; ///< in ascending order of `first`
-    std::uint64_t notAPolygon =
-        0; ///< number of faces in this block that have fewer than three corners, so no triangles
+    /// Number of faces in this block that have fewer than three corners, so no triangles.
+    std::uint64_t notAPolygon = 0;
 
     /// Calls `use` for each face with its triangles: one triangle, or the fan of a polygon.
     template <class Use>
@@ -213,8 +213,8 @@ inline void requireFaces(const MeshSummary& summary) {
 
 /// Returns whether all three coordinates are finite.
 inline bool isFinite(const glm::dvec3& position) {
-    return position.x * 0 + position.y * 0 + position.z * 0 ==
-           0; // a finite number times 0 is 0, else the product is NaN
+    // A finite number times 0 is 0, else the product is NaN.
+    return position.x * 0 + position.y * 0 + position.z * 0 == 0;
 }
 
 /// Throws Error if the position of a vertex that a triangle uses is not finite. Other vertices can have any position:

@@ -14,8 +14,8 @@ struct JpegHeader {
     std::uint64_t height = 0;
     int components = 0;
     bool isAdobe = false; ///< it has the marker of Adobe's programs, which store CMYK inverted
-    std::uint64_t coefficientBytes =
-        0; ///< memory for the coefficients of the whole image; 0 if the decoder needs only rows
+    /// Memory for the coefficients of the whole image; 0 if the decoder needs only rows.
+    std::uint64_t coefficientBytes = 0;
     std::uint64_t scans = 0;
 };
 

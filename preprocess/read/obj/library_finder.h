@@ -42,8 +42,8 @@ private:
     std::string folder_;
     SourceRoot root_;
     std::unordered_map<std::string, std::string> files_; ///< file per name; empty if there is none
-    std::map<std::string, std::map<std::string, std::string>>
-        listings_; ///< per folder: file names by their lower-case names
+    /// Per folder: file names by their lower-case names.
+    std::map<std::string, std::map<std::string, std::string>> listings_;
     std::size_t searches_ = 0;
     std::string remark_;
 };

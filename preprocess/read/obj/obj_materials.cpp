@@ -67,8 +67,8 @@ void ObjMaterials::readLibrary(const std::string& file) {
             const std::string_view part = trimmed(std::string_view(text).substr(begin, end - begin));
             line += part;
             begin = end + 1;
-            isContinued =
-                part.ends_with('\\') && part.find('#') == std::string_view::npos; // the same rule as in an OBJ
+            // The same rule as in an OBJ.
+            isContinued = part.ends_with('\\') && part.find('#') == std::string_view::npos;
             if (isContinued) line.back() = ' ';
         }
         const std::vector<std::string_view> words = wordsOf(line);

@@ -26,8 +26,8 @@ double lastDigitOf(std::string_view text) {
 bool losesDigits(std::string_view text) {
     const double value = numberIn(text).value_or(0);
     const double rounding = std::abs(static_cast<double>(static_cast<float>(value)) - value);
-    constexpr double kHalf =
-        0.5001; // a float that is printed with these digits differs by at most half of the last digit
+    // A float that is printed with these digits differs by at most half of the last digit.
+    constexpr double kHalf = 0.5001;
     const bool isTiny = std::abs(value) < static_cast<double>(std::numeric_limits<float>::min());
     return !isTiny && rounding > 0 && std::isfinite(rounding) && rounding > kHalf * lastDigitOf(text);
 }

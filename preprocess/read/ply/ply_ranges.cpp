@@ -102,8 +102,8 @@ std::uint64_t PlyRanges::passOver(Values& values, const PlyElement& element, int
 void PlyRanges::takeIndex(const RowIndex::Part& index) {
     const auto isOf = [&](const std::vector<RowIndex::Place>& places, const Rows& rows) {
         const std::uint64_t strides = (rows.element.count + RowIndex::kRows - 1) / RowIndex::kRows;
-        const std::uint64_t last =
-            file_.size() - rows.bytes * rows.element.count; // the header was checked against the size
+        // The header was checked against the size.
+        const std::uint64_t last = file_.size() - rows.bytes * rows.element.count;
         return places.size() == (rows.bytes > 0 ? std::min<std::uint64_t>(strides, 1) : strides) &&
                std::ranges::all_of(places, [&](const RowIndex::Place& place) { return place.offset <= last; });
     };

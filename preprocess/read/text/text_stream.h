@@ -99,8 +99,7 @@ private:
     const char* begin_ = nullptr; // start of the window
     const char* at_ = nullptr;
     const char* end_ = nullptr;
-    const char* plainEnd_ = nullptr; // end of the current line if the whole line is in the window, without comments and
-                                     // continuation; else null
+    const char* plainEnd_ = nullptr; // see findPlainEnd; null if the line is not plain
     bool isLast_ = false;            // the window contains the end of the file
     bool isBehindLine_ = true;       // the current line and its line end are consumed
     std::uint64_t line_ = 0;

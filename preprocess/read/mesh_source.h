@@ -43,7 +43,7 @@ struct MeshSummary {
     std::vector<Camera> cameras; ///< cameras of the input's scene; all have the same projection
     /// Notes on ambiguous inputs and how they were read; one line each, beginning with the path.
     std::vector<std::string> remarks;
-    /// Mean number of texels per triangle edge, if textures were sampled at the vertices only.
+    /// Mean number of texels per triangle edge, if textures were sampled at the vertices. Detail between them is lost.
     std::optional<double> texelsPerEdge;
 };
 

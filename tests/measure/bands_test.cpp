@@ -56,7 +56,7 @@ TEST(Bands, CoverAPictureInWholeStripes) {
         options.rows = band;
         EXPECT_LT(
             frame::pictureBytes(view, quality, options).count,
-            memory.count / 4 + 5U * 7680 * 4320 + mebibytes(32).count);
+            memory.count / 4 + std::uint64_t{5} * 7680 * 4320 + mebibytes(32).count);
     }
     EXPECT_EQ(next, view.height);
 }

@@ -144,7 +144,7 @@ TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     for (const char* const version : {"1.0", "3.0", "20.0", "", "two"})
         holds(
             messageOf(R"({"asset":{"version":")" + std::string(version) + R"("}})"),
-            "not glTF 2.0: expected \"2.0\" as the version of the asset, found \"");
+            R"(not glTF 2.0: expected "2.0" as the version of the asset, found ")");
     holds(messageOf(R"({"asset":{}})"), "not glTF 2.0: expected \"2.0\" as the version");
     holds(messageOf("{}"), "not glTF 2.0: expected \"2.0\" as the version");
     holds(

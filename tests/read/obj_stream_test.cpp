@@ -196,16 +196,20 @@ private:
         }
     }
 
+    static bool isPolygonOf(const Face& face) {
+        std::set<std::int64_t> different;
+        for (const auto& corner : face.corners)
+            different.insert(corner[0]);
+        return different.size() > 2;
+    }
+
     bool resolve() {
         const std::optional<double> most = largestChannel();
         const bool isColored = most.has_value();
         const bool hasFaceColors = !isColored && hasUsedColor_;
         std::map<std::int64_t, glm::vec3> others; // normals of vertices besides the first ones, until the next polygon
         for (const Face& face : faces_) {
-            std::set<std::int64_t> different;
-            for (const auto& corner : face.corners)
-                different.insert(corner[0]);
-            const bool isPolygon = different.size() > 2;
+            const bool isPolygon = isPolygonOf(face);
             if (!areCornersThere(face, isPolygon)) return false;
             takeNormals(face, others);
             if (!isPolygon) {

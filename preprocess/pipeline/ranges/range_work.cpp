@@ -187,6 +187,21 @@ Blocks RangeWork::countCells(const CellsInput& input) const {
     return posted(counts.openWeights());
 }
 
+namespace {
+
+/// Appends the chunk numbers of vertices to `scratch`, one block for each page of kPageVertices.
+template <class Number>
+std::vector<scratch::Block> storedPages(const std::vector<Number>& numbers, scratch::ScratchFile& scratch) {
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(numbers));
+    const std::uint64_t pageBytes = kPageVertices * sizeof(Number);
+    std::vector<scratch::Block> pages;
+    for (std::uint64_t at = 0; at < bytes.size(); at += pageBytes)
+        pages.push_back(scratch.append(bytes.subspan(at, std::min(pageBytes, bytes.size() - at))));
+    return pages;
+}
+
+} // namespace
+
 BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
     const RowRange& range = input.vertices;
     useIndex(range.index);
@@ -224,10 +239,7 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
     });
     store.flush();
     collect(store, writer, binned);
-    const auto numbers = isWide ? std::as_bytes(std::span(wide)) : std::as_bytes(std::span(narrow));
-    const std::uint64_t pageBytes = kPageVertices * (isWide ? sizeof(wide[0]) : sizeof(narrow[0]));
-    for (std::uint64_t at = 0; at < numbers.size(); at += pageBytes)
-        binned.chunks.push_back(scratch_.append(numbers.subspan(at, std::min(pageBytes, numbers.size() - at))));
+    binned.chunks = isWide ? storedPages(wide, scratch_) : storedPages(narrow, scratch_);
     return binned;
 }
 

@@ -117,8 +117,8 @@ private:
         summary_.likelyTriangles = counts_.triangles;
         summary_.attributesDropped = std::move(survey_.attributesDropped);
         summary_.attributesDropped.merge(materials_.leftOut());
-        for (const auto& [keyword, lines] : survey_.unknownKeywords)
-            summary_.attributesDropped["lines of the unknown keyword " + keyword] = lines;
+        for (const auto& [keyword, count] : survey_.unknownKeywords)
+            summary_.attributesDropped["lines of the unknown keyword " + keyword] = count;
         if (badNormals > 0) summary_.attributesDropped[kBadNormals] = badNormals;
         if (materials_.hasColors() && !counts_.hasFaceColors)
             summary_.attributesDropped["colours of materials, beside those of vertices"] = counts_.faces;

@@ -28,6 +28,7 @@ class Row:
     says: tuple = ()  # patterns of which the messages and the report match each
     triangles: int | None = None
     colors: tuple | None = None  # of the vertices with x below 1.5, and of the others
+    palette: frozenset | None = None  # the colours that the vertices have
     box: tuple | None = None  # extents along x, y and z
     hash_of: str | None = None  # the file whose content hash it must have
     up: str | None = None
@@ -49,8 +50,8 @@ ROWS = (
       ("a_off_glued/g.off", "b_off_comment_first/c.off", "c_off_two_counts/t.off", "d_off_wrapped/w.off")),
     Row("05e_off_colours_unnamed/v.off", triangles=2, colors=(RED, RED)),
     Row("06_stl_one_line/o.stl", triangles=1, box=(1, 1, 0)),
-    Row("07_stl_colours/magics.stl", triangles=2, says=("|",)),
-    Row("07_stl_colours/viscam.stl", triangles=2, says=("|",)),
+    Row("07_stl_colours/magics.stl", triangles=2, palette=frozenset((RED, GREEN))),
+    Row("07_stl_colours/viscam.stl", triangles=2, palette=frozenset((RED, GREEN))),
     Row("08_specular_glossiness/s.gltf", triangles=12, colors=(RED, RED)),
     Row("10_rotation_not_unit/r.gltf", triangles=12, box=(1, 1, 1)),
     Row("10_rotation_not_unit/byte.gltf", triangles=12, box=(1.70191, 1.40649, 1.65464)),
@@ -97,6 +98,8 @@ class Replay(ReplayTest):
             bounds = self.info(model)["bounds"]
             for low, high, extent in zip(bounds["min"], bounds["max"], row.box):
                 self.assertAlmostEqual(high - low, extent, delta=2e-3 * max(row.box))
+        if row.palette:
+            self.assertEqual({color for _, color in self.vertices(model)}, row.palette)
         if row.colors:
             for position, color in self.vertices(model):
                 self.assertEqual(color, row.colors[position[0] > 1.5], position)
@@ -214,6 +217,7 @@ class Replay(ReplayTest):
         code, _, err, _, _ = self.measured(
             GNOMON, "render", self.sundial, "-o", picture, "--size", "32x32", "--backend", "egl", env=environment)
         self.assertEqual(code, 0, err)
+        self.assertIn("the GPU that works", err, "the shim's own line")
 
 
 if __name__ == "__main__":

@@ -21,9 +21,9 @@ namespace {
 constexpr double kPlaneTolerance = 1.5;
 constexpr double kLeastWidth = 0.5;          // grid steps; min width of a relevant part
 constexpr double kParallel = 0.99;           // min cosine between the normals of coplanar faces
-constexpr std::size_t kMostCovering = 256;   // max covering triangles per triangle
+constexpr std::size_t kMaxCovering = 256;    // max covering triangles per triangle
 constexpr std::uint32_t kMostTested = 16384; // max tested boxes per triangle
-constexpr std::size_t kMostParts = 128;      // max parts of a triangle
+constexpr std::size_t kMaxParts = 128;       // max parts of a triangle
 
 using Polygon = std::vector<glm::dvec3>; // convex
 
@@ -140,12 +140,12 @@ public:
         std::uint32_t tested = 0;
         if (!(face.area > 0)) return found;
         tree_.forEachOther(box, colors_[place], [&](std::uint32_t other) {
-            if (other >= place || ++tested > kMostTested || found.size() > kMostCovering) return;
+            if (other >= place || ++tested > kMostTested || found.size() > kMaxCovering) return;
             if (simplify::colorDifference(colors_[place], colors_[other]) <= simplify::kUnseenDifference) return;
             const std::uint32_t triangle = triangles_[other];
             if (overlap(mesh_, face, mesh_.triangles[triangle])) found.push_back(triangle);
         });
-        if (tested > kMostTested || found.size() > kMostCovering) return {};
+        if (tested > kMostTested || found.size() > kMaxCovering) return {};
         std::sort(found.begin(), found.end());
         return found;
     }
@@ -391,7 +391,7 @@ std::optional<std::vector<Polygon>> partsOf(
         if (facesIt && open == 0) continue;
         unseenParts = uncovered(unseenParts, cover);
         if (!facesIt || open == 2) parts = uncovered(parts, cover);
-        if (std::max(parts.size(), unseenParts.size()) > kMostParts) return std::nullopt;
+        if (std::max(parts.size(), unseenParts.size()) > kMaxParts) return std::nullopt;
     }
     if (unseenParts.empty()) return unseenParts;
     if (parts == whole) return std::nullopt;

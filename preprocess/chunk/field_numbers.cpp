@@ -26,11 +26,11 @@ void add(
 } // namespace
 
 std::vector<hierarchy::Field> unmeasuredFields(const read::MeshSummary& source) {
-    if (source.fields.size() > hierarchy::kMostFields)
+    if (source.fields.size() > hierarchy::kMaxFields)
         throw Error(
             source.path,
             "too many fields",
-            "at most " + std::to_string(hierarchy::kMostFields),
+            "at most " + std::to_string(hierarchy::kMaxFields),
             std::to_string(source.fields.size()));
     std::vector<hierarchy::Field> fields;
     const hierarchy::FieldLayout layout = hierarchy::FieldLayout::of(source.fields.size());

@@ -13,11 +13,11 @@ namespace gnomon::chunk {
 
 /// Returns the fields of `source` with their ranges over the used vertices, which have a `valence` above 0. It makes
 /// one pass over the vertices if there are fields. Throws Error for a value or a range that is not finite, and for more
-/// than hierarchy::kMostFields fields.
+/// than hierarchy::kMaxFields fields.
 std::vector<hierarchy::Field> measuredFields(
     read::MeshSource& source, const VertexTable<std::uint8_t>& valence, Progress& progress);
 
-/// Returns the fields of `source` without ranges. Throws Error for more than hierarchy::kMostFields fields.
+/// Returns the fields of `source` without ranges. Throws Error for more than hierarchy::kMaxFields fields.
 std::vector<hierarchy::Field> unmeasuredFields(const read::MeshSummary& source);
 
 /// Extends the ranges of `fields` by the used vertices of a block. Throws Error for a value that is not finite.

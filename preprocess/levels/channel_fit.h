@@ -21,7 +21,7 @@ struct TransferredWord {
 /// must outlive it.
 class ChannelFit {
 public:
-    using Channels = std::array<float, hierarchy::kMostFields>;
+    using Channels = std::array<float, hierarchy::kMaxFields>;
 
     /// Prepares the fit. `words` are the packed attributes of the patch's vertices, and `layout` describes their
     /// channels.

@@ -64,7 +64,7 @@ Bytes MemoryNeeds::routing(std::uint64_t bytes, std::uint64_t vertices) {
     return {2 * bytes + vertices * kRoutingBytesPerVertex};
 }
 
-Bytes MemoryNeeds::leastRangeTables(const read::MeshSummary& source) {
+Bytes MemoryNeeds::minRangeTables(const read::MeshSummary& source) {
     return {std::min(kTableBytes, (std::uint64_t{512} << 10U) + kTableBytesPerVertex * source.vertexCount)};
 }
 
@@ -87,7 +87,7 @@ std::uint64_t sampleBytes(const read::MeshSummary& source) {
 } // namespace
 
 Bytes MemoryNeeds::rangeTask(const read::MeshSummary& source) {
-    return {readingBytes(source) + cellBytes(source) + leastRangeTables(source).count};
+    return {readingBytes(source) + cellBytes(source) + minRangeTables(source).count};
 }
 
 Bytes MemoryNeeds::ranges() const {

@@ -35,7 +35,7 @@ struct MemoryNeeds {
 
     /// Return the min memory of a task over a range of rows, and the part of it for tables and stream blocks.
     static Bytes rangeTask(const read::MeshSummary& source);
-    static Bytes leastRangeTables(const read::MeshSummary& source);
+    static Bytes minRangeTables(const read::MeshSummary& source);
 
     /// Returns the memory for sorting by ranges, without its tasks.
     Bytes ranges() const;

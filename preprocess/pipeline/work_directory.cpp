@@ -217,11 +217,11 @@ void WorkDirectory::makeScratch() {
 }
 
 void WorkDirectory::expectProcesses(std::uint32_t count) {
-    if (place_.firstPart + count >= scratch::kMostParts)
+    if (place_.firstPart + count >= scratch::kMaxParts)
         throw Error(
             folder_,
             "too many processes have worked there",
-            "fewer than " + std::to_string(scratch::kMostParts),
+            "fewer than " + std::to_string(scratch::kMaxParts),
             std::to_string(place_.firstPart + count));
     for (; expected_ < count; ++expected_)
         names_.take(scratch::partPath(place_.stem, place_.firstPart + expected_));

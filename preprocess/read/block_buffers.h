@@ -13,7 +13,7 @@ namespace gnomon::read {
 constexpr std::size_t kBlockRows = 16384;
 
 /// The max number of corners of a polygon. A longer list means a damaged file, and it would exceed the bound on memory.
-constexpr std::uint64_t kMostPolygonCorners = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMaxPolygonCorners = std::uint64_t{1} << 20U;
 
 /// Returns `normal` if it is finite, else the zero vector, which means "no normal".
 inline glm::vec3 finiteOrZero(const glm::vec3& normal) {

@@ -26,7 +26,7 @@ PartedScratch::PartedScratch(std::string stem, std::uint32_t ownPart, TemporaryS
       stem_(std::move(stem)),
       ownPart_(ownPart),
       own_(partPath(stem_, ownPart), File::Mode::Create) {
-    GNOMON_CHECK_OP(ownPart, <, kMostParts);
+    GNOMON_CHECK_OP(ownPart, <, kMaxParts);
 }
 
 void PartedScratch::resume(std::uint32_t part, std::uint64_t bytes) {

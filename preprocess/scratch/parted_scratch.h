@@ -14,7 +14,7 @@ namespace gnomon::scratch {
 constexpr unsigned kPartShift = 48;
 
 /// The max number of parts of one build, over all processes that ever worked for it.
-constexpr std::uint32_t kMostParts = 1U << (64U - kPartShift);
+constexpr std::uint32_t kMaxParts = 1U << (64U - kPartShift);
 
 /// The max size of a part, in bytes.
 constexpr std::uint64_t kMostPartBytes = std::uint64_t{1} << kPartShift;

@@ -8,13 +8,13 @@
 namespace gnomon::hierarchy {
 
 /// The max number of fields of a model. All fields of a vertex share a word of 32 bits.
-constexpr std::size_t kMostFields = 4;
+constexpr std::size_t kMaxFields = 4;
 
 /// The bit layout of the fields in the word of a vertex. The first field has the lowest bits.
 struct FieldLayout {
-    std::array<std::uint8_t, kMostFields> bits{}; // bits per field, 0 after the last field; at most 32 in total
+    std::array<std::uint8_t, kMaxFields> bits{}; // bits per field, 0 after the last field; at most 32 in total
 
-    /// Returns the layout that a build uses for `count` fields (at most kMostFields). Each field has 16 bits, or an
+    /// Returns the layout that a build uses for `count` fields (at most kMaxFields). Each field has 16 bits, or an
     /// equal share of the 32 bits.
     static constexpr FieldLayout of(std::size_t count) {
         FieldLayout layout;
@@ -25,7 +25,7 @@ struct FieldLayout {
 
     constexpr std::size_t count() const {
         std::size_t count = 0;
-        while (count < kMostFields && bits[count] > 0)
+        while (count < kMaxFields && bits[count] > 0)
             ++count;
         return count;
     }

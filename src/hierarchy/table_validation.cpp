@@ -168,13 +168,13 @@ std::optional<std::string> summaryFault(const ModelSummary& summary) {
         return found("the bounds", "a box on the grid, from " + boxText(reach), boxText(bounds));
     if (!isWithin<std::size_t>(summary.levels.size(), 1, kMaxLevels))
         return found("levels", "1 to " + std::to_string(kMaxLevels), std::to_string(summary.levels.size()));
-    std::uint32_t fieldBits = 0; // only of the first kMostFields fields, so the sum cannot overflow
-    for (std::size_t field = 0; field < std::min(summary.fields.size(), kMostFields); ++field)
+    std::uint32_t fieldBits = 0; // only of the first kMaxFields fields, so the sum cannot overflow
+    for (std::size_t field = 0; field < std::min(summary.fields.size(), kMaxFields); ++field)
         fieldBits += summary.fields[field].bits;
-    if (summary.fields.size() > kMostFields || fieldBits > 32)
+    if (summary.fields.size() > kMaxFields || fieldBits > 32)
         return found(
             "fields",
-            "at most " + std::to_string(kMostFields) + " of 32 bits together",
+            "at most " + std::to_string(kMaxFields) + " of 32 bits together",
             std::to_string(summary.fields.size()) + " of " + std::to_string(fieldBits));
     return {};
 }

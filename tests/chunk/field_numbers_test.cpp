@@ -47,7 +47,7 @@ TEST(FieldNumbers, AreHalfAStepOffAtMost) {
     NoProgress progress;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random(seed);
-        const std::size_t count = 1 + seed % hierarchy::kMostFields;
+        const std::size_t count = 1 + seed % hierarchy::kMaxFields;
         std::vector<std::string> names;
         for (std::size_t i = 0; i < count; ++i)
             names.push_back("f" + std::to_string(i));

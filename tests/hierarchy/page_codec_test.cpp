@@ -37,8 +37,8 @@ PageFields randomFields(const Page& page, std::uint64_t seed) {
     Random random(seed);
     PageFields fields;
     unsigned left = 32;
-    for (std::size_t i = 0; i <= seed % kMostFields; ++i) {
-        const auto most = static_cast<unsigned>(std::min<std::size_t>(16, left - (kMostFields - 1 - i)));
+    for (std::size_t i = 0; i <= seed % kMaxFields; ++i) {
+        const auto most = static_cast<unsigned>(std::min<std::size_t>(16, left - (kMaxFields - 1 - i)));
         fields.layout.bits[i] = static_cast<std::uint8_t>(1 + random.below(most));
         left -= fields.layout.bits[i];
     }

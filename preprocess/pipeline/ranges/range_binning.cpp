@@ -35,7 +35,7 @@ RangeBinning::RangeBinning(const RangeMeans& means) : means_(means) {
     const Bytes each = MemoryNeeds::rangeTask(source);
     atOnce_ = std::max<std::size_t>(countAtOnce(means_.room, each, means_.threads), 1);
     const std::uint64_t share = std::max(means_.room.count / atOnce_, each.count);
-    tableBytes_ = share - (each.count - MemoryNeeds::leastRangeTables(source).count);
+    tableBytes_ = share - (each.count - MemoryNeeds::minRangeTables(source).count);
     const std::uint64_t threads = means_.threads * means_.processes;
     verticesOfRange_ = rowsOfRange(source.vertexCount, threads, tableBytes_ / 4);
     facesOfRange_ = rowsOfRange(source.faceCount, threads, kMostRows);

@@ -61,18 +61,18 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     header.components = static_cast<int>(segment.at(5));
     const auto samplings = [&](std::size_t i) { return segment.at(kStart + kComponent * i + 1); };
     const auto count = static_cast<std::size_t>(header.components);
-    std::uint64_t mostAcross = 1;
-    std::uint64_t mostDown = 1;
+    std::uint64_t maxAcross = 1;
+    std::uint64_t maxDown = 1;
     for (std::size_t i = 0; i < count; ++i) {
-        mostAcross = std::max<std::uint64_t>(mostAcross, samplings(i) >> 4U);
-        mostDown = std::max<std::uint64_t>(mostDown, samplings(i) & 15U);
+        maxAcross = std::max<std::uint64_t>(maxAcross, samplings(i) >> 4U);
+        maxDown = std::max<std::uint64_t>(maxDown, samplings(i) & 15U);
     }
-    // The image consists of whole units of `mostAcross` by `mostDown` blocks. A component has its samplings as blocks
+    // The image consists of whole units of `maxAcross` by `maxDown` blocks. A component has its samplings as blocks
     // per unit.
     const auto unitsOf = [](std::uint64_t size, std::uint64_t most) {
         return (size + most * kBlockSide - 1) / (most * kBlockSide);
     };
-    const std::uint64_t units = unitsOf(header.width, mostAcross) * unitsOf(header.height, mostDown);
+    const std::uint64_t units = unitsOf(header.width, maxAcross) * unitsOf(header.height, maxDown);
     for (std::size_t i = 0; i < count; ++i)
         header.coefficientBytes += units * (samplings(i) >> 4U) * (samplings(i) & 15U) * kBlockBytes;
     return true;

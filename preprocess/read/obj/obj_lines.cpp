@@ -162,9 +162,9 @@ void ObjLines::takeFace(ObjLine& line) {
         if (!indices) text_.requireShort(word);
         if (!indices)
             throw Error(where(), "bad corner of a face", "V, V/T, V//N or V/T/N with V not 0", quotedForMessage(word));
-        if (corners_.size() == kMostPolygonCorners)
+        if (corners_.size() == kMaxPolygonCorners)
             throw Error(
-                where(), "too large a face", "at most " + std::to_string(kMostPolygonCorners) + " corners", "more");
+                where(), "too large a face", "at most " + std::to_string(kMaxPolygonCorners) + " corners", "more");
         ObjCorner& corner = corners_.emplace_back();
         corner.vertex = countedFromZero(indices->vertex, vertices_);
         if (indices->normal != 0) corner.normal = countedFromZero(indices->normal, normals_);

@@ -98,11 +98,11 @@ private:
     void readFace(std::uint64_t face) {
         const std::uint32_t size = number();
         requireRoom(size, sizeof(std::uint32_t));
-        if (size > kMostPolygonCorners)
+        if (size > kMaxPolygonCorners)
             throw Error(
                 where(),
                 "too large a face",
-                "at most " + std::to_string(kMostPolygonCorners) + " corners",
+                "at most " + std::to_string(kMaxPolygonCorners) + " corners",
                 std::to_string(size));
         for (std::uint32_t i = 0; i < size; ++i) {
             const std::uint32_t vertex = number();

@@ -58,12 +58,12 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostValues = 16; ///< number of values per vertex that are read
+    static constexpr std::size_t kMaxValues = 16; ///< number of values per vertex that are read
 
     /// The numbers of one vertex.
     struct VertexRow {
-        std::array<double, kMostValues> values{};
-        std::size_t count = 0; ///< can exceed kMostValues
+        std::array<double, kMaxValues> values{};
+        std::size_t count = 0; ///< can exceed kMaxValues
     };
 
     /// Reads the row of a vertex. If rows are not lines, the row has `most` numbers.
@@ -71,7 +71,7 @@ private:
         VertexRow row;
         std::string_view word = firstWord(header_.vertices - vertex, header_.faces);
         while (!word.empty()) {
-            if (row.count < kMostValues) row.values[row.count] = text_.numberOf(word);
+            if (row.count < kMaxValues) row.values[row.count] = text_.numberOf(word);
             ++row.count;
             const bool areLines = attempt_.vertices == Rows::Lines;
             if (!areLines && row.count == most) break;
@@ -89,7 +89,7 @@ private:
         mesh_.positions.emplace_back(row.values[0], row.values[1], row.values[2]);
         if (!isFinite(mesh_.positions.back()) && badLines_.size() < kMostBadLines) badLines_[vertex] = text_.line();
         if (header_.hasNormals) addNormal({row.values[3], row.values[4], row.values[5]});
-        addVertexColor(vertex, row, known, std::min(row.count, kMostValues) - known - texture);
+        addVertexColor(vertex, row, known, std::min(row.count, kMaxValues) - known - texture);
     }
 
     /// Adds `count` values of `row` from `first` on as a colour. They follow the values that the keyword declares.
@@ -116,11 +116,11 @@ private:
         const bool areLines = attempt_.faces == Rows::Lines;
         if (!size || (!areLines && *size < 3))
             throw Error(text_.where(), "bad face", "a number of corners and as many indices", quotedForMessage(first));
-        if (*size > kMostPolygonCorners)
+        if (*size > kMaxPolygonCorners)
             throw Error(
                 text_.where(),
                 "too large a face",
-                "at most " + std::to_string(kMostPolygonCorners) + " corners",
+                "at most " + std::to_string(kMaxPolygonCorners) + " corners",
                 std::to_string(*size));
         for (std::uint64_t i = 0; i < *size; ++i) {
             const std::string_view word = areLines ? text_.word() : text_.wordOnAnyLine();

@@ -110,16 +110,16 @@ std::uint64_t checkedIndex(const Values& values, std::int64_t value, std::uint64
 }
 
 /// Reads the corners of one polygon into `corners`. Throws Error for an index out of range and for more than
-/// kMostPolygonCorners corners.
+/// kMaxPolygonCorners corners.
 template <class Values>
 void readCorners(
     Values& values, const PlyProperty& list, std::uint64_t vertexCount, std::vector<std::uint64_t>& corners) {
     const std::uint64_t count = readListCount(values, list);
-    if (count > kMostPolygonCorners)
+    if (count > kMaxPolygonCorners)
         throw Error(
             values.where(),
             "absurd list count",
-            "a polygon of at most " + std::to_string(kMostPolygonCorners) + " corners",
+            "a polygon of at most " + std::to_string(kMaxPolygonCorners) + " corners",
             std::to_string(count));
     corners.clear();
     for (std::uint64_t i = 0; i < count; ++i)

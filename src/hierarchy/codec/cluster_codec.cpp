@@ -77,7 +77,7 @@ struct VertexChannels {
     std::array<Channel, 3> positions;
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
-    std::array<Channel, kMostFields> fields;
+    std::array<Channel, kMaxFields> fields;
 
     /// Reserves memory for references, positions and normals, which most sources have.
     void reserve(std::size_t vertices) {

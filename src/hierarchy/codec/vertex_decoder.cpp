@@ -88,7 +88,7 @@ private:
 
 FieldLayout takeFieldLayout(ByteReader& in) {
     const auto count = in.take<std::uint8_t>();
-    if (count < 1 || count > kMostFields) throw Damage{"vertices have " + std::to_string(count) + " fields"};
+    if (count < 1 || count > kMaxFields) throw Damage{"vertices have " + std::to_string(count) + " fields"};
     FieldLayout layout;
     unsigned sum = 0;
     for (std::size_t field = 0; field < count; ++field) {
@@ -154,7 +154,7 @@ private:
 
     const VertexNumbers& numbers_;
     PageFields& fields_;
-    std::array<std::vector<std::uint32_t>, kMostFields> differences_;
+    std::array<std::vector<std::uint32_t>, kMaxFields> differences_;
     std::size_t next_ = 0; // index among the vertices that are not references
 };
 

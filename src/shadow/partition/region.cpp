@@ -251,17 +251,17 @@ Part partAt(const Region& region, const DepthSpan& depths) {
     return part;
 }
 
-/// Returns the visible slabs at the depths of `region`, merged to at most kMostParts slabs. More slabs would improve
+/// Returns the visible slabs at the depths of `region`, merged to at most kMaxParts slabs. More slabs would improve
 /// the outline of a long region only slightly.
 std::vector<SeenPart> fewParts(const Region& region, std::span<const SeenPart> seen) {
-    constexpr std::size_t kMostParts = 4;
+    constexpr std::size_t kMaxParts = 4;
     std::vector<SeenPart> inRegion;
     for (const SeenPart& part : seen)
         if (part.depths.near <= region.covered.far && part.depths.far >= region.covered.near) inRegion.push_back(part);
-    if (inRegion.size() <= kMostParts) return inRegion;
-    std::vector<SeenPart> result(kMostParts);
+    if (inRegion.size() <= kMaxParts) return inRegion;
+    std::vector<SeenPart> result(kMaxParts);
     for (std::size_t i = 0; i < inRegion.size(); ++i) {
-        SeenPart& all = result[i * kMostParts / inRegion.size()];
+        SeenPart& all = result[i * kMaxParts / inRegion.size()];
         const DepthSpan& depths = inRegion[i].depths;
         if (all.box.isEmpty()) all.depths = depths;
         all.depths = {std::min(all.depths.near, depths.near), std::max(all.depths.far, depths.far)};

@@ -19,11 +19,11 @@ namespace {
 
 // Grid steps; max distance between coplanar tilted faces after rounding to the grid.
 constexpr double kPlaneTolerance = 1.5;
-constexpr double kLeastWidth = 0.5;          // grid steps; min width of a relevant part
-constexpr double kParallel = 0.99;           // min cosine between the normals of coplanar faces
-constexpr std::size_t kMaxCovering = 256;    // max covering triangles per triangle
-constexpr std::uint32_t kMostTested = 16384; // max tested boxes per triangle
-constexpr std::size_t kMaxParts = 128;       // max parts of a triangle
+constexpr double kMinWidth = 0.5;           // grid steps; min width of a relevant part
+constexpr double kParallel = 0.99;          // min cosine between the normals of coplanar faces
+constexpr std::size_t kMaxCovering = 256;   // max covering triangles per triangle
+constexpr std::uint32_t kMaxTested = 16384; // max tested boxes per triangle
+constexpr std::size_t kMaxParts = 128;      // max parts of a triangle
 
 using Polygon = std::vector<glm::dvec3>; // convex
 
@@ -78,11 +78,11 @@ bool isInPlaneOf(const Face& small, const Face& large) {
     });
 }
 
-/// Returns true if an edge of `face` has all corners of `other` on its outer side, with a tolerance of kLeastWidth.
+/// Returns true if an edge of `face` has all corners of `other` on its outer side, with a tolerance of kMinWidth.
 bool separates(const Face& face, const Face& other) {
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 away = outwards(face, i);
-        const auto isOut = [&](const glm::dvec3& p) { return glm::dot(p - face.corners[i], away) >= -kLeastWidth; };
+        const auto isOut = [&](const glm::dvec3& p) { return glm::dot(p - face.corners[i], away) >= -kMinWidth; };
         if (std::ranges::all_of(other.corners, isOut)) return true;
     }
     return false;
@@ -140,12 +140,12 @@ public:
         std::uint32_t tested = 0;
         if (!(face.area > 0)) return found;
         tree_.forEachOther(box, colors_[place], [&](std::uint32_t other) {
-            if (other >= place || ++tested > kMostTested || found.size() > kMaxCovering) return;
+            if (other >= place || ++tested > kMaxTested || found.size() > kMaxCovering) return;
             if (simplify::colorDifference(colors_[place], colors_[other]) <= simplify::kUnseenDifference) return;
             const std::uint32_t triangle = triangles_[other];
             if (overlap(mesh_, face, mesh_.triangles[triangle])) found.push_back(triangle);
         });
-        if (tested > kMostTested || found.size() > kMaxCovering) return {};
+        if (tested > kMaxTested || found.size() > kMaxCovering) return {};
         std::sort(found.begin(), found.end());
         return found;
     }
@@ -259,7 +259,7 @@ bool counts(const Polygon& polygon) {
         longest = std::max(longest, glm::length(polygon[i] - polygon[0]));
         area += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     }
-    return glm::length(area) > 2 * kLeastWidth * longest;
+    return glm::length(area) > 2 * kMinWidth * longest;
 }
 
 /// Returns the parts of `parts` that `covering` does not cover.

@@ -72,6 +72,8 @@ DrawnTriangles expectSamePictures(Camera& camera, const tests::ShadowTriple& tri
     const Shot receiversMore = shoot(CasterCulling::Receivers, more);
     EXPECT_TRUE(receiversMore.picture.pixels == onMore.picture.pixels);
     EXPECT_TRUE(areSame(receiversMore.surfaces, onMore.surfaces));
+    // A view that the sun does not reach is drawn again by the headlight. That drawing reuses whole maps: none counts.
+    if (on.row.shadowMapsDrawn == 0) return {};
     return {
         off.row.shadowTriangles.value_or(0),
         on.row.shadowTriangles.value_or(0),

@@ -19,7 +19,7 @@ import time
 
 GNOMON = os.environ["GNOMON"]
 PAGE_BYTES = os.sysconf("SC_PAGE_SIZE")
-SHOWN = ("--size", "160x120", "--samples", "1", "--error-pixels", "0.5", "--memory", "160M", "--threads", "2")
+SHOWN = ("--size", "160x120", "--samples", "1", "--shading", "lit", "--error-pixels", "0.5", "--memory", "160M", "--threads", "2")
 SHADOWS = (("--shadows", "auto"), ("--shadows", "maps", "--z-partitions", "auto"), ("--shadows", "maps", "--warp", "log"))
 TURN = 31  # degrees between one view and the next: a jump (src/plan/hysteresis.h), behind which nothing is remembered
 

@@ -120,10 +120,20 @@ SimplifiedPatch simplifiedWith(
     return result;
 }
 
+/// Turns off OpenMesh's own messages: rejected faces are stored separately. The first call of `omerr` connects the
+/// stream to stderr without a lock (OpenMesh 9.0), so only one thread may make it.
+void silenceOpenMesh() {
+    static const bool isSilent = [] {
+        omerr().disable();
+        return true;
+    }();
+    static_cast<void>(isSilent);
+}
+
 } // namespace
 
 SimplifiedPatch simplifyOpenMesh(const Patch& patch, std::size_t targetTriangles) {
-    omerr().disable(); // rejected faces are stored separately, so no message is needed
+    silenceOpenMesh();
     SimplifiedPatch result = simplifiedWith(patch, patch.isLocked, targetTriangles);
     if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles))
         result = simplifiedWith(patch, lockedWithRing(patch), targetTriangles);

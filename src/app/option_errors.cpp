@@ -1,5 +1,7 @@
 #include "app/option_errors.h"
 
+#include "settings/table.h"
+
 namespace gnomon::app {
 
 Error inOptions(const LimitError& error) {
@@ -15,8 +17,9 @@ Error inOptions(const LimitError& error) {
         return {parts.where, parts.what, parts.expected + ", or --textures off", parts.found};
     case Limit::SourceRoot:
         return {parts.where, parts.what, parts.expected + " (--source-root allows another folder)", parts.found};
+    default:
+        return Error(error.what() + ("; see " + settings::optionsOf(error.limits())));
     }
-    return {parts.where, parts.what, parts.expected, parts.found};
 }
 
 } // namespace gnomon::app

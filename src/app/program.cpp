@@ -3,13 +3,11 @@
 #include "app/console.h"
 #include "app/interruption.h"
 #include "app/option_errors.h"
-#include "core/error.h"
 #include "core/printable.h"
 #include "core/process/floating_point.h"
 #include "core/progress.h"
 #include "manual/version.h"
 #include "settings/removed_words.h"
-#include "settings/table.h"
 
 #include <algorithm>
 #include <exception>
@@ -75,10 +73,6 @@ int exitCodeOf(const std::function<void()>& work) {
         return 1;
     } catch (const LimitError& error) {
         printMessage(inOptions(error).what());
-        return 1;
-    } catch (const Error& error) {
-        const std::string options = settings::optionsOf(error.what());
-        printMessage(error.what() + (options.empty() ? "" : "; see " + options));
         return 1;
     } catch (const std::bad_alloc&) {
         printMessage("out of memory");

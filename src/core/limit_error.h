@@ -1,16 +1,32 @@
-// An error about a limit of the caller, in separate parts. The command line replaces parts of the message with the name
-// of its option.
+// An error about a limit or a value of the caller, in separate parts. The command line adds the name of its option.
 #pragma once
 
 #include "core/error.h"
 
 #include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace gnomon {
 
-/// The limit that a build exceeded. Textures means that the source can only be read without its textures.
-enum class Limit : std::uint8_t { Memory, ChunkTriangles, StuckTriangles, Textures, SourceRoot };
+/// The limits and values that an error can be about: first those of a build, then those of a picture. Textures means
+/// that the source can only be read without its textures.
+enum class Limit : std::uint8_t {
+    Memory,
+    ChunkTriangles,
+    StuckTriangles,
+    Textures,
+    SourceRoot,
+    PageMemory,
+    DrawingMemory,
+    ImageSize,
+    ShadowTexels,
+    FieldOfView,
+    NearDepth,
+    FarDepth,
+    LightDirection
+};
 
 class LimitError : public Error {
 public:
@@ -22,15 +38,23 @@ public:
         std::string found;
     };
 
-    LimitError(Limit limit, Parts parts)
-        : Error(parts.where, parts.what, parts.expected, parts.found), limit_(limit), parts_(std::move(parts)) {}
+    LimitError(std::vector<Limit> limits, Parts parts)
+        : Error(parts.where, parts.what, parts.expected, parts.found),
+          limits_(std::move(limits)),
+          parts_(std::move(parts)) {}
 
-    Limit limit() const { return limit_; }
+    LimitError(Limit limit, Parts parts) : LimitError(std::vector{limit}, std::move(parts)) {}
+
+    /// Returns the first limit.
+    Limit limit() const { return limits_.front(); }
+
+    /// Returns all limits, at least one. A change of any of them can help.
+    const std::vector<Limit>& limits() const { return limits_; }
 
     const Parts& parts() const { return parts_; }
 
 private:
-    Limit limit_;
+    std::vector<Limit> limits_;
     Parts parts_;
 };
 

@@ -1,6 +1,7 @@
 #include "frame/residency.h"
 
 #include "core/error.h"
+#include "core/limit_error.h"
 #include "culling/frame_cut.h"
 #include "hierarchy/validation.h"
 
@@ -28,12 +29,13 @@ Bytes memoryBesideProgram(const hierarchy::ModelFile& model, const ResidencyOpti
     const Bytes program = options.holdsPictures ? kProgram : Bytes();
     const Bytes least{program.count + tableBytes(model).count};
     if (options.memory <= least)
-        throw Error(
-            "page memory",
-            options.holdsPictures ? "the program and the page table alone take more"
-                                  : "the page table alone takes more",
-            "above " + readableBytes(least),
-            readableBytes(options.memory));
+        throw LimitError(
+            Limit::PageMemory,
+            {"page memory",
+             options.holdsPictures ? "the program and the page table alone take more"
+                                   : "the page table alone takes more",
+             "above " + readableBytes(least),
+             readableBytes(options.memory)});
     return {options.memory.count - program.count};
 }
 
@@ -87,11 +89,12 @@ void Residency::reservePicture(Bytes bytes) {
     const std::uint64_t working = holdsPictures_ ? left / 3 : 0;
     const Bytes least{tables + bytes.count + store_.pinned().count + store_.pinned().count / 2};
     if (holdsPictures_ && least > memory_)
-        throw Error(
-            "page memory",
-            "a picture of this size does not fit into it",
-            "at least " + readableBytes({least.count + kProgram.count}),
-            readableBytes({memory_.count + kProgram.count}));
+        throw LimitError(
+            Limit::PageMemory,
+            {"page memory",
+             "a picture of this size does not fit into it",
+             "at least " + readableBytes({least.count + kProgram.count}),
+             readableBytes({memory_.count + kProgram.count})});
     const Bytes reserved{bytes.count + working};
     // A smaller image keeps the larger reservation. Otherwise pages would fill the memory, and the next large image
     // would have to evict them.

@@ -1,5 +1,6 @@
 #include "hierarchy/model_file.h"
 
+#include "core/limit_error.h"
 #include "hierarchy/file_layout.h"
 #include "hierarchy/page_codec.h"
 #include "hierarchy/validation.h"
@@ -84,11 +85,12 @@ Footer readFooter(const storage::Source& source, std::uint64_t fileBytes, Bytes 
                 "bytes of the summary: expected at most " + std::to_string(kMostSummaryBytes) + ", found " +
                 std::to_string(footer.summary.bytes)};
         if (needed > tableMemory)
-            throw Error(
-                atByte(source.name(), footer.pageTable.offset),
-                "the page table alone takes more than the page memory",
-                "at most " + readableBytes(tableMemory),
-                readableBytes(needed));
+            throw LimitError(
+                Limit::PageMemory,
+                {atByte(source.name(), footer.pageTable.offset),
+                 "the page table alone takes more than the page memory",
+                 "at most " + readableBytes(tableMemory),
+                 readableBytes(needed)});
         return footer;
     } catch (const Damage& damage) {
         throw Error(atByte(source.name(), offset), "damaged footer, or a file cut off: " + damage.what);

@@ -7,6 +7,8 @@
 #include "gl/context.h"
 #include "settings/table.h"
 
+#include <array>
+
 namespace gnomon::measure {
 
 namespace {
@@ -60,8 +62,8 @@ Session::Session(
 
 std::string shortfallLine(const telemetry::Shortfall& shortfall) {
     const std::string text = shortfall.text();
-    const std::string options = settings::optionsOf(text);
-    return options.empty() ? text : text + " (" + options + ")";
+    if (!shortfall.lacksMemory()) return text;
+    return text + " (" + settings::optionsOf(std::array{Limit::PageMemory}) + ")";
 }
 
 void Session::tellShortfall() {

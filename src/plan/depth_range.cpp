@@ -1,6 +1,6 @@
 #include "plan/depth_range.h"
 
-#include "core/error.h"
+#include "core/limit_error.h"
 #include "plan/distant_view.h"
 #include "plan/hysteresis.h"
 
@@ -62,18 +62,20 @@ void setNear(
 void keepApart(DepthSpan& depths, const Quality& quality) {
     constexpr double kLeastRatio = 1 + 1e-3;
     if (!(depths.near > 0) || !std::isfinite(depths.far))
-        throw Error(
-            "near depth and far depth",
-            "it is no range for shadows",
-            "near above 0 and far finite",
-            std::to_string(depths.near) + " to " + std::to_string(depths.far));
+        throw LimitError(
+            {Limit::NearDepth, Limit::FarDepth},
+            {"near depth and far depth",
+             "it is no range for shadows",
+             "near above 0 and far finite",
+             std::to_string(depths.near) + " to " + std::to_string(depths.far)});
     if (depths.far > depths.near * (1 + 1e-6)) return;
     if (quality.near && quality.far)
-        throw Error(
-            "far depth",
-            "it must be above the near one",
-            "above " + std::to_string(depths.near),
-            std::to_string(depths.far));
+        throw LimitError(
+            Limit::FarDepth,
+            {"far depth",
+             "it must be above the near one",
+             "above " + std::to_string(depths.near),
+             std::to_string(depths.far)});
     if (quality.far)
         depths.near = depths.far / kLeastRatio;
     else

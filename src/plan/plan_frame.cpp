@@ -1,8 +1,8 @@
 #include "plan/plan_frame.h"
 
 #include "core/angle.h"
-#include "core/error.h"
 #include "core/formatted.h"
+#include "core/limit_error.h"
 #include "plan/cell_maps.h"
 #include "plan/depth_range.h"
 #include "plan/lamp/lamp_passes.h"
@@ -20,17 +20,21 @@ namespace {
 void requireValid(const View& view) {
     const double degrees = degreesFromRadians(view.camera.fovYRadians);
     if (view.width < 1 || view.height < 1)
-        throw Error(
-            "image size",
-            "an image has pixels",
-            "at least 1x1",
-            std::to_string(view.width) + "x" + std::to_string(view.height));
+        throw LimitError(
+            Limit::ImageSize,
+            {"image size",
+             "an image has pixels",
+             "at least 1x1",
+             std::to_string(view.width) + "x" + std::to_string(view.height)});
     if (!(degrees > 0 && degrees < 180))
-        throw Error(
-            "vertical angle", "this angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees));
+        throw LimitError(
+            Limit::FieldOfView,
+            {"vertical angle", "this angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees)});
     const double lightLength = glm::length(view.towardsLight);
     if (!(lightLength > 0) || !std::isfinite(lightLength))
-        throw Error("light direction", "this is no direction", "a finite length above 0", formatted("%g", lightLength));
+        throw LimitError(
+            Limit::LightDirection,
+            {"light direction", "this is no direction", "a finite length above 0", formatted("%g", lightLength)});
 }
 
 /// Returns the reason why this view needs no maps, or nullopt if it needs them.

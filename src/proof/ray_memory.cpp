@@ -1,6 +1,7 @@
 #include "proof/ray_memory.h"
 
 #include "core/error.h"
+#include "core/limit_error.h"
 #include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 
@@ -66,11 +67,12 @@ RayMemory::RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine
             std::to_string(fine.residency.pagesBlocked) + " that cannot be read");
     const MemoryWithRays needed = memoryWithRays(renderer, fine);
     if (!isWhole(fine) || needed.all() > residency_->memory())
-        throw Error(
-            kWhere,
-            "the finest level of this view and rays against it take more than the page memory",
-            "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
-            readableBytes(residency_->memory()));
+        throw LimitError(
+            Limit::PageMemory,
+            {kWhere,
+             "the finest level of this view and rays against it take more than the page memory",
+             "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
+             readableBytes(residency_->memory())});
     // The trees of a ray-traced frame have already reserved memory next to their pages.
     if (!fine.isRayTraced()) residency_->reserve(needed.rays);
 }

@@ -1,6 +1,7 @@
 // A setting of any type: its name, its help, and functions that parse, write, get and set its value.
 #pragma once
 
+#include "core/limit_error.h"
 #include "settings/codec.h"
 #include "settings/removed_words.h"
 #include "settings/settings.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <any>
 #include <functional>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -35,12 +37,12 @@ struct Description {
     std::string name; // "error-pixels"
     std::string form; // placeholder for the value in the help: "T"; empty: the list of words
     std::string help;
-    bool isRepeated = false;    // the option can occur several times; semicolons separate the values in its text
-    bool isSwept = false;       // a bench accepts a list of values
-    bool isOfMaps = false;      // it applies to shadow maps only, and contradicts exact shadows
-    bool changesPicture = true; // false: it changes only the time, and the picture is the same for all values
-    std::string statedAs{};     // key in the context of a bench, which must equal the baseline's; empty: no key
-    std::string quantity{};     // its name in error messages of lower layers: "image size"
+    bool isRepeated = false;      // may be given several times; its text is all of them with semicolons between
+    bool isSwept = false;         // a bench takes a list of values
+    bool isOfMaps = false;        // it says how shadow maps are, and contradicts shadows without them
+    bool changesPicture = true;   // else the picture is the same for all its values, but for the time that it takes
+    std::string statedAs{};       // under which key a bench states it and a baseline must agree; empty: it does not
+    std::optional<Limit> limit{}; // the limit of a LimitError that this option sets
     Offer offer{};
 };
 

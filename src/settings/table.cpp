@@ -48,7 +48,7 @@ std::vector<Setting> cameraSettings() {
              .form = "WxH",
              .help = "Image in pixels, WxH",
              .statedAs = "image_size",
-             .quantity = "image size"},
+             .limit = Limit::ImageSize},
             imageSize()),
         plain(
             &Settings::cameraFile,
@@ -80,7 +80,7 @@ std::vector<Setting> cameraSettings() {
             {.name = "fov-y",
              .form = "DEGREES",
              .help = "Full vertical angle in degrees; 60 if not given",
-             .quantity = "vertical angle"},
+             .limit = Limit::FieldOfView},
             ifGiven(number("an angle above 0 and below 180 degrees", [](double v) { return v > 0 && v < 180; }))),
     };
 }
@@ -92,7 +92,7 @@ Setting lightSetting() {
          .help =
              "Direction towards the light, x,y,z; 0.4,1,0.3 of a model with y up, the same turned with it of others",
          .statedAs = "light",
-         .quantity = "light direction"},
+         .limit = Limit::LightDirection},
         direction(),
         [](const Settings& settings) { return settings.towardsLight; },
         [](Settings& settings, const glm::dvec3& value) {
@@ -111,7 +111,7 @@ std::vector<Setting> sceneSettings() {
              .form = "D|auto",
              .help = "Where the depth range of the shadows' promise begins, or auto; clips nothing",
              .statedAs = "near_and_far",
-             .quantity = "near depth"},
+             .limit = Limit::NearDepth},
             orAuto(distance())),
         quality(
             &Quality::far,
@@ -119,7 +119,7 @@ std::vector<Setting> sceneSettings() {
              .form = "D|auto",
              .help = "Where it ends, or auto",
              .statedAs = "near_and_far",
-             .quantity = "far depth"},
+             .limit = Limit::FarDepth},
             orAuto(distance())),
         quality(
             &Quality::nearFloor,
@@ -195,7 +195,7 @@ std::vector<Setting> machineSettings() {
              .form = "SIZE",
              .help = "Peak resident size of the process; with OpenGL, of tables, page cache and sums of pictures alone",
              .statedAs = "memory_cap",
-             .quantity = "page memory"},
+             .limit = Limit::PageMemory},
             memory()),
         plain(
             &Settings::gpuMemory,
@@ -204,7 +204,7 @@ std::vector<Setting> machineSettings() {
              .help = "What the GPU holds: image, maps and geometry",
              .changesPicture = false,
              .statedAs = "gpu_memory_cap",
-             .quantity = "drawing memory"},
+             .limit = Limit::DrawingMemory},
             memory()),
         plain(
             &Settings::shaderFolder,
@@ -252,7 +252,7 @@ Setting shadowTexelsSetting() {
          .help = "A count: all maps together, gutters included",
          .isSwept = true,
          .isOfMaps = true,
-         .quantity = "shadow texels",
+         .limit = Limit::ShadowTexels,
          .offer = {.title = "shadow texels", .least = kLeastOfferedTexels, .most = kMostOfferedTexels}},
         textureSize(),
         [](const Settings& settings) {
@@ -380,11 +380,11 @@ std::string written(const char* name, const Settings& settings) {
     return setting.option() + " " + setting.text(settings);
 }
 
-std::string optionsOf(std::string_view message) {
+std::string optionsOf(std::span<const Limit> limits) {
     std::string options;
     for (const Setting& each : table()) {
-        const std::string& quantity = each.description().quantity;
-        if (quantity.empty() || message.find(quantity) == std::string_view::npos) continue;
+        const std::optional<Limit>& limit = each.description().limit;
+        if (!limit || std::find(limits.begin(), limits.end(), *limit) == limits.end()) continue;
         options += (options.empty() ? "" : ", ") + each.option();
     }
     return options;

@@ -21,8 +21,8 @@ const Setting& named(std::string_view name);
 /// Returns the option of a setting with its value, as on the command line: "--eta 0.5".
 std::string written(const char* name, const Settings& settings);
 
-/// Returns the options of all settings whose quantity occurs in `message`, separated by ", ".
-std::string optionsOf(std::string_view message);
+/// Returns the options that set `limits`, with ", " between them; empty if none does.
+std::string optionsOf(std::span<const Limit> limits);
 
 /// Returns false for a setting of shadow maps if `settings` request exact shadows; otherwise true.
 bool appliesTo(const Setting& setting, const Settings& settings);

@@ -28,6 +28,9 @@ public:
     /// requested error and pages. Damaged pages do not count, because each one has its own warning.
     std::string text() const;
 
+    /// Returns whether pages do not fit into the page memory.
+    bool lacksMemory() const { return worst_.pagesMissing > 0; }
+
 private:
     bool isAny_ = false;
     DrawnDetail worst_; // the largest shortfall of all drawings

@@ -1,7 +1,7 @@
 #include "executor/gl/geometry_pool.h"
 
 #include "core/check.h"
-#include "core/error.h"
+#include "core/limit_error.h"
 #include "core/random.h"
 
 #include <tbb/parallel_for.h>
@@ -205,11 +205,12 @@ std::optional<PagePlace> GeometryPool::insert(
     const PageSize pageSize{page.vertices.size(), page.triangles.size() * 3};
     const auto found = place(pageSize);
     if (!found && entries_.empty())
-        throw Error(
-            "drawing memory",
-            "a page of the model does not fit",
-            readableBytes({pageSize.vertices * kVertexBytes + pageSize.indices * sizeof(Index)}),
-            readableBytes(cap_));
+        throw LimitError(
+            Limit::DrawingMemory,
+            {"drawing memory",
+             "a page of the model does not fit",
+             readableBytes({pageSize.vertices * kVertexBytes + pageSize.indices * sizeof(Index)}),
+             readableBytes(cap_)});
     if (!found) return std::nullopt;
     const PackedPage bytes = packed(id, page, grid);
     const Chunk& chunk = chunks_[found->chunk];

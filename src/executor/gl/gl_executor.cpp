@@ -1,6 +1,6 @@
 #include "executor/gl/gl_executor.h"
 
-#include "core/error.h"
+#include "core/limit_error.h"
 #include "core/stopwatch.h"
 #include "executor/frame_block.h"
 #include "executor/gl/geometry_pool.h"
@@ -180,11 +180,12 @@ void GlExecutor::prepareTargets(const FrameDrawing& frame) {
     targetMemory_ = targets_.bytes(frame);
     const Bytes taken{targetMemory_.count + ringBytes()};
     if (taken >= memory_)
-        throw Error(
-            "drawing memory",
-            "the image and its shadow maps alone take more",
-            "above " + readableBytes(taken),
-            readableBytes(memory_));
+        throw LimitError(
+            Limit::DrawingMemory,
+            {"drawing memory",
+             "the image and its shadow maps alone take more",
+             "above " + readableBytes(taken),
+             readableBytes(memory_)});
     pool_.keepUnder({memory_.count - taken.count});
     targets_.prepare(*context_, frame);
 }

@@ -1,7 +1,7 @@
 #include "executor/gl/gl_targets.h"
 
 #include "core/check.h"
-#include "core/error.h"
+#include "core/limit_error.h"
 
 namespace gnomon::executor {
 
@@ -24,11 +24,12 @@ void GlTargets::prepare(const gl::Context& context, const FrameDrawing& frame) {
     const plan::FramePlan& plan = *frame.plan;
     const int largest = std::max({plan.view.width, plan.view.height, plan.textureWidth, plan.textureHeight});
     if (largest > context.maxTextureSize())
-        throw Error(
-            "image size or shadow texels",
-            "larger than a texture of this OpenGL",
-            "at most " + std::to_string(context.maxTextureSize()),
-            std::to_string(largest));
+        throw LimitError(
+            {Limit::ImageSize, Limit::ShadowTexels},
+            {"image size or shadow texels",
+             "larger than a texture of this OpenGL",
+             "at most " + std::to_string(context.maxTextureSize()),
+             std::to_string(largest)});
     prepareImage(context.api(), frame);
     prepareShadow(context.api(), plan);
 }

@@ -1,6 +1,7 @@
 #include "shadow/fit/view_frustum.h"
 
 #include "core/error.h"
+#include "core/limit_error.h"
 
 #include <cmath>
 #include <string>
@@ -49,11 +50,12 @@ void requireValid(const ViewFrustum& frustum) {
             "near " + std::to_string(frustum.near) + ", far " + std::to_string(frustum.far));
     constexpr double kHalfPi = 1.5707963267948966;
     if (!(frustum.halfFovYRadians > 0 && frustum.halfFovYRadians < kHalfPi))
-        throw Error(
-            "view frustum",
-            "half the vertical angle in radians",
-            "between 0 and pi/2",
-            std::to_string(frustum.halfFovYRadians));
+        throw LimitError(
+            Limit::FieldOfView,
+            {"view frustum",
+             "half the vertical angle in radians",
+             "between 0 and pi/2",
+             std::to_string(frustum.halfFovYRadians)});
     if (!(frustum.aspect > 0 && std::isfinite(frustum.aspect)))
         throw Error("view frustum", "aspect", "a positive number", std::to_string(frustum.aspect));
 }

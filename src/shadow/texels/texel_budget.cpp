@@ -1,7 +1,7 @@
 #include "shadow/texels/texel_budget.h"
 
 #include "core/check.h"
-#include "core/error.h"
+#include "core/limit_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,12 +65,13 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
         layout.packing = packed(squares, limits.maxSide, limits.mayTranspose);
         if (layout.packing.width > 0 && layout.packing.area() <= limits.texels) return layout;
     }
-    throw Error(
-        "shadow texels",
-        "the budget is too small",
-        "at least " + std::to_string(count * static_cast<std::size_t>(least) * static_cast<std::size_t>(least)) +
-            " texels for " + std::to_string(count) + " maps",
-        std::to_string(limits.texels));
+    throw LimitError(
+        Limit::ShadowTexels,
+        {"shadow texels",
+         "the budget is too small",
+         "at least " + std::to_string(count * static_cast<std::size_t>(least) * static_cast<std::size_t>(least)) +
+             " texels for " + std::to_string(count) + " maps",
+         std::to_string(limits.texels)});
 }
 
 double worstError(const TexelLayout& layout, std::span<const TexelDemand> demands) {

@@ -8,9 +8,10 @@
 #include "measure/finished_picture.h"
 #include "measure/session.h"
 #include "preprocess/exporter/export.h"
+#include "settings/contradictions.h"
+#include "settings/output.h"
 #include "settings/plan_json.h"
 #include "settings/resolve.h"
-#include "settings/samples.h"
 #include "telemetry/json_text.h"
 
 #include <optional>
@@ -25,6 +26,8 @@ settings::Settings askedFor(const Options& options, const settings::Settings& of
     for (const char* name : {"memory", "gpu-memory", "backend", "shaders"})
         if (options.contains(name)) throw Error(name, "no option of a view: the model was opened without it");
     settings::Settings result = settings::settingsOf(options);
+    settings::requireSound(result);
+    settings::readCamera(result);
     result.memory = ofModel.memory;
     result.backend = ofModel.backend;
     return result;

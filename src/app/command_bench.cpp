@@ -10,6 +10,7 @@
 #include "measure/report_runs.h"
 #include "measure/summarize.h"
 #include "settings/codec.h"
+#include "settings/contradictions.h"
 #include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
@@ -29,7 +30,6 @@ struct BenchOptions {
     CommonOptions common;
     SettingOptions settings;
     measure::WalkOptions walk;
-    OracleOption oracle;
     std::string model;
     std::string path;
     std::optional<std::string> shadowMaps;
@@ -54,10 +54,10 @@ measure::WalkOptions walkOf(const BenchOptions& options) {
         walk.warmup = 1;
     }
     walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
-    walk.oracle = options.oracle.mode();
     const bool isProven = walk.oracle != proof::Oracle::None;
     if (walk.isRealTime && isProven)
         throw settings::UsageError{
+            "--oracle",
             "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
@@ -90,17 +90,21 @@ std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
     if (proof::isOfMaps(options.walk.oracle) && !options.report.empty())
         settings::requireDirectionalLight(fixed, "--report");
     requireNoWindow(fixed);
-    if (settings::isPosed(fixed))
-        throw settings::UsageError{"--path and --camera, --eye, --target, --view, --fov-y contradict each other"};
+    settings::requireSound(settings::Request{options.model, fixed, {.path = options.path}});
     std::vector<measure::BenchRun> runs =
         measure::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
     if (runs.size() == 1 && !options.report.empty()) runs = measure::reportRuns(runs.front().settings, options.isQuick);
     for (const measure::BenchRun& run : runs)
-        settings::qualityOf(run.settings); // reports a contradiction in any run before the first run begins
+        settings::requireSound(run.settings); // a contradiction in the last run must not cost the first one's time
     return runs;
 }
 
-/// A bench. The constructor performs all checks that need no drawing, so that errors appear before the long walks.
+/// Returns the backend that draws all `runs`.
+settings::Backend backendOf(const std::vector<measure::BenchRun>& runs) {
+    return measure::backendFor(measure::backendSettings(runs), settings::DrawingCommand::Bench).backend;
+}
+
+/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
 class Bench {
 public:
     explicit Bench(const BenchOptions& options)
@@ -109,7 +113,7 @@ public:
           runs_(runsOf(options)),
           path_(path::projected(path::readCameraPath(options.path), runs_.front().settings.projection)),
           baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(options.model, measure::backendSettings(runs_), printWarning, settings::DrawingCommand::Bench),
+          session_(options.model, measure::backendSettings(runs_), printWarning, backendOf(runs_)),
           csv_(options.csv),
           json_(options.json),
           images_(options.images),
@@ -263,7 +267,7 @@ void addBenchCommand(CLI::App& program) {
         ->check(CLI::Range(1, 1000000));
     count("--warmup", options->walk.warmup, "Frames before each repetition that are not logged", 0);
     command->add_flag("--real-time", options->walk.isRealTime, "Frames do not wait for pages");
-    options->oracle.addTo(*command);
+    addOracleOption(*command, options->walk.oracle);
     command->add_flag(
         "--quick",
         options->isQuick,

@@ -32,11 +32,12 @@ exporter::ExportLimit limitOf(const ExportOptions& options) {
     exporter::ExportLimit limit;
     limit.memory = *parseBytes(options.memory);
     if (options.triangles.empty() == options.error.empty())
-        throw settings::UsageError{"export: say either --triangles or --error"};
+        throw settings::UsageError{"--triangles", "export: say either --triangles or --error"};
     if (!options.triangles.empty()) {
         limit.triangles = parseCount(options.triangles);
         if (!limit.triangles)
-            throw settings::UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
+            throw settings::UsageError{
+                "--triangles", "--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
     }
     if (!options.error.empty()) {
         const auto length = settings::number("a length of at least 0", [](double value) { return value >= 0; });
@@ -47,7 +48,8 @@ exporter::ExportLimit limitOf(const ExportOptions& options) {
 
 void runTiles(const ExportOptions& options) {
     if (!options.triangles.empty() || !options.error.empty())
-        throw settings::UsageError{"export: tiles have every level of detail: no --triangles and no --error"};
+        throw settings::UsageError{
+            "--format", "export: tiles have every level of detail: no --triangles and no --error"};
     exporter::TilesetOptions tiles;
     tiles.memory = *parseBytes(options.memory);
     tiles.isPacked = !options.isUncompressed;

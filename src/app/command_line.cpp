@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "core/units.h"
 #include "gl/shader_library.h"
+#include "settings/contradictions.h"
 #include "settings/table.h"
 #include "storage/access.h"
 
@@ -45,6 +46,13 @@ void SettingOptions::requireMapsFor(const std::string& option) const {
 }
 
 settings::Settings SettingOptions::settings() const {
+    settings::Settings result = parsed();
+    settings::requireSound(result);
+    settings::readCamera(result);
+    return result;
+}
+
+settings::Settings SettingOptions::parsed() const {
     return settings::settingsOf(texts_);
 }
 
@@ -59,6 +67,7 @@ std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string
     const auto facesText = texts_.find(faces.name());
     if (shadowMaps && facesText != texts_.end() && facesText->second != faces.text(settings::Settings()))
         throw settings::UsageError{
+            "--shadow-maps",
             "--shadow-maps turns faces off, so " + faces.option() + " " + facesText->second + " contradicts it"};
     std::vector<settings::Axis> axes;
     for (const settings::Setting& setting : settings::table()) {
@@ -82,7 +91,7 @@ void addColorOptions(CLI::App& command, settings::ValueColorWords& words) {
 
 void requireNoWindow(const settings::Settings& settings) {
     if (settings.backend == settings::Backend::Window)
-        throw settings::UsageError{"--backend window is for gnomon view"};
+        throw settings::UsageError{"--backend", "--backend window is for gnomon view"};
 }
 
 CLI::Validator seedText() {

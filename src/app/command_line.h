@@ -20,10 +20,13 @@ public:
     /// Adds one option per setting to `command`. This object must exist until the command line is parsed.
     void addTo(CLI::App& command);
 
-    /// Returns the settings, with one value per option. Throws UsageError.
+    /// Returns the settings of the options: sound, and with the camera of the camera file. Throws UsageError and Error.
     settings::Settings settings() const;
 
-    /// Returns the settings for a bench. Settings that a bench sweeps have their default. Throws UsageError.
+    /// Returns the settings of the options, which can contradict each other. Throws UsageError for a wrong value.
+    settings::Settings parsed() const;
+
+    /// Likewise, for a bench: those that it sweeps are as they are by default.
     settings::Settings fixedSettings() const;
 
     /// Returns one axis per given setting that a bench sweeps, with the values of its list. If `shadowMaps` (a list of

@@ -30,7 +30,7 @@ std::unique_ptr<make::MadeModel> modelOf(const MakeOptions& options, std::uint64
     try {
         return make::makeNamedModel(options.kind, triangles, options.seed);
     } catch (const Error& error) {
-        throw settings::UsageError{error.what()}; // the options are the only input, so the error is a usage error
+        throw settings::UsageError{"", error.what()}; // the options are all that it is made of
     }
 }
 
@@ -40,7 +40,8 @@ void runMake(const MakeOptions& options) {
     if (!options.triangles.empty()) {
         const auto count = parseCount(options.triangles);
         if (!count)
-            throw settings::UsageError{"--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
+            throw settings::UsageError{
+                "--triangles", "--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
         triangles = *count;
     }
     const auto progress = makeProgress(options.common);

@@ -40,8 +40,8 @@ void runMeasure(const MeasureOptions& options) {
     for (const std::string& pixel : options.pixels)
         task.pixels.push_back(pixelOf(pixel, task.settings.imageSize));
     if (task.points.empty() == task.pixels.empty())
-        throw settings::UsageError{"say what to measure: --point X,Y,Z or --pixel X,Y, once for each point"};
-    if (task.takesVertices && task.pixels.empty()) throw settings::UsageError{"--vertices is of --pixel"};
+        throw settings::UsageError{"--point", "say what to measure: --point X,Y,Z or --pixel X,Y, once for each point"};
+    if (task.takesVertices && task.pixels.empty()) throw settings::UsageError{"--vertices", "--vertices is of --pixel"};
     const auto progress = makeProgress(options.common, Polling::No);
     progress->stage("measure", "points", task.points.size() + task.pixels.size());
     const auto [of, measure] = measure::measurePoints(task);

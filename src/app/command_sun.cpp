@@ -98,15 +98,16 @@ void runHours(HoursOptions options, measure::SunHoursTeam& team) {
     if (!options.error.empty()) task.error = settings::parsed(settings::positiveNumber(), "--error", options.error);
     const bool isOfView = task.points.empty() && !task.isOfVertices;
     if (isOfView && task.error)
-        throw settings::UsageError{"--error is of --points and --vertices; of a view --error-pixels"};
-    if (!isOfView && !(task.pfm + task.report).empty()) throw settings::UsageError{"--pfm and --report are of a view"};
+        throw settings::UsageError{"--error", "--error is of --points and --vertices; of a view --error-pixels"};
+    if (!isOfView && !(task.pfm + task.report).empty())
+        throw settings::UsageError{"--pfm", "--pfm and --report are of a view"};
     if (!task.points.empty() && (task.csv.empty() || !task.output.empty()))
-        throw settings::UsageError{"--points writes --csv FILE, and nothing else"};
+        throw settings::UsageError{"--points", "--points writes --csv FILE, and nothing else"};
     if (task.isOfVertices && (task.output.empty() || !task.csv.empty()))
-        throw settings::UsageError{"--vertices writes -o OUT.ply, and nothing else"};
+        throw settings::UsageError{"--vertices", "--vertices writes -o OUT.ply, and nothing else"};
     if ((task.output + task.pfm + task.csv + task.report).empty())
         throw settings::UsageError{
-            "sun hours writes nothing: say -o IMAGE.png, --pfm FILE, --csv FILE or --report DIR"};
+            "--output", "sun hours writes nothing: say -o IMAGE.png, --pfm FILE, --csv FILE or --report DIR"};
     settings::requireExtension("--output", task.output, task.isOfVertices ? ".ply" : ".png");
     settings::requireApart(
         {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--points", task.points}},

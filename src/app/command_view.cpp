@@ -5,8 +5,8 @@
 #include "core/error.h"
 #include "settings/backend_choice.h"
 #include "settings/files/named_files.h"
+#include "settings/output.h"
 #include "settings/resolve.h"
-#include "settings/samples.h"
 #include "settings/table.h"
 #include "storage/open_source.h"
 #include "viewer/input/key_table.h"
@@ -22,7 +22,6 @@ namespace {
 /// Throws UsageError for wrong options, before a window opens or a mesh is built.
 void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
-    settings::qualityOf(settings);
     settings::requireCapable(settings, options.colors);
     settings::viewOf(settings, hierarchy::ModelSummary());
     settings::requireApart(
@@ -30,7 +29,8 @@ void requireSound(const viewer::ViewerOptions& options) {
         {{"--csv", options.csv}});
     if (settings.backend == settings::Backend::Osmesa || settings.backend == settings::Backend::Egl)
         throw settings::UsageError{
-            settings::written("backend", settings) + " draws into no window; take auto, software or window"};
+            "--backend",
+            settings::optionText("backend", settings) + " draws into no window; take auto, software or window"};
     if (!storage::isAddress(options.file) && !std::filesystem::exists(options.file))
         throw Error(options.file, "this model cannot be opened", "a file", "none");
 }

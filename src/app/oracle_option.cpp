@@ -2,17 +2,12 @@
 
 namespace gnomon::app {
 
-namespace {
-
-const std::string kFlagAlone(wordOf(proof::kOracles, proof::Oracle::SameDetail));
-
-} // namespace
-
-void OracleOption::addTo(CLI::App& command) {
+void addOracleOption(CLI::App& command, proof::Oracle& oracle) {
+    static const std::string kFlagAlone(wordOf(proof::kOracles, proof::Oracle::SameDetail));
     command
-        .add_option(
+        .add_option_function<std::string>(
             "--oracle",
-            text_,
+            [&oracle](const std::string& text) { oracle = valueOf(proof::kOracles, text).value(); },
             "Hold the shadows against ray-traced ones, and the picture against the finest level in those; `full` "
             "traces the finest level, which --memory has to hold, and 83 bytes a triangle beside it; `exact` decides "
             "each pixel in integers")
@@ -26,10 +21,6 @@ void OracleOption::addTo(CLI::App& command) {
             "")
         ->default_str(kFlagAlone)
         ->type_name("[full|exact]");
-}
-
-proof::Oracle OracleOption::mode() const {
-    return valueOf(proof::kOracles, text_).value_or(proof::Oracle::None);
 }
 
 } // namespace gnomon::app

@@ -1,24 +1,12 @@
-// The option --oracle of render and bench, which selects the ground truth for shadows.
+// --oracle, an option of render and bench.
 #pragma once
 
 #include "app/commands.h"
-#include "proof/frame_proof.h"
-
-#include <string>
+#include "proof/oracle.h"
 
 namespace gnomon::app {
 
-/// The option --oracle and its value.
-class OracleOption {
-public:
-    /// Adds the option to `command`. This object must exist until the command line is parsed.
-    void addTo(CLI::App& command);
-
-    /// Returns the chosen ground truth, or Oracle::None without the option.
-    proof::Oracle mode() const;
-
-private:
-    std::string text_;
-};
+/// Adds `--oracle` to `command`: the ground truth that shadows are compared with. `oracle` must outlive the parsing.
+void addOracleOption(CLI::App& command, proof::Oracle& oracle);
 
 } // namespace gnomon::app

@@ -55,8 +55,8 @@ void runProgram(const Program& about, int argc, char** argv) {
             std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
         if (!about.isSilent) std::cout << (isJson ? gnomon::manual::versionJson(GNOMON_VERSION) : versionLine) << '\n';
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() != 0) throw settings::UsageError{usage(program, error, argc > 1 ? argv[1] : "")};
-        if (!about.isSilent) program.exit(error); // prints the help
+        if (error.get_exit_code() != 0) throw settings::UsageError{"", usage(program, error, argc > 1 ? argv[1] : "")};
+        if (!about.isSilent) program.exit(error); // prints what --help asks for
     }
     requirePrinted();
 }

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "exact/exact_shadows.h"
+#include "executor/overlay/overlay.h"
 #include "executor/picture.h"
 #include "hierarchy/grid.h"
 #include "hierarchy/page.h"
@@ -28,45 +29,6 @@ namespace gnomon::executor {
 
 /// Returns the decoded page of an id in a draw list. The page stays valid until the frame is drawn.
 using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
-
-/// A visualisation that is painted over the image.
-/// - Aliasing shows the perspective aliasing, which a plan bounds.
-/// - Projection shows the other factor of aliasing. It depends on the angles of the surface to light and eye, and has
-///   no bound.
-/// - Residency shows clusters that are coarser than requested, because finer pages are not in memory.
-enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
-
-/// An overlay with its name on the command line and its title.
-struct NamedOverlay {
-    Overlay value;
-    const char* word;
-    const char* title;
-};
-
-/// All overlays in the order of the window's menu.
-inline constexpr std::array kOverlays = {
-    NamedOverlay{Overlay::None, "none", "none"},
-    NamedOverlay{Overlay::Partitions, "partitions", "partitions"},
-    NamedOverlay{Overlay::Texels, "texels", "shadow texels"},
-    NamedOverlay{Overlay::Aliasing, "aliasing", "aliasing"},
-    NamedOverlay{Overlay::Lod, "lod", "level of detail"},
-    NamedOverlay{Overlay::Clusters, "clusters", "clusters"},
-    NamedOverlay{Overlay::Residency, "residency", "what waits for pages"},
-    NamedOverlay{Overlay::Projection, "projection", "projection"},
-};
-
-/// Returns true if `overlay` shows a property of shadow maps.
-constexpr bool isOfMaps(Overlay overlay) {
-    return overlay == Overlay::Partitions || overlay == Overlay::Texels || overlay == Overlay::Aliasing ||
-           overlay == Overlay::Projection;
-}
-
-/// Returns the title of `overlay`.
-constexpr const char* title(Overlay overlay) {
-    for (const NamedOverlay& each : kOverlays)
-        if (each.value == overlay) return each.title;
-    return "";
-}
 
 /// Camera-relative space: world axes and units, with the origin at the grid point of the model that is nearest to the
 /// eye. Floats are therefore precise near the eye, also if the model is far from the world's origin or the eye is far

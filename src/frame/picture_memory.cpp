@@ -14,36 +14,38 @@ namespace {
 // bytes per pixel: colour and coverage
 constexpr std::uint64_t kFinished = sizeof(executor::Rgb) + sizeof(std::uint8_t);
 
-/// Returns the kind of shadows that the software backend draws.
-plan::ShadowMode shadowsOf(const plan::Quality& quality) {
-    return plan::decideShadows(quality, plan::kSoftwareCapabilities).mode;
-}
+/// The bytes of a picture while it is drawn.
+struct Demand {
+    std::uint64_t perPixel = 0;
+    std::uint64_t fixed = 0; // for any size: the depth texture and its masks, or the cells of exact shadows
+    Bytes all;
+};
 
-/// Returns the bytes per pixel while an image is drawn.
-std::uint64_t bytesPerPixel(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+Demand demandOf(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     constexpr std::uint64_t kAwaited = 3 * sizeof(std::uint32_t) + sizeof(float) + sizeof(std::uint8_t);
     constexpr std::uint64_t kMapOfLamp = sizeof(std::int32_t);
-    std::uint64_t bytes = sizeof(std::uint64_t) + 2 * sizeof(executor::Rgb); // visibility buffer, image and its copy
-    if (options.wantsSurfaces) bytes += sizeof(executor::SurfaceSample);
-    if (options.isAccumulated)
-        bytes += executor::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
-    const bool hasSun = !plan::isWithoutSun(quality.look.shading);
-    const plan::ShadowMode shadows = shadowsOf(quality);
-    if (hasSun && shadows != plan::ShadowMode::Off && shadows != plan::ShadowMode::Maps)
-        bytes += exact::ExactShadows::kBytesPerSample + (view.pointLight ? kMapOfLamp : 0);
-    else if (hasSun && shadows == plan::ShadowMode::Maps && !options.isAccumulated)
-        bytes += kAwaited;
-    return bytes;
-}
-
-/// Returns the memory that does not depend on the image size: the depth texture, or the cells of exact shadows.
-std::uint64_t fixedBytes(const plan::Quality& quality) {
     constexpr std::uint64_t kCells = mebibytes(8).count;
-    const auto texels =
-        static_cast<std::uint64_t>(quality.shadowTexelsWidth) * static_cast<std::uint64_t>(quality.shadowTexelsHeight);
-    const plan::ShadowMode shadows = shadowsOf(quality);
-    if (shadows == plan::ShadowMode::Maps) return texels * sizeof(float);
-    return shadows == plan::ShadowMode::Exact ? kCells : 0;
+    Demand demand;
+    demand.perPixel = sizeof(std::uint64_t) + 2 * sizeof(executor::Rgb); // visibility buffer, picture and its copy
+    if (options.wantsSurfaces) demand.perPixel += sizeof(executor::SurfaceSample);
+    if (options.isAccumulated)
+        demand.perPixel += executor::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
+    const bool hasSun = !plan::isWithoutSun(quality.look.shading);
+    const plan::ShadowMode shadows = plan::decideShadows(quality, plan::kSoftwareCapabilities).mode;
+    if (hasSun && shadows != plan::ShadowMode::Off && shadows != plan::ShadowMode::Maps)
+        demand.perPixel += exact::ExactShadows::kBytesPerSample + (view.pointLight ? kMapOfLamp : 0);
+    else if (hasSun && shadows == plan::ShadowMode::Maps && !options.isAccumulated)
+        demand.perPixel += kAwaited;
+    if (shadows == plan::ShadowMode::Maps)
+        demand.fixed = static_cast<std::uint64_t>(quality.shadowTexelsWidth) *
+                       static_cast<std::uint64_t>(quality.shadowTexelsHeight) * sizeof(float);
+    else if (shadows == plan::ShadowMode::Exact)
+        demand.fixed = kCells;
+    const auto width = static_cast<std::uint64_t>(view.width);
+    const auto height = static_cast<std::uint64_t>(view.height);
+    const auto rows = options.rows ? static_cast<std::uint64_t>(options.rows->count) : height;
+    demand.all = {width * rows * demand.perPixel + width * height * kFinished + demand.fixed};
+    return demand;
 }
 
 /// Returns true if the image can be drawn in bands of rows, because the caller does not need all rows at once.
@@ -55,19 +57,17 @@ bool canHaveBands(const plan::View& view, const FrameOptions& options) {
 } // namespace
 
 Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
-    const auto width = static_cast<std::uint64_t>(view.width);
-    const auto height = static_cast<std::uint64_t>(view.height);
-    const auto rows = options.rows ? static_cast<std::uint64_t>(options.rows->count) : height;
-    return {width * rows * bytesPerPixel(view, quality, options) + width * height * kFinished + fixedBytes(quality)};
+    return demandOf(view, quality, options).all;
 }
 
 std::vector<executor::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory) {
-    constexpr int kMinRows = 64; // a multiple of the block heights of shading and of masks
-    const bool fits = pictureBytes(view, quality, options).count <= memory.count / 2;
-    if (fits || !canHaveBands(view, options)) return {{0, view.height}};
-    const std::uint64_t perStripe =
-        bytesPerPixel(view, quality, options) * static_cast<std::uint64_t>(view.width) * kMinRows;
+    constexpr int kMinRows = 64; // a multiple of what is shaded together and of what is masked
+    const std::vector<executor::ImageRows> whole = {{0, view.height}};
+    if (!canHaveBands(view, options)) return whole;
+    const Demand demand = demandOf(view, quality, options);
+    if (demand.all.count <= memory.count / 2) return whole;
+    const std::uint64_t perStripe = demand.perPixel * static_cast<std::uint64_t>(view.width) * kMinRows;
     const std::uint64_t stripes = std::max<std::uint64_t>(memory.count / 4 / perStripe, 1);
     const int rows =
         static_cast<int>(std::min<std::uint64_t>(stripes * kMinRows, static_cast<std::uint64_t>(view.height)));

@@ -101,14 +101,6 @@ plan::Shading shadingOf(
     return isDark ? plan::Shading::Headlight : plan::Shading::Lit;
 }
 
-template <class Pixel>
-void put(const executor::Raster<Pixel>& rows, int top, executor::Raster<Pixel>& whole) {
-    std::copy(
-        rows.pixels.begin(),
-        rows.pixels.end(),
-        whole.pixels.begin() + static_cast<std::ptrdiff_t>(whole.index(0, top)));
-}
-
 } // namespace
 
 std::vector<executor::ImageRows> bandsOf(
@@ -135,31 +127,33 @@ FinishedPicture drawFinished(
     frame::FrameOptions frameOptions = options;
     frameOptions.isAccumulated = samples > 1;
     const std::vector<executor::ImageRows> bands = bandsOf(session, view, quality, options, samples);
+    plan::Quality decided = quality;
+    if (bands.size() > 1) decided.look.shading = shadingOf(session, view, quality, frameOptions, bands);
     SharedProgress shared(progress, samples, bands.size());
     FinishedPicture finished;
-    if (bands.size() == 1) {
-        DrawnRows drawn = drawRows(session, view, quality, frameOptions, samples, shared);
-        finished = {std::move(drawn.frame), std::move(drawn.picture), std::move(drawn.coverage)};
-        if (samples == 1)
-            executor::drawLegend(finished.picture, executor::legendOf(options.overlay, finished.frame.plan));
-        return finished;
-    }
-    plan::Quality decided = quality;
-    decided.look.shading = shadingOf(session, view, quality, frameOptions, bands);
-    finished.picture = executor::Picture(view.width, view.height);
     const frame::Renderer::Motion before = renderer.motion();
     for (const executor::ImageRows& band : bands) {
-        frameOptions.rows = band;
-        renderer.continueFrom(before);
-        DrawnRows drawn = drawRows(session, view, decided, frameOptions, samples, shared);
-        const int top = view.height - band.first - band.count;
-        put(drawn.picture, top, finished.picture);
-        if (drawn.coverage) {
-            if (!finished.coverage) finished.coverage = executor::Coverage(view.width, view.height);
-            put(*drawn.coverage, top, *finished.coverage);
+        if (bands.size() > 1) {
+            frameOptions.rows = band;
+            renderer.continueFrom(before);
         }
+        DrawnRows drawn = drawRows(session, view, decided, frameOptions, samples, shared);
         finished.frame = std::move(drawn.frame);
+        if (bands.size() == 1) {
+            finished.picture = std::move(drawn.picture);
+            finished.coverage = std::move(drawn.coverage);
+            break;
+        }
+        const auto put = [&](const auto& rows, auto& whole) {
+            if (whole.pixels.empty()) whole = {view.width, view.height};
+            const std::size_t top = whole.index(0, view.height - band.first - band.count);
+            std::copy(rows.pixels.begin(), rows.pixels.end(), whole.pixels.begin() + static_cast<std::ptrdiff_t>(top));
+        };
+        put(drawn.picture, finished.picture);
+        if (drawn.coverage) put(*drawn.coverage, finished.coverage ? *finished.coverage : finished.coverage.emplace());
     }
+    if (bands.size() == 1 && samples == 1)
+        executor::drawLegend(finished.picture, executor::legendOf(options.overlay, finished.frame.plan));
     return finished;
 }
 

@@ -1,6 +1,5 @@
 #include "measure/session.h"
 
-#include "core/check.h"
 #include "core/error.h"
 #include "executor/gl/gl_executor.h"
 #include "executor/software_executor.h"
@@ -18,7 +17,6 @@ std::unique_ptr<executor::Executor> makeExecutor(
     settings::Backend backend,
     const std::function<void(const std::string&)>& warn) {
     using settings::Backend;
-    GNOMON_CHECK(backend != Backend::Window);
     if (backend == Backend::Software) return executor::makeSoftwareExecutor();
     const gl::ShaderLibrary shaders(
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
@@ -45,11 +43,10 @@ Session::Session(
     const std::string& modelPath,
     const settings::Settings& settings,
     const std::function<void(const std::string&)>& warn,
-    settings::DrawingCommand command,
-    int pictures)
+    settings::Backend backend)
     : warn_(warn),
       model_(modelPath, settings.memory),
-      executor_(makeExecutor(settings, backendFor(settings, command, pictures).backend, warn)),
+      executor_(makeExecutor(settings, backend, warn)),
       renderer_(
           model_,
           *executor_,

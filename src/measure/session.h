@@ -23,14 +23,20 @@ std::string shortfallLine(const telemetry::Shortfall& shortfall);
 /// A model, its executor and its renderer.
 class Session {
 public:
-    /// Opens the model and makes the backend for `command`, which must not be the window. If `auto` chose a GPU that
-    /// cannot be used, the software backend draws. Calls `warn` with one line per damaged page and per unusable GPU.
+    /// Opens the model and makes `backend`, which is not the window. If `auto` chose a GPU that cannot be used, the
+    /// software backend draws. Tells `warn` in a line of each damaged page and of each GPU that cannot be used.
     Session(
         const std::string& modelPath,
         const settings::Settings& settings,
         const std::function<void(const std::string&)>& warn,
-        settings::DrawingCommand command = settings::DrawingCommand::Render,
-        int pictures = 1);
+        settings::Backend backend);
+
+    /// Makes the backend for one picture.
+    Session(
+        const std::string& modelPath,
+        const settings::Settings& settings,
+        const std::function<void(const std::string&)>& warn)
+        : Session(modelPath, settings, warn, backendFor(settings, settings::DrawingCommand::Render).backend) {}
 
     /// Cancels all reads from a server.
     ~Session() { model_.source().stop(); }

@@ -34,7 +34,8 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
     bool isDismissed = false;
     const auto build = [&](read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress) {
         if (options.isInMemory)
-            throw settings::UsageError{"a build without temporary files is of one process: others read what it writes"};
+            throw settings::UsageError{
+                "", "a build without temporary files is of one process: others read what it writes"};
         pipeline::BuildReport report = buildModel(source, options, leader, progress);
         leader.dismiss();
         isDismissed = true;
@@ -46,7 +47,7 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
     };
     const int code = app::exitCodeOf([&] {
         if (argc > 1 && std::string_view(argv[1]) == "bench")
-            throw settings::UsageError{"bench runs in one process: gnomon bench"};
+            throw settings::UsageError{"", "bench runs in one process: gnomon bench"};
         app::runProgram(programOf(build, std::make_shared<mpi::SunTeam>(mailbox), false), argc, argv);
     });
     if (!isDismissed) leader.dismiss();

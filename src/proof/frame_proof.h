@@ -1,36 +1,16 @@
 // Validation of a drawn frame against ray tracing, its aliasing bound, the finest level and the frame before.
 #pragma once
 
-#include "core/words.h"
 #include "frame/renderer.h"
 #include "proof/crawl.h"
 #include "proof/measured_aliasing.h"
+#include "proof/oracle.h"
 #include "proof/shadow_truth.h"
 
 #include <array>
 #include <optional>
 
 namespace gnomon::proof {
-
-/// The ground truth (option --oracle) for the shadows of a frame.
-enum class Oracle : std::uint8_t {
-    None,
-    SameDetail, // rays against the cut of the maps, in the caster volume of the whole frustum
-    FullDetail, // rays against the finest level in that volume
-    Exact,      // integer arithmetic against the cut of the frame in that volume
-};
-
-/// All kinds of ground truth except None.
-inline constexpr std::array kOracles = {
-    Word<Oracle>{Oracle::SameDetail, "same"},
-    Word<Oracle>{Oracle::FullDetail, "full"},
-    Word<Oracle>{Oracle::Exact, "exact"},
-};
-
-/// Returns true if this ground truth requires shadow maps.
-constexpr bool isOfMaps(Oracle oracle) {
-    return oracle == Oracle::SameDetail || oracle == Oracle::FullDetail;
-}
 
 /// The requested measurements of a frame.
 struct ProofOptions {

@@ -63,7 +63,7 @@ constexpr std::array kNeeds = {
 
 std::string writtenNeed(const Need& need, const Settings& settings, const ValueColors& colors) {
     if (need.capability == &Capabilities::seesTriangles) return "--color-by " + nameOf(colors);
-    return written(need.option, settings);
+    return optionText(need.option, settings);
 }
 
 } // namespace
@@ -105,7 +105,8 @@ void requireCapable(const Settings& settings, const ValueColors& colors) {
     if (settings.backend == Backend::Auto) return;
     if (const auto need = unmetNeed(settings, colors, capabilitiesOf(settings.backend)))
         throw UsageError{
-            written("backend", settings) + " and " + need->option + " contradict each other: " + need->reason};
+            "--backend",
+            optionText("backend", settings) + " and " + need->option + " contradict each other: " + need->reason};
 }
 
 } // namespace gnomon::settings

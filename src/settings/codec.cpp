@@ -65,7 +65,7 @@ std::string withSuffix(std::uint64_t number, std::uint64_t step, std::string_vie
 } // namespace
 
 void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-    throw UsageError{option + ": expected " + expected + ", found '" + text + "'"};
+    throw UsageError{option, option + ": expected " + expected + ", found '" + text + "'"};
 }
 
 std::string shortest(double value) {

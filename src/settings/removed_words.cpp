@@ -23,7 +23,7 @@ constexpr std::array kRemoved = {
 void refuse(const Removed& removed) {
     const std::string given =
         std::string(removed.option) + (removed.word.empty() ? "" : " ") + std::string(removed.word);
-    throw UsageError{given + " is removed: " + std::string(removed.replacement)};
+    throw UsageError{std::string(removed.option), given + " is removed: " + std::string(removed.replacement)};
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "settings/settings.h"
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,20 +29,27 @@ bool isPosed(const Settings& settings);
 /// Returns true if no option gives the position of the eye, so that the camera frames the whole model.
 bool isFramed(const Settings& settings);
 
-/// Returns the requested view. Reads the camera file, if one is given. Without a given camera, the view frames the
-/// points of `outline` (path/outline.h), or the bounds in `summary` if `outline` is empty. The up direction `auto`
-/// gives the up direction that the model stores. Throws UsageError for contradictions, and Error if the file is not a
-/// camera.
+/// Reads the camera file of `settings`, if there is one; it is a path if `time`, in seconds, is given. Throws Error.
+void readCamera(Settings& settings, std::optional<double> time = {});
+
+/// The pictures that a view without a camera frames the model for.
+enum class Framing : std::uint8_t { OnePicture, EveryTurn, Path }; // the cameras of a path need no framing
+
+/// Returns the view of sound `settings` whose camera file is read. Without a camera the view frames `outline`
+/// (path/outline.h), or the bounds of `summary` if `outline` is empty. An up that is auto is the model's own. Throws
+/// UsageError if the eye is at the target.
 plan::View viewOf(
-    const Settings& settings, const hierarchy::ModelSummary& summary, std::span<const glm::dvec3> outline = {});
+    const Settings& settings,
+    const hierarchy::ModelSummary& summary,
+    std::span<const glm::dvec3> outline = {},
+    Framing framing = Framing::OnePicture);
 
 /// Returns `settings` with a known up direction. `auto` is replaced by an estimate from the shape of `model`, for which
 /// the function reads coarse pages.
 Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model);
 
-/// Returns the requested view with the up direction of `uprightIn`. If the camera has to frame the model, the function
-/// reads coarse pages for the outline.
-plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model);
+/// Returns the view with that up and the outline of `model`. Reads coarse pages of the model if it has to frame it.
+plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model, Framing framing = Framing::OnePicture);
 
 /// Sets the section planes of `view` (world space), and whether they also cut casters.
 void setSections(const Settings& settings, plan::View& view);
@@ -50,7 +58,7 @@ void setSections(const Settings& settings, plan::View& view);
 /// names `option`.
 void requireDirectionalLight(const Settings& settings, const std::string& option);
 
-/// Returns the requested quality of frames. Throws UsageError for options that contradict each other.
+/// Returns the quality of sound `settings`.
 plan::Quality qualityOf(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -32,10 +32,11 @@ inline plan::Quality openQuality() {
     return quality;
 }
 
-/// The place and the time for which the position of the Sun is computed.
+/// The requested place and time of the Sun, and its position there. `sunAt` fills all members.
 struct SunTime {
     sun::Place place;
     sun::CivilTime time;
+    sun::SunPosition position;
 };
 
 /// A section plane through `point`. It removes all geometry on the side to which `normal` points.
@@ -60,8 +61,9 @@ inline constexpr std::array kSectionCasters = {
 /// this.
 struct Settings {
     std::array<int, 2> imageSize{800, 800}; // pixels
-    std::string cameraFile;                 // empty: no camera file
-    std::optional<glm::dvec3> eye;          // nullopt: the camera frames the model
+    std::string cameraFile;                 // empty: none
+    std::optional<Camera> camera;           // of the camera file, see readCamera
+    std::optional<glm::dvec3> eye;          // nothing: frames the model
     std::optional<glm::dvec3> target;
     std::optional<glm::dvec3> up;
     std::optional<double> fovYDegrees;

@@ -1,6 +1,8 @@
 #include "settings/sun_period.h"
 
+#include "settings/backend_choice.h"
 #include "settings/resolve.h"
+#include "settings/table.h"
 #include "settings/usage_error.h"
 
 #include <cmath>
@@ -12,26 +14,31 @@ std::size_t stepCount(const SunPeriod& period) {
     const sun::JulianDate from = sun::julianDate(period.from);
     const sun::JulianDate to = sun::julianDate(period.to);
     const double seconds = ((to.midnight - from.midnight) + (to.fraction - from.fraction)) * kSecondsOfDay;
-    if (!(seconds > 0)) throw UsageError{"--to has to be later than --from"};
-    // Dates are rounded to about a microsecond. The tolerance avoids an additional step because of this.
+    if (!(seconds > 0)) throw UsageError{"--to", "--to has to be later than --from"};
+    // A microsecond more or less is the rounding of dates.
     const double steps = std::ceil(seconds / period.stepSeconds - 0.5 - 1e-6 / period.stepSeconds);
-    if (steps < 1) throw UsageError{"--step is more than twice the time from --from to --to"};
-    if (steps > kMostSunSteps) throw UsageError{"--step is too short: more than a million steps from --from to --to"};
+    if (steps < 1) throw UsageError{"--step", "--step is more than twice the time from --from to --to"};
+    if (steps > kMostSunSteps)
+        throw UsageError{"--step", "--step is too short: more than a million steps from --from to --to"};
     return static_cast<std::size_t>(steps);
 }
 
 Settings sunHoursSettings(const Settings& settings) {
     Settings result = settings;
-    if (result.sun) throw UsageError{"--sun is of one picture: sun hours has --at, --from and --to"};
-    if (result.isLightGiven) throw UsageError{"--light contradicts --at: the light is the sun's"};
+    if (result.sun) throw UsageError{"--sun", "--sun is of one picture: sun hours has --at, --from and --to"};
+    if (result.isLightGiven) throw UsageError{"--light", "--light contradicts --at: the light is the sun's"};
     if (result.quality.shadows != plan::ShadowMode::Auto && result.quality.shadows != plan::ShadowMode::Exact)
-        throw UsageError{"--shadows: hours of sun are counted by exact shadows alone"};
+        throw UsageError{"--shadows", "--shadows: hours of sun are counted by exact shadows alone"};
     if (result.backend != Backend::Auto && result.backend != Backend::Software)
-        throw UsageError{"--backend: hours of sun are counted by the software backend alone"};
+        throw UsageError{
+            "--backend",
+            optionText("backend", result) +
+                " and sun hours contradict each other: " + onlySoftware(&plan::Capabilities::exactShadows)};
     if (result.quality.mapsBecause)
-        throw UsageError{"hours of sun are counted by exact shadows: no option of maps goes with them"};
+        throw UsageError{"--shadows", "hours of sun are counted by exact shadows: no option of maps goes with them"};
     if (result.sunAngleDegrees.value_or(0) > 0 || result.quality.sky.directions > 0)
-        throw UsageError{"--sun-angle and --sky are of pictures: hours of sun are counted for a sun that is a point"};
+        throw UsageError{
+            "--sun-angle", "--sun-angle and --sky are of pictures: hours of sun are counted for a sun that is a point"};
     result.north.reset();
     if (!isPosed(result)) result.side = path::ViewSide::Top;
     result.quality.shadows = plan::ShadowMode::Exact;
@@ -42,7 +49,8 @@ Settings sunHoursSettings(const Settings& settings) {
 void requirePointHours(const Settings& settings) {
     sunHoursSettings(settings);
     if (isPosed(settings))
-        throw UsageError{"--points and --vertices have no view: no --camera, --eye or --view goes with them"};
+        throw UsageError{
+            "--points", "--points and --vertices have no view: no --camera, --eye or --view goes with them"};
 }
 
 } // namespace gnomon::settings

@@ -2,7 +2,9 @@
 
 #include "core/angle.h"
 #include "core/formatted.h"
+#include "hierarchy/main_part.h"
 #include "hierarchy/upright_frame.h"
+#include "path/framing.h"
 #include "settings/setting_place.h"
 #include "sun/sun_day.h"
 
@@ -37,7 +39,7 @@ std::optional<SunTime> sunTimeOf(const std::string& text) {
     if (comma == std::string::npos) return std::nullopt;
     const auto where = placeOf(text.substr(0, comma));
     const auto when = sun::parseCivilTime(text.substr(comma + 1));
-    return where && when ? std::optional(SunTime{*where, *when}) : std::nullopt;
+    return where && when ? std::optional(sunAt(*where, *when)) : std::nullopt;
 }
 
 std::string upTimes(const SunTime& asked) {
@@ -155,11 +157,15 @@ glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec
         {level * std::sin(azimuth), std::sin(elevation), -level * std::cos(azimuth)});
 }
 
-glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up) {
-    const sun::SunPosition sun = sun::sunPosition(sun::julianDate(asked.time), asked.place, {});
-    if (sun.elevationRefracted <= 0)
-        throw UsageError{formatted("--sun: the sun is down then, at %.1f degrees; ", sun.elevation) + upTimes(asked)};
-    return towardsSun(sun, north, up);
+SunTime sunAt(const sun::Place& place, const sun::CivilTime& time) {
+    return {place, time, sun::sunPosition(sun::julianDate(time), place, {})};
+}
+
+void requireSunUp(const SunTime& asked) {
+    if (asked.position.elevationRefracted > 0) return;
+    throw UsageError{
+        "--sun",
+        formatted("--sun: the sun is down then, at %.1f degrees; ", asked.position.elevation) + upTimes(asked)};
 }
 
 namespace {
@@ -171,18 +177,21 @@ glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
     for (int axis = 0; axis < 3; ++axis)
         if (!(std::abs(cell[axis]) < kMostCells))
             throw UsageError{
+                "--light-at",
                 "--light-at: it is too far away for a point; --light " + direction().write(at) + " is as good"};
     return grid.origin + cell * grid.step();
+}
+
+/// Returns the direction from the middle of the model to the lamp; `up` if the lamp is there.
+glm::dvec3 towardsPoint(const plan::PointLight& light, const Box& bounds, const glm::dvec3& up) {
+    const glm::dvec3 towards = light.at - 0.5 * (bounds.min + bounds.max);
+    return towards == glm::dvec3(0) ? up : towards;
 }
 
 } // namespace
 
 std::optional<plan::PointLight> pointLightOf(const Settings& settings, const hierarchy::ModelSummary& model) {
     if (!settings.lightAt) return std::nullopt;
-    if (settings.isLightGiven) throw UsageError{"--light-at and --light contradict each other"};
-    if (settings.sun) throw UsageError{"--light-at and --sun contradict each other"};
-    if (settings.sunAngleDegrees)
-        throw UsageError{"--light-at and --sun-angle contradict each other: a lamp is a point"};
     plan::PointLight light;
     light.at = onGrid(*settings.lightAt, model.grid);
     constexpr double kOfDiagonal = 1.0 / 16;
@@ -194,7 +203,18 @@ std::optional<plan::PointLight> pointLightOf(const Settings& settings, const hie
 double lightDiameter(const Settings& settings) {
     if (settings.sunAngleDegrees) return radiansFromDegrees(*settings.sunAngleDegrees);
     if (!settings.sun) return 0;
-    return radiansFromDegrees(sun::sunPosition(sun::julianDate(settings.sun->time), settings.sun->place, {}).diameter);
+    return radiansFromDegrees(settings.sun->position.diameter);
+}
+
+void setLight(const Settings& settings, const hierarchy::ModelSummary& model, plan::View& view) {
+    view.sunAngleRadians = lightDiameter(settings);
+    view.pointLight = pointLightOf(settings, model);
+    if (view.pointLight)
+        view.towardsLight = towardsPoint(*view.pointLight, hierarchy::mainPartOf(model), view.up);
+    else if (settings.sun)
+        view.towardsLight = towardsSun(settings.sun->position, settings.north.value_or(0), view.up);
+    else
+        view.towardsLight = settings.isLightGiven ? settings.towardsLight : path::usualLight(view.up);
 }
 
 } // namespace gnomon::settings

@@ -26,14 +26,16 @@ Codec<plan::SkyLight> skyLight();
 /// `--sky`.
 std::vector<Setting> sunSettings();
 
-/// Returns the unit vector towards the Sun at position `sun`, with refraction. The Sun can be below the horizon.
-/// `north` and `up` have the same meaning as in the next function.
+/// Returns the unit vector towards a Sun at that position, above the horizon or below it, in a world in which `up` is
+/// up. True north is `north` degrees clockwise, seen from above, of the world's own north. The world's north is
+/// opposite its front: -z if y is up, y if z is up.
 glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec3& up);
 
-/// Returns the unit vector towards the Sun at a place and time, with the refraction of standard air. `up` is the up
-/// direction of the world. True north is `north` degrees clockwise of the model's north, seen from above. The model's
-/// north is -z if y is up, and y if z is up. Throws UsageError if the Sun is down. The message says when it is up.
-glm::dvec3 towardsSun(const SunTime& asked, double north, const glm::dvec3& up);
+/// Returns the Sun at a place and time, as the usual air shows it.
+SunTime sunAt(const sun::Place& place, const sun::CivilTime& time);
+
+/// Throws UsageError if the Sun is down. The error says when it is up.
+void requireSunUp(const SunTime& asked);
 
 /// Returns the requested point light, moved to the nearest point of the model's grid; nullopt if none is requested. It
 /// is as bright as the Sun at the distance d = sqrt(a^2 + b^2), where a is its distance from the bounding box of the
@@ -44,5 +46,9 @@ std::optional<plan::PointLight> pointLightOf(const Settings& settings, const hie
 /// Returns the angular diameter of the light's disc in radians. It is the requested angle, else the diameter of the Sun
 /// at its place and time (0.5331 degrees divided by its distance in AU). For a light other than the Sun it is 0.
 double lightDiameter(const Settings& settings);
+
+/// Gives `view`, whose up is set, the requested light: its direction, its disc and its lamp. Throws UsageError for a
+/// lamp that is too far away.
+void setLight(const Settings& settings, const hierarchy::ModelSummary& model, plan::View& view);
 
 } // namespace gnomon::settings

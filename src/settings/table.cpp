@@ -375,7 +375,12 @@ const Setting& named(std::string_view name) {
     return *found;
 }
 
-std::string written(const char* name, const Settings& settings) {
+bool isSetting(std::string_view name) {
+    const auto all = table();
+    return std::any_of(all.begin(), all.end(), [&](const Setting& each) { return each.name() == name; });
+}
+
+std::string optionText(const char* name, const Settings& settings) {
     const Setting& setting = named(name);
     return setting.option() + " " + setting.text(settings);
 }

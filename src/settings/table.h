@@ -18,8 +18,11 @@ std::span<const Setting> table();
 /// Returns the setting with this name, which must exist.
 const Setting& named(std::string_view name);
 
-/// Returns the option of a setting with its value, as on the command line: "--eta 0.5".
-std::string written(const char* name, const Settings& settings);
+/// The option of a setting and its value, as they are written: "--eta 0.5".
+std::string optionText(const char* name, const Settings& settings);
+
+/// Returns whether there is a setting of that name.
+bool isSetting(std::string_view name);
 
 /// Returns the options that set `limits`, with ", " between them; empty if none does.
 std::string optionsOf(std::span<const Limit> limits);

@@ -125,12 +125,12 @@ void colorByValues(
     }
     const ValuePicture values = valuesOf(colors, renderer, frame);
     const executor::ValueScale scale = valueScale(colors, usualRange(colors, model, frame.plan.view.up, values));
-    for (std::size_t i = 0; i < values.pixels.size(); ++i)
-        if (!std::isnan(values.pixels[i])) paint(i, scale.color(values.pixels[i]));
     executor::Legend legend;
     legend.title = {
         titleOf(colors, hierarchy::rowOf(model.unit).name) + (scale.isLogarithmic ? ", logarithmic" : "") +
         (hasShadows ? ", darker in the shadow" : "")};
+    for (std::size_t i = 0; i < values.pixels.size(); ++i)
+        if (!std::isnan(values.pixels[i])) paint(i, scale.color(values.pixels[i]));
     legend.scale = executor::colorScale(scale);
     executor::drawLegend(picture, legend);
 }

@@ -25,7 +25,7 @@ Camera FramedModel::home(const glm::ivec2& size, Projection projection) const {
 Camera FramedModel::from(path::ViewSide side, const glm::ivec2& size, Projection projection) const {
     settings::Settings settings = settings_;
     settings.projection = projection;
-    settings.cameraFile.clear();
+    settings.camera.reset();
     settings.eye = settings.target = std::nullopt;
     settings.side = side;
     return view(settings, size).camera;

@@ -6,7 +6,7 @@
 namespace gnomon::api {
 
 TEST(PlainErrors, AreThoseOfTheStandardLibrary) {
-    const auto fails = [] { withPlainErrors([] { throw settings::UsageError{"--size: no size"}; }); };
+    const auto fails = [] { withPlainErrors([] { throw settings::UsageError{"--size", "--size: no size"}; }); };
     EXPECT_THROW(fails(), std::runtime_error);
     EXPECT_EQ(withPlainErrors([] { return 7; }), 7);
 }

@@ -156,10 +156,10 @@ class Series(ProgramTest):
             ("ending in .png", ("--turntable", "3", "-o", self.place / "no%d.jpg")),
             ("contradict", ("--turntable", "3", "--path", PATH, *out)),
             ("contradict", ("--path", PATH, "--eye", "1,2,3", *out)),
-            ("--frames is of a path", ("--frames", "3", *out)),
+            ("--frames needs --path", ("--frames", "3", *out)),
             ("of one picture", ("--turntable", "3", "--stats", self.place / "no.json", *out)),
             ("of one frame", ("--turntable", "3", "--samples", "2", "--overlay", "lod", *out)),
-            ("--time is of a path", ("--time", "1", *out)),
+            ("--time needs a path", ("--time", "1", *out)),
             ("contradict", ("--camera", PATH, "--time", "1", "--eye", "1,2,3", *out)),
         ):
             self.expect(2, said, "render", self.sundial, *SIZE, *words)

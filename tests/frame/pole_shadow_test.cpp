@@ -111,13 +111,12 @@ TEST(PoleShadow, TipLiesWhereTheSunSaysThroughAYear) {
             const std::string when =
                 "2026-" + std::string(month < 10 ? "0" : "") + std::to_string(month) + "-21T" + hour + "+01:00";
             SCOPED_TRACE(when);
-            const settings::SunTime asked{place, sun::parseCivilTime(when).value()};
-            const sun::SunPosition at = sun::sunPosition(sun::julianDate(asked.time), place, {});
+            const sun::SunPosition at = settings::sunAt(place, sun::parseCivilTime(when).value()).position;
             if (at.elevationRefracted < 8) continue; // the shadow leaves the plane
             const glm::dvec3 sun = towards(at.azimuth, at.elevationRefracted);
             const glm::dvec2 tip = -glm::dvec2(sun.x, sun.z) * (kPoleHeight / sun.y);
             plan::View view = planAbout(tip);
-            view.towardsLight = settings::towardsSun(asked, 0, {0, 1, 0});
+            view.towardsLight = settings::towardsSun(at, 0, {0, 1, 0});
             model.draw(view, quality, options);
             const executor::Raster<executor::SurfaceSample> surfaces = model.executor().surfaces();
             const Mismatch found = mismatchOf(surfaces, tip, sun);

@@ -1,11 +1,8 @@
-// Names and streams of pictures in number, and what contradicts itself; tests/cli/series_test.py draws some.
+// Names and streams of series of pictures; tests/cli/series_test.py draws some.
 #include "core/angle.h"
 #include "core/random.h"
 #include "executor/picture_series.h"
-#include "measure/picture_series.h"
 #include "path/camera_path.h"
-#include "settings/picture_series.h"
-#include "settings/usage_error.h"
 
 #include <gtest/gtest.h>
 
@@ -81,19 +78,6 @@ TEST(TurnedAround, KeepsDistanceAndHeightAndComesBack) {
     EXPECT_LT(glm::distance(path::turnedAround(camera, {0, 1, 0}, kPi / 2).up, glm::dvec3(-1, 0, 0)), 1e-12);
     camera.up = {0, 1, 0};
     EXPECT_LT(glm::distance(path::turnedAround(camera, camera.up, kPi / 2).eye, glm::dvec3(1, 1, 0)), 1e-12);
-}
-
-TEST(PictureSeries, RefusesWhatContradictsItself) {
-    const settings::Settings usual;
-    EXPECT_NO_THROW(requireSound({"walk.json", 3, 0, "a%d.png"}, usual, true, false));
-    EXPECT_NO_THROW(requireSound({"", std::nullopt, 3, "-"}, usual, true, false));
-    EXPECT_THROW(requireSound({"walk.json", 3, 2, "a%d.png"}, usual, true, false), settings::UsageError);
-    EXPECT_THROW(requireSound({"", 3, 2, "a%d.png"}, usual, true, false), settings::UsageError);
-    EXPECT_THROW(requireSound({"", std::nullopt, 2, "a.png"}, usual, false, false), settings::UsageError);
-    settings::Settings posed;
-    posed.eye = glm::dvec3(1, 2, 3);
-    EXPECT_THROW(requireSound({"walk.json", 3, 0, "-"}, posed, true, false), settings::UsageError);
-    EXPECT_NO_THROW(requireSound({"", std::nullopt, 2, "-"}, posed, true, false));
 }
 
 } // namespace

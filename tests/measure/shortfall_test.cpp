@@ -1,7 +1,6 @@
 // What is said of pictures that miss the error that was asked for: one line, in every mode.
-#include "measure/picture_series.h"
+#include "measure/render.h"
 #include "measure/small_bench.h"
-#include "measure/still_picture.h"
 #include "telemetry/shortfall.h"
 
 #include <gtest/gtest.h>
@@ -27,25 +26,11 @@ std::vector<std::string> told(ShadowMode shadows, Bytes memory, int samples, boo
     settings.memory = memory;
     const auto warn = [&](const std::string& line) { lines.push_back(line); };
     NoProgress progress;
-    if (isSeries) {
-        SeriesTask task;
-        task.model = model();
-        task.settings = settings;
-        task.warn = warn;
-        task.samples = samples;
-        settings::PictureSeries series;
-        series.turntable = 3;
-        series.output = pictureName();
-        drawSeries(series, task, progress);
-    } else {
-        StillTask task;
-        task.model = model();
-        task.settings = settings;
-        task.warn = warn;
-        task.samples = samples;
-        task.output = pictureName();
-        drawStill(task, progress);
-    }
+    settings::Request request{model(), settings, {.picture = pictureName(), .samples = samples}};
+    if (isSeries) request.output.turntable = 3;
+    RenderTask task = renderTask(request);
+    task.warn = warn;
+    render(task, progress);
     for (const auto& file : std::filesystem::directory_iterator(testing::TempDir()))
         if (file.path().string().find("gnomon_shortfall_" + std::to_string(::getpid())) != std::string::npos)
             std::filesystem::remove(file.path());

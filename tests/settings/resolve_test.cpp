@@ -1,7 +1,7 @@
 // What settings ask for together, and what contradicts itself.
 #include "core/error.h"
+#include "settings/contradictions.h"
 #include "settings/resolve.h"
-#include "settings/samples.h"
 #include "settings/usage_error.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 /// What is said against `settings`; empty if nothing is.
 std::string objection(const Settings& settings) {
     try {
-        qualityOf(settings);
+        requireSound(settings);
         viewOf(settings, hierarchy::ModelSummary());
         return {};
     } catch (const UsageError& error) {
@@ -62,105 +62,28 @@ TEST(Resolve, APointLightHasMapsOfACubeThroughOpenGlTooAndNoGround) {
     }
 }
 
-TEST(Samples, AreOneBesideWhatIsOfOneFrame) {
-    EXPECT_EQ(samplesOf({}, {}), kUsualSamples);
-    BesideSamples beside;
-    beside.reference = true;
-    EXPECT_EQ(samplesOf({}, beside), 1);
-    EXPECT_EQ(samplesOf(5, beside), 5) << "pictures may be compared";
-    for (bool BesideSamples::*option :
-         {&BesideSamples::overlay, &BesideSamples::oracle, &BesideSamples::depth, &BesideSamples::shadowDepth}) {
-        BesideSamples one;
-        one.*option = true;
-        EXPECT_EQ(samplesOf({}, one), 1);
-        EXPECT_EQ(samplesOf(1, one), 1);
-        EXPECT_THROW(samplesOf(2, one), UsageError);
-    }
-    beside.statistics = true;
-    EXPECT_EQ(samplesOf({}, beside), 1);
-    try {
-        samplesOf(2, beside);
-        FAIL();
-    } catch (const UsageError& error) {
-        EXPECT_EQ(
-            error.message,
-            "--samples 2 and --stats contradict each other: it is of one frame; --samples 1, or a picture without it");
-    }
-}
-
-TEST(Samples, AreSeveralBesideWhatOneFrameCannotShow) {
-    for (bool BesideSamples::*option : {&BesideSamples::sunAngle, &BesideSamples::sky}) {
-        BesideSamples beside;
-        beside.*option = true;
-        EXPECT_EQ(samplesOf({}, beside), kUsualSamples);
-        EXPECT_EQ(samplesOf(2, beside), 2);
-        EXPECT_THROW(samplesOf(1, beside), UsageError);
-        beside.statistics = true;
-        EXPECT_THROW(samplesOf({}, beside), UsageError);
-    }
-}
-
 TEST(Resolve, EtaAndTheFocusSettleTheWarp) {
     Settings settings;
     settings.eta = 0.25;
     EXPECT_EQ(qualityOf(settings).warp.rule, shadow::WarpRule::Eta);
     EXPECT_EQ(qualityOf(settings).warp.eta, 0.25);
-    settings.isWarpGiven = true;
-    EXPECT_EQ(objection(settings), "--eta and --warp contradict each other: eta is a warp of its own");
     settings.eta.reset();
     settings.tsmFocus = 0;
-    EXPECT_EQ(objection(settings), "--tsm-focus is for --warp tsm alone");
     settings.quality.warp.rule = shadow::WarpRule::Tsm;
     EXPECT_FALSE(qualityOf(settings).warp.tsmFocus) << "0 is auto, which the warp finds by itself";
     settings.tsmFocus = 2;
     EXPECT_EQ(qualityOf(settings).warp.tsmFocus, 2);
 }
 
-TEST(Resolve, LogarithmicMapsNeedTheSoftwareBackend) {
+TEST(Resolve, TheViewHasOneCamera) {
     Settings settings;
-    settings.quality.warp.rule = shadow::WarpRule::Log;
-    for (const Backend backend : {Backend::Auto, Backend::Software}) {
-        settings.backend = backend;
-        EXPECT_EQ(objection(settings), "");
-    }
-    settings.backend = Backend::Egl;
-    EXPECT_EQ(
-        objection(settings),
-        "--backend egl and --warp log contradict each other: only the software backend draws logarithmic maps");
-}
-
-TEST(Resolve, StabilisedSlicesHaveNoWarp) {
-    Settings settings;
-    settings.quality.stabilize = true;
-    EXPECT_EQ(objection(settings), "") << "the warp is not asked for";
-    settings.isWarpGiven = true;
-    EXPECT_EQ(
-        objection(settings), "--stabilize on and --warp auto contradict each other: stabilised slices are unwarped");
-    settings.quality.warp.rule = shadow::WarpRule::None;
-    EXPECT_EQ(objection(settings), "");
-    settings.isWarpGiven = false;
-    settings.eta = 0.5;
-    EXPECT_EQ(
-        objection(settings), "--stabilize on and --eta 0.5 contradict each other: stabilised slices are unwarped");
-    settings.eta = -1; // no warp
-    EXPECT_EQ(objection(settings), "");
-}
-
-TEST(Resolve, TheViewHasOneCameraAndADepthRange) {
-    Settings settings;
-    settings.quality.near = 2;
-    settings.quality.far = 2;
-    EXPECT_EQ(objection(settings), "--near and --far contradict each other: near must be below far");
-    settings.quality.far = 2.5;
-    EXPECT_EQ(objection(settings), "");
     settings.eye = settings.target = glm::dvec3(1, 2, 3);
     EXPECT_EQ(objection(settings), "--eye and --target are the same point");
     EXPECT_TRUE(isPosed(settings));
-    settings.cameraFile = "camera.json";
-    EXPECT_EQ(objection(settings), "--camera and --eye, --target, --view, --fov-y contradict each other");
     settings.eye = settings.target = std::nullopt;
+    settings.cameraFile = "camera.json";
     EXPECT_TRUE(isPosed(settings));
-    EXPECT_THROW(viewOf(settings, hierarchy::ModelSummary()), Error) << "there is no such file";
+    EXPECT_THROW(readCamera(settings), Error) << "there is no such file";
     EXPECT_FALSE(isPosed(Settings()));
 }
 
@@ -199,10 +122,11 @@ TEST(Resolve, ASideFramesTheModelAndContradictsAnotherCamera) {
     settings.isLightGiven = true;
     EXPECT_EQ(viewOf(settings, summary).towardsLight, glm::dvec3(1, 2, 3)) << "in the source's axes";
     settings.eye = glm::dvec3(5);
-    EXPECT_EQ(objection(settings), "--view and --eye, --target contradict each other: it frames the model from a side");
+    EXPECT_EQ(
+        objection(settings),
+        "--view left and --eye 5,5,5 contradict each other: the view frames the model from a side");
     settings.eye.reset();
-    settings.cameraFile = "camera.json";
-    EXPECT_EQ(objection(settings), "--camera and --eye, --target, --view, --fov-y contradict each other");
+    settings.camera = Camera();
     EXPECT_FALSE(isFramed(settings));
 }
 

@@ -27,7 +27,8 @@ TEST(MomentCodec, WritesWhatItReads) {
 
 // The shadow of a pole points away from the Sun, whatever is up, and true north turns with --north.
 TEST(TowardsSun, StandsWhereTheSkyHasItInEveryWorld) {
-    const SunTime asked{{.latitude = 47.4, .longitude = 8.5}, sun::parseCivilTime("2026-06-21T16:00+02:00").value()};
+    const SunTime asked =
+        sunAt({.latitude = 47.4, .longitude = 8.5}, sun::parseCivilTime("2026-06-21T16:00+02:00").value());
     const sun::SunPosition sky = sun::sunPosition(sun::julianDate(asked.time), asked.place, {});
     const double kDegree = 3.14159265358979323846 / 180;
 
@@ -40,7 +41,7 @@ TEST(TowardsSun, StandsWhereTheSkyHasItInEveryWorld) {
           World{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},
           World{{0, 0, 2}, {0, 1, 0}, {1, 0, 0}}})
         for (const double turned : {0.0, 90.0, -33.0}) {
-            const glm::dvec3 light = towardsSun(asked, turned, world.up);
+            const glm::dvec3 light = towardsSun(asked.position, turned, world.up);
             EXPECT_NEAR(glm::length(light), 1, 1e-12);
             const double elevation = std::asin(glm::dot(light, glm::normalize(world.up))) / kDegree;
             EXPECT_NEAR(elevation, sky.elevationRefracted, 1e-9);
@@ -50,11 +51,13 @@ TEST(TowardsSun, StandsWhereTheSkyHasItInEveryWorld) {
 }
 
 TEST(TowardsSun, AtNightIsRefusedWithTheHoursOfTheDay) {
-    const SunTime night{{.latitude = 47.4, .longitude = 8.5}, sun::parseCivilTime("2026-06-21T02:00+02:00").value()};
+    const SunTime night =
+        sunAt({.latitude = 47.4, .longitude = 8.5}, sun::parseCivilTime("2026-06-21T02:00+02:00").value());
     try {
-        towardsSun(night, 0, {0, 1, 0});
+        requireSunUp(night);
         FAIL() << "taken";
     } catch (const UsageError& error) {
+        EXPECT_EQ(error.option, "--sun");
         EXPECT_NE(error.message.find("it is up from 2026-06-21T05:"), std::string::npos) << error.message;
     }
 }
@@ -74,7 +77,7 @@ TEST(LightDiameter, IsTheSunsWhereTheSunIsAskedForAndElseAPoint) {
     Settings settings;
     EXPECT_EQ(lightDiameter(settings), 0);
     const auto at = [&](const char* time) {
-        settings.sun = {{.latitude = 10, .longitude = 8.5}, sun::parseCivilTime(time).value()};
+        settings.sun = sunAt({.latitude = 10, .longitude = 8.5}, sun::parseCivilTime(time).value());
         return lightDiameter(settings) / kDegree;
     };
     EXPECT_NEAR(at("2026-01-03T12:00+01:00"), 0.5422, 0.0003);

@@ -33,10 +33,12 @@ void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedF
         for (const NamedFile& input : inputs)
             if (isSameFile(input.path, output->path))
                 throw UsageError{
+                    output->option,
                     output->option + " would replace " + input.option + ", which is read: " + output->path};
         for (auto other = outputs.begin(); other != output; ++other)
             if (isSameFile(other->path, output->path))
-                throw UsageError{other->option + " and " + output->option + " name the same file: " + output->path};
+                throw UsageError{
+                    output->option, other->option + " and " + output->option + " name the same file: " + output->path};
     }
 }
 

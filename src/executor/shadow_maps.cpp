@@ -1,10 +1,11 @@
-#include "executor/shadow_depth_files.h"
+#include "executor/shadow_maps.h"
 
-#include <filesystem>
+#include <utility>
 
 namespace gnomon::executor {
 
-void writeShadowMaps(const std::string& folder, const plan::FramePlan& plan, Executor& executor) {
+std::vector<NamedDepths> shadowMaps(const plan::FramePlan& plan, Executor& executor) {
+    std::vector<NamedDepths> maps;
     const FloatPicture all = executor.shadowDepth();
     for (const plan::ShadowPass& pass : plan.passes) {
         const shadow::Region& region = pass.map.region;
@@ -14,8 +15,9 @@ void writeShadowMaps(const std::string& folder, const plan::FramePlan& plan, Exe
             for (int x = 0; x < r.width; ++x)
                 map.at(x, r.height - 1 - y) = all.at(r.x + x, r.y + y);
         const std::string name = "slice" + std::to_string(region.slice) + "_" + shadow::name(region.face) + ".pfm";
-        writePfm((std::filesystem::path(folder) / name).string(), map);
+        maps.push_back({name, std::move(map)});
     }
+    return maps;
 }
 
 } // namespace gnomon::executor

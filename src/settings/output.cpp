@@ -1,0 +1,16 @@
+#include "settings/output.h"
+
+namespace gnomon::settings {
+
+int samplesOf(const Output& output) {
+    const bool isOfOneFrame = output.overlay != executor::Overlay::None || output.colors.by != ColorBy::None ||
+                              output.oracle != proof::Oracle::None ||
+                              !(output.statistics + output.reference + output.depth + output.shadowDepth).empty();
+    return output.samples.value_or(isOfOneFrame ? 1 : kUsualSamples);
+}
+
+bool needsMaps(const Output& output) {
+    return !output.shadowDepth.empty() || proof::isOfMaps(output.oracle) || executor::isOfMaps(output.overlay);
+}
+
+} // namespace gnomon::settings

@@ -1,11 +1,11 @@
 // What finding a frame's triangles costs: the cut with all caster lists, one and all cores, depth range, cap, demand.
 // cut_bench [MODEL.gnm] [benchmark options]; without a model, a height field of 524,288 triangles.
-#include "culling/caster_detail.h"
-#include "culling/frame_cut.h"
-#include "culling/receivers.h"
 #include "hierarchy/tiny_model.h"
+#include "lod/caster_detail.h"
+#include "lod/frame_cut.h"
+#include "lod/page_store.h"
+#include "lod/receivers.h"
 #include "shadow/setup.h"
-#include "streaming/page_store.h"
 
 #include <benchmark/benchmark.h>
 
@@ -29,11 +29,11 @@ public:
           trees_(model_.pages(), model_.summary().grid) {
         placeView();
         placePartitions();
-        rule_ = std::make_unique<selection::ErrorRule>(view_, casters_);
+        rule_ = std::make_unique<lod::ErrorRule>(view_, casters_);
         findThreshold();
     }
 
-    selection::CutQuery query() const { return {&trees_, store_.resident(), rule_.get(), errorPixels_, volumes_}; }
+    lod::CutQuery query() const { return {&trees_, store_.resident(), rule_.get(), errorPixels_, volumes_}; }
 
     std::span<const hierarchy::PageInfo> table() const { return model_.pages(); }
 
@@ -59,10 +59,10 @@ private:
         view.towardsLight = toCamera(view_.basis, glm::normalize(glm::dvec3(0.4, 1, 0.3)));
         shadow::ShadowOptions options;
         options.scheme.slices = 4;
-        volumes_.push_back(selection::viewPyramid(view_));
+        volumes_.push_back(lod::viewPyramid(view_));
         const shadow::ShadowMapSetup setup = shadow::shadowMapSetup(view, options);
         for (const shadow::ShadowMap& map : setup.maps) {
-            casters_.push_back(culling::casterDetail(view_, map));
+            casters_.push_back(lod::casterDetail(view_, map));
             volumes_.push_back(casters_.back().casters);
         }
     }
@@ -75,29 +75,29 @@ private:
             errorPixels_ = std::sqrt(tooFine * tooCoarse);
             (load().lists[0].triangles > kTriangles ? tooFine : tooCoarse) = errorPixels_;
         }
-        const selection::Cut cut = load();
+        const lod::Cut cut = load();
         std::printf("%.3f pixels of error, pages %zu of %zu, triangles", errorPixels_, cut.used.size(), table().size());
-        for (const selection::DrawList& list : cut.lists)
+        for (const lod::DrawList& list : cut.lists)
             std::printf(" %llu", static_cast<unsigned long long>(list.triangles));
         std::printf(", clusters in the image %llu\n", static_cast<unsigned long long>(cut.lists[0].clusters));
     }
 
-    selection::Cut load() {
+    lod::Cut load() {
         while (true) {
-            selection::Cut cut = selection::cut(query());
+            lod::Cut cut = lod::cut(query());
             if (!store_.load({cut.used, cut.wanted}).hasChanged) return cut;
         }
     }
 
     hierarchy::ModelFile model_;
-    streaming::FilePageSource source_;
-    streaming::PageStore store_;
-    selection::PageTrees trees_;
-    selection::DetailView view_;
+    lod::FilePageSource source_;
+    lod::PageStore store_;
+    lod::PageTrees trees_;
+    lod::DetailView view_;
     double far_ = 0;
-    std::vector<selection::CasterDetail> casters_;
+    std::vector<lod::CasterDetail> casters_;
     std::vector<ConvexVolume> volumes_;
-    std::unique_ptr<selection::ErrorRule> rule_;
+    std::unique_ptr<lod::ErrorRule> rule_;
     double errorPixels_ = 1;
 };
 
@@ -116,24 +116,22 @@ void add(const char* name, const Body& body) {
 
 void addAll(const Scene& scene) {
     add("cut_image_one_core", [&] {
-        selection::CutQuery query = scene.query();
+        lod::CutQuery query = scene.query();
         query.volumes = query.volumes.first(1);
-        benchmark::DoNotOptimize(selection::cut(query));
+        benchmark::DoNotOptimize(lod::cut(query));
     });
-    add("cut_and_casters_one_core", [&] { benchmark::DoNotOptimize(selection::cut(scene.query())); });
-    add("cut_and_casters", [&] { benchmark::DoNotOptimize(culling::cutFrame(scene.query())); });
+    add("cut_and_casters_one_core", [&] { benchmark::DoNotOptimize(lod::cut(scene.query())); });
+    add("cut_and_casters", [&] { benchmark::DoNotOptimize(lod::cutFrame(scene.query())); });
     add("visited_pages", [&] {
         std::vector<std::uint32_t> missing;
-        benchmark::DoNotOptimize(selection::visitedPages(scene.query(), missing));
+        benchmark::DoNotOptimize(lod::visitedPages(scene.query(), missing));
     });
-    add("demand", [&] { benchmark::DoNotOptimize(selection::demand(scene.query())); });
-    const auto cut = std::make_shared<selection::Cut>(selection::cut(scene.query()));
-    add("depth_range",
-        [&, cut] { benchmark::DoNotOptimize(culling::visibleDepthRange(scene.query(), cut->lists[0])); });
-    add("triangle_cap_half", [&, cut] {
-        benchmark::DoNotOptimize(selection::cappedErrorPixels(scene.query(), cut->lists[0].triangles / 2));
-    });
-    add("page_trees", [&] { benchmark::DoNotOptimize(selection::PageTrees(scene.table(), scene.grid())); });
+    add("demand", [&] { benchmark::DoNotOptimize(lod::demand(scene.query())); });
+    const auto cut = std::make_shared<lod::Cut>(lod::cut(scene.query()));
+    add("depth_range", [&, cut] { benchmark::DoNotOptimize(lod::visibleDepthRange(scene.query(), cut->lists[0])); });
+    add("triangle_cap_half",
+        [&, cut] { benchmark::DoNotOptimize(lod::cappedErrorPixels(scene.query(), cut->lists[0].triangles / 2)); });
+    add("page_trees", [&] { benchmark::DoNotOptimize(lod::PageTrees(scene.table(), scene.grid())); });
 }
 
 int run(int argc, char** argv) {

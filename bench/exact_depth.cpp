@@ -1,12 +1,12 @@
 #include "bench/exact_depth.h"
 
-#include "executor/frame_block.h"
+#include "render/frame_block.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace gnomon::executor {
+namespace gnomon::render {
 
 namespace {
 
@@ -117,11 +117,11 @@ private:
 
 void judge(const FrameDrawing& frame, std::size_t pass, std::vector<DisputedTexel>& texels) {
     Judge judge(frame, frame.plan->passes[pass], texels);
-    for (const selection::ClusterRange& range : frame.casters[pass]->ranges) {
+    for (const lod::ClusterRange& range : frame.casters[pass]->ranges) {
         const hierarchy::Page& page = frame.pages(range.page);
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c)
             judge.look(page, page.clusters[c]);
     }
 }
 
-} // namespace gnomon::executor
+} // namespace gnomon::render

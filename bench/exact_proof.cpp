@@ -1,8 +1,8 @@
 // Exact shadows against the plain integer loops, pixel by pixel, over seeded views and lights of any models.
-#include "executor/exact_pass.h"
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "frame/shadow_triples.h"
+#include "render/exact_pass.h"
+#include "render/software_backend.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -64,7 +64,7 @@ public:
           model_(model, Bytes{Count{1} << 30U}),
           width_(width),
           height_(height),
-          renderer_(model_, *executor_, {}) {}
+          renderer_(model_, *backend_, {}) {}
 
     void add(Count index) {
         tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, width_, 256);
@@ -78,7 +78,7 @@ public:
         ++tally_.drawn;
         frame::FrameOptions options;
         options.wantsSurfaces = true;
-        const executor::DrawStatistics drawn = renderer_.draw(frame, options);
+        const render::DrawStatistics drawn = renderer_.draw(frame, options);
         if (drawn.exact) addCounts(index, *drawn.exact);
         addWrong(index, frame, options);
     }
@@ -113,13 +113,13 @@ private:
     }
 
     void addWrong(Count index, const frame::PreparedFrame& frame, const frame::FrameOptions& options) {
-        const executor::Raster<executor::SurfaceSample> surfaces = executor_->surfaces();
-        executor::FrameDrawing drawing = renderer_.drawing(frame, options);
+        const render::Raster<render::SurfaceSample> surfaces = backend_->surfaces();
+        render::FrameDrawing drawing = renderer_.drawing(frame, options);
         drawing.exactCasters = &frame.cut.lists.at(1);
-        const executor::Raster<std::uint8_t> truth = executor::litByIntegers(drawing);
+        const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         Count wrong = 0;
         for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-            const executor::SurfaceSample& surface = surfaces.pixels[i];
+            const render::SurfaceSample& surface = surfaces.pixels[i];
             const bool isLit = surface.isLitSide() && surface.litFraction() >= 0.5F;
             wrong += isLit != (truth.pixels[i] != 0) ? 1U : 0U;
         }
@@ -131,7 +131,7 @@ private:
     hierarchy::ModelFile model_;
     int width_;
     int height_;
-    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend_ = render::makeSoftwareBackend();
     frame::Renderer renderer_;
     Tally tally_;
 };

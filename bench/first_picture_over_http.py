@@ -2,7 +2,7 @@
 
     python3 bench/first_picture_over_http.py build/release/gnomon --mbit 10 --latency-ms 50 MODEL.gnm ...
 
-The server is tests/storage/range_server.py, beside the program; without a cache. Prints for each model seconds since the
+The server is tests/hierarchy/source/range_server.py, beside the program; without a cache. Prints for each model seconds since the
 program began to its first picture and to the first of which no page is missing, the bytes that were fetched until then
 and the error of some pictures between.
 """
@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests/storage"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests/hierarchy/source"))
 from range_server import RangeServer  # noqa: E402
 
 

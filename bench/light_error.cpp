@@ -2,12 +2,12 @@
 // plan leaves a penumbra out against all of it.
 #include "core/angle.h"
 #include "core/stopwatch.h"
-#include "executor/software_executor.h"
 #include "frame/accumulation.h"
 #include "frame/shadow_triples.h"
 #include "path/framing.h"
 #include "path/outline.h"
 #include "plan/light_directions.h"
+#include "render/software_backend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 /// The light of a picture, and what it took.
 struct Drawn {
-    executor::LightPicture light;
+    render::LightPicture light;
     plan::FramePlan plan;
     int frames = 1;
     double milliseconds = 0;
@@ -29,7 +29,7 @@ struct Drawn {
 class Bench {
 public:
     Bench(const std::string& model, int side)
-        : model_(model, gibibytes(1)), side_(side), renderer_(model_, *executor_, {}) {}
+        : model_(model, gibibytes(1)), side_(side), renderer_(model_, *backend_, {}) {}
 
     const hierarchy::ModelFile& model() const { return model_; }
 
@@ -64,7 +64,7 @@ public:
 private:
     hierarchy::ModelFile model_;
     int side_;
-    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend_ = render::makeSoftwareBackend();
     frame::Renderer renderer_;
 };
 
@@ -85,10 +85,7 @@ struct Apart {
 };
 
 Apart apart(
-    const executor::LightPicture& a,
-    const executor::LightPicture& b,
-    const executor::LightPicture& full,
-    double asked) {
+    const render::LightPicture& a, const render::LightPicture& b, const render::LightPicture& full, double asked) {
     std::vector<double> all;
     constexpr float kLeast = 0.02F; // of less light no share can be told
     for (std::size_t i = 0; i < full.pixels.size(); ++i) {

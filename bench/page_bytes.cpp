@@ -3,8 +3,8 @@
 #include "core/camera.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/model_file.h"
-#include "selection/cut.h"
-#include "selection/error_rule.h"
+#include "lod/cut.h"
+#include "lod/error_rule.h"
 
 #include <cmath>
 #include <cstdio>
@@ -44,14 +44,14 @@ public:
         view_.eye = camera.eye;
         view_.basis = cameraBasis(camera);
         view_.nearestDepth = 1e-3 * size;
-        rule_ = std::make_unique<selection::ErrorRule>(view_);
+        rule_ = std::make_unique<lod::ErrorRule>(view_);
     }
 
     Shares run() {
         Shares sum;
         std::vector<std::uint8_t> isRefined(isNeeded_.size());
         std::vector<std::uint8_t> isDrawn(isNeeded_.size());
-        const ConvexVolume pyramid = selection::viewPyramid(view_);
+        const ConvexVolume pyramid = lod::viewPyramid(view_);
         for (std::uint32_t p = 0; p < isNeeded_.size(); ++p) {
             const hierarchy::Page page = file_.readPage(p);
             const hierarchy::PageInfo& info = file_.pages()[p];
@@ -81,7 +81,7 @@ public:
 private:
     /// What the pages take of which something is refined, or drawn, and those above them.
     void addPages(const std::vector<std::uint8_t>& isRefined, const std::vector<std::uint8_t>& isDrawn, Shares& sum) {
-        selection::CutQuery query;
+        lod::CutQuery query;
         query.trees = &trees_;
         query.rule = rule_.get();
         query.errorPixels = errorPixels_;
@@ -92,7 +92,7 @@ private:
             for (const std::uint32_t child : info.children)
                 isNeeded_[p] |= isNeeded_[child];
             if (isRefined[p] != 0) {
-                const bool isPassed = selection::isPassedThrough(query, static_cast<std::uint32_t>(p));
+                const bool isPassed = lod::isPassedThrough(query, static_cast<std::uint32_t>(p));
                 sum.refinedPages += info.storedBytes;
                 if (isPassed) sum.passedPages += info.storedBytes;
                 if (isDrawn[p] == 0) sum.undrawnPages += info.storedBytes;
@@ -107,9 +107,9 @@ private:
     const hierarchy::ModelFile& file_;
     double errorPixels_;
     std::vector<std::uint8_t> isNeeded_;
-    selection::DetailView view_;
-    std::unique_ptr<selection::ErrorRule> rule_;
-    selection::PageTrees trees_;
+    lod::DetailView view_;
+    std::unique_ptr<lod::ErrorRule> rule_;
+    lod::PageTrees trees_;
 };
 
 int run(int argc, char** argv) {

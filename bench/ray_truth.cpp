@@ -1,10 +1,10 @@
 // How far Embree's floats are from the integers: pixels of seeded views in exact shadows and by rays, and rays that
 // meet a triangle at random, right on an edge, or in a corner.
 #include "core/error.h"
-#include "executor/exact_pass.h"
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "frame/shadow_triples.h"
+#include "render/exact_pass.h"
+#include "render/software_backend.h"
 #include "tests/exact/random.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 using exact::Corners;
 using exact::RandomWholes;
 
-bool isLit(const executor::SurfaceSample& surface) {
+bool isLit(const render::SurfaceSample& surface) {
     return surface.isLitSide() && surface.litFraction() >= 0.5F;
 }
 
@@ -36,15 +36,15 @@ Shot drawn(frame::Renderer& renderer, const tests::ShadowTriple& triple, plan::S
     options.wantsSurfaces = true;
     Shot shot{renderer.prepare(triple.view, quality, frame::Waiting::UntilComplete, nullptr), {}};
     renderer.draw(shot.frame, options);
-    for (const executor::SurfaceSample& surface : renderer.executor().surfaces().pixels)
+    for (const render::SurfaceSample& surface : renderer.backend().surfaces().pixels)
         shot.lit.push_back(isLit(surface));
     return shot;
 }
 
 /// Holds the seeded views of a model against the integers, drawn both ways.
 void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int side) {
-    const std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
-    frame::Renderer renderer(model, *executor, {.memory = gibibytes(4), .onDamaged = {}});
+    const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
+    frame::Renderer renderer(model, *backend, {.memory = gibibytes(4), .onDamaged = {}});
     std::uint64_t pixels = 0;
     std::uint64_t wrongExact = 0;
     std::uint64_t falselyDark = 0;
@@ -56,9 +56,9 @@ void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int si
         const Shot rays = drawn(renderer, triple, plan::ShadowMode::Rays);
         const Shot decided = drawn(renderer, triple, plan::ShadowMode::Exact);
         if (!decided.frame.isExact()) continue;
-        executor::FrameDrawing drawing = renderer.drawing(decided.frame, {});
+        render::FrameDrawing drawing = renderer.drawing(decided.frame, {});
         drawing.exactCasters = &decided.frame.cut.lists[1];
-        const executor::Raster<std::uint8_t> truth = executor::litByIntegers(drawing);
+        const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         ++views;
         pixels += truth.pixels.size();
         for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
@@ -82,7 +82,7 @@ void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int si
 /// A group of a finest page, and its triangles from an origin.
 struct Surface {
     std::vector<Corners> triangles;
-    raycast::PageClusters clusters;
+    raytrace::PageClusters clusters;
 };
 
 Surface surfaceOf(const hierarchy::Page& page, const hierarchy::Group& group, const hierarchy::GridPoint& origin) {
@@ -101,9 +101,9 @@ Surface surfaceOf(const hierarchy::Page& page, const hierarchy::Group& group, co
     return surface;
 }
 
-class AnyStops final : public raycast::HitRule {
+class AnyStops final : public raytrace::HitRule {
 public:
-    bool stops(std::uint32_t /*ray*/, const raycast::PageTriangle& /*triangle*/) const override { return true; }
+    bool stops(std::uint32_t /*ray*/, const raytrace::PageTriangle& /*triangle*/) const override { return true; }
 };
 
 /// A point of a triangle times 2^24: inside, on an edge, or a corner, for 0, 1 and 2.
@@ -145,9 +145,9 @@ void compareTies(
     const hierarchy::GridPoint& origin,
     RandomWholes& random,
     std::array<TieCounts, 3>& counts) {
-    raycast::KeptTrees trees;
+    raytrace::KeptTrees trees;
     const hierarchy::Grid cells;
-    const raycast::CutScene scene(trees, {&surface.clusters, 1}, cells, origin);
+    const raytrace::CutScene scene(trees, {&surface.clusters, 1}, cells, origin);
     const AnyStops rule;
     for (int i = 0; i < 1500; ++i) {
         const int kind = i % 3;
@@ -158,7 +158,7 @@ void compareTies(
         const glm::i64vec3 point =
             pointOf(surface.triangles[at], kind, random) - light.direction * random.whole(16, 1 << 16);
         const bool isDark = isMetByIntegers(surface, light, point);
-        raycast::Ray ray;
+        raytrace::Ray ray;
         ray.origin = glm::vec3(glm::dvec3(point) * 0x1p-24);
         ray.direction = glm::vec3(glm::dvec3(light.direction) * 0x1p-24);
         const bool isMet = scene.isStopped(ray, 0, rule);

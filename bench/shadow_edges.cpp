@@ -4,9 +4,9 @@
 #include "frame/shadow_edges.h"
 
 #include "core/error.h"
-#include "executor/ray_shadows.h"
-#include "executor/software_executor.h"
 #include "path/camera_path.h"
+#include "render/ray_shadows.h"
+#include "render/software_backend.h"
 
 #include <algorithm>
 #include <array>
@@ -99,7 +99,7 @@ public:
     Bench(const std::string& model, const Sampling& sampling)
         : sampling_(sampling),
           model_(model, gibibytes(1)),
-          renderer_(model_, *executor_, {.memory = gibibytes(4), .onDamaged = {}}) {}
+          renderer_(model_, *backend_, {.memory = gibibytes(4), .onDamaged = {}}) {}
 
     Distances measure(const path::CameraPath& path) {
         plan::View view;
@@ -146,17 +146,17 @@ private:
 
     /// The cut's edges by slant, and by how far off what casts is; `cut` is the last frame that was prepared.
     void addClasses(const DrawnReach& cut, const std::vector<float>& found) {
-        const executor::FrameDrawing drawing = renderer_.drawing(cut.frame, {});
-        std::vector<const selection::DrawList*> lists;
-        for (const selection::DrawList& list : cut.frame.cut.lists)
+        const render::FrameDrawing drawing = renderer_.drawing(cut.frame, {});
+        std::vector<const lod::DrawList*> lists;
+        for (const lod::DrawList& list : cut.frame.cut.lists)
             lists.push_back(&list);
-        const raycast::Scene scene = executor::rayScene(drawing, lists);
+        const raytrace::Scene scene = render::rayScene(drawing, lists);
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (found[i] < 0) continue;
-            const executor::SurfaceSample& surface = cut.surfaces.pixels[i];
-            const double sample = executor::pixelWidth(cut.frame.plan, cut.frame.space, glm::dvec3(surface.position));
-            raycast::Ray ray{surface.position, cut.frame.plan.light.unit()};
-            ray.least = static_cast<float>(executor::kTouchingPixels * sample);
+            const render::SurfaceSample& surface = cut.surfaces.pixels[i];
+            const double sample = render::pixelWidth(cut.frame.plan, cut.frame.space, glm::dvec3(surface.position));
+            raytrace::Ray ray{surface.position, cut.frame.plan.light.unit()};
+            ray.least = static_cast<float>(render::kTouchingPixels * sample);
             const auto hit = scene.firstHit(ray);
             const bool isCast = hit && hit->distance >= kContactPixels * sampling_.samples * sample;
             (isCast ? distances_.cast : distances_.touching).push_back(inPixels(found[i]));
@@ -168,7 +168,7 @@ private:
 
     Sampling sampling_;
     hierarchy::ModelFile model_;
-    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend_ = render::makeSoftwareBackend();
     frame::Renderer renderer_;
     Distances distances_;
 };

@@ -1,8 +1,8 @@
 // Shadow maps against ray-traced shadows and against their promise, over seeded triples of pose, light and scheme.
 #include "core/error.h"
-#include "executor/software_executor.h"
 #include "frame/shadow_triples.h"
-#include "proof/frame_proof.h"
+#include "render/software_backend.h"
+#include "validation/frame_proof.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -31,23 +31,23 @@ struct Tally {
 };
 
 /// Pixels by verdict: grey where right, and a colour for each way of being wrong.
-executor::Picture verdictPicture(const proof::ShadowTruth& truth, const executor::Picture& picture) {
-    executor::Picture result = picture;
+render::Picture verdictPicture(const validation::ShadowTruth& truth, const render::Picture& picture) {
+    render::Picture result = picture;
     for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {
         switch (truth.verdicts[i]) {
-        case proof::ShadowVerdict::NearEdge:
+        case validation::ShadowVerdict::NearEdge:
             result.pixels[i] = {90, 140, 255};
             break;
-        case proof::ShadowVerdict::ContactGap:
+        case validation::ShadowVerdict::ContactGap:
             result.pixels[i] = {255, 190, 0};
             break;
-        case proof::ShadowVerdict::Missed:
+        case validation::ShadowVerdict::Missed:
             result.pixels[i] = {0, 190, 90};
             break;
-        case proof::ShadowVerdict::FalseShadow:
+        case validation::ShadowVerdict::FalseShadow:
             result.pixels[i] = {255, 0, 0};
             break;
-        case proof::ShadowVerdict::Leak:
+        case validation::ShadowVerdict::Leak:
             result.pixels[i] = {255, 0, 255};
             break;
         default:
@@ -60,50 +60,50 @@ executor::Picture verdictPicture(const proof::ShadowTruth& truth, const executor
 class Proof {
 public:
     Proof(const std::string& model, int side, int texels)
-        : model_(model), side_(side), texels_(texels), renderer_(model_, *executor_, {}) {}
+        : model_(model), side_(side), texels_(texels), renderer_(model_, *backend_, {}) {}
 
     void add(std::uint64_t index, const std::string& pictures) {
         const tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, side_, texels_);
         addPromise(index, triple);
-        const proof::FrameProof proof = proven(withDefaults(triple), proof::Oracle::SameDetail);
+        const validation::FrameProof proof = proven(withDefaults(triple), validation::Oracle::SameDetail);
         ++tally_.triples;
         if (!proof.truth) return;
-        const proof::ShadowTruth& truth = *proof.truth;
+        const validation::ShadowTruth& truth = *proof.truth;
         tally_.judged += truth.judgedPixels;
         tally_.unexplained += truth.unexplainedPixels;
         tally_.worstUnexplained = std::max(tally_.worstUnexplained, truth.unexplainedFraction());
         tally_.pixels += truth.shadows.litSidePixels;
         tally_.missed += truth.missedPixels;
         tally_.wrong += truth.shadows.wrongPixels;
-        const auto count = [&](proof::ShadowVerdict verdict) {
+        const auto count = [&](validation::ShadowVerdict verdict) {
             return static_cast<std::uint64_t>(std::count(truth.verdicts.begin(), truth.verdicts.end(), verdict));
         };
-        tally_.contactGaps += count(proof::ShadowVerdict::ContactGap);
-        tally_.falseShadows += count(proof::ShadowVerdict::FalseShadow);
-        tally_.leaks += count(proof::ShadowVerdict::Leak);
+        tally_.contactGaps += count(validation::ShadowVerdict::ContactGap);
+        tally_.falseShadows += count(validation::ShadowVerdict::FalseShadow);
+        tally_.leaks += count(validation::ShadowVerdict::Leak);
         if (pictures.empty()) return;
         std::printf(
             "%3llu: %llu of %llu unexplained\n",
             static_cast<unsigned long long>(index),
             static_cast<unsigned long long>(truth.unexplainedPixels),
             static_cast<unsigned long long>(truth.judgedPixels));
-        executor::writePng(
-            pictures + "/verdict" + std::to_string(index) + ".png", verdictPicture(truth, executor_->picture()));
+        render::writePng(
+            pictures + "/verdict" + std::to_string(index) + ".png", verdictPicture(truth, backend_->picture()));
     }
 
     const Tally& tally() const { return tally_; }
 
 private:
-    proof::FrameProof proven(const tests::ShadowTriple& triple, proof::Oracle oracle) {
-        proof::ProofOptions options;
+    validation::FrameProof proven(const tests::ShadowTriple& triple, validation::Oracle oracle) {
+        validation::ProofOptions options;
         options.oracle = oracle;
         options.measuresAliasing = true;
         renderer_.forget();
-        return proof::prove(renderer_, renderer_.render(triple.view, triple.quality, {}), options);
+        return validation::prove(renderer_, renderer_.render(triple.view, triple.quality, {}), options);
     }
 
     void addPromise(std::uint64_t index, const tests::ShadowTriple& triple) {
-        const proof::FrameProof proof = proven(triple, proof::Oracle::None);
+        const validation::FrameProof proof = proven(triple, validation::Oracle::None);
         if (!proof.aliasing) return;
         tally_.overPromise = std::max(tally_.overPromise, proof.aliasing->overPromise);
         if (proof.aliasing->overPromise <= 1 + kFloatTolerance) return;
@@ -118,7 +118,7 @@ private:
     hierarchy::ModelFile model_;
     int side_;
     int texels_;
-    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend_ = render::makeSoftwareBackend();
     frame::Renderer renderer_;
     Tally tally_;
 };

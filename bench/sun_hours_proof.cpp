@@ -2,11 +2,11 @@
 // sampled vertices of the finest cut.
 #include "core/random.h"
 #include "core/stopwatch.h"
-#include "daylight/point_receivers.h"
-#include "daylight/sun_hours.h"
-#include "daylight/sun_view.h"
-#include "executor/software_executor.h"
+#include "render/software_backend.h"
 #include "settings/resolve.h"
+#include "sun/point_receivers.h"
+#include "sun/sun_hours.h"
+#include "sun/sun_view.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -19,7 +19,7 @@ namespace {
 constexpr int kDefaultStepSeconds = 300;
 constexpr int kDefaultPixels = 20000;
 
-std::vector<std::uint8_t> sampledPixels(const daylight::SunView& view, std::size_t count) {
+std::vector<std::uint8_t> sampledPixels(const sun::SunView& view, std::size_t count) {
     std::vector<std::uint8_t> isAsked(view.count());
     Random random(1);
     for (std::size_t i = 0; i < std::min(count, view.points().size());) {
@@ -35,13 +35,13 @@ sun::CivilTime timeOf(const char* text) {
 }
 
 std::vector<IntegerLight> lightsOfADay(const glm::dvec3& up, int stepSeconds) {
-    settings::SunPeriod period;
+    sun::SunPeriod period;
     period.place = {47, 8};
     period.from = timeOf("2026-06-21T00:00+02:00");
     period.to = timeOf("2026-06-22T00:00+02:00");
     period.stepSeconds = stepSeconds;
     period.up = up;
-    return daylight::lightsOf(daylight::sunSteps(period));
+    return sun::lightsOf(sun::sunSteps(period));
 }
 
 /// Counts the lit steps of what `isAsked` of `receivers`, both ways, and prints how many differ.
@@ -86,13 +86,13 @@ int compare(
 
 int comparePixels(const std::string& path, std::size_t pixels, int stepSeconds) {
     const hierarchy::ModelFile model(path, gibibytes(1));
-    const auto executor = executor::makeSoftwareExecutor();
-    frame::Renderer renderer(model, *executor, {});
+    const auto backend = render::makeSoftwareBackend();
+    frame::Renderer renderer(model, *backend, {});
     settings::Settings settings;
     settings.side = path::ViewSide::Top;
     const plan::View view = settings::viewOf(settings, model);
     const std::vector<IntegerLight> lights = lightsOfADay(view.up, stepSeconds);
-    daylight::SunView receivers(renderer, view, {}, lights);
+    sun::SunView receivers(renderer, view, {}, lights);
     return compare(path, receivers, sampledPixels(receivers, pixels), lights);
 }
 
@@ -114,7 +114,7 @@ int compareVertices(const std::string& path, std::size_t vertices, int stepSecon
         i += asked == 0 ? 1 : 0;
         asked = 1;
     }
-    daylight::PointReceivers receivers(cut, std::move(cells));
+    sun::PointReceivers receivers(cut, std::move(cells));
     return compare(path + ", vertices", receivers, isAsked, lightsOfADay(model.summary().up.direction, stepSeconds));
 }
 

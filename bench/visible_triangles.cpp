@@ -1,10 +1,10 @@
 // How many triangles of a walk's images are drawn, set up without what is hidden, and seen: own a pixel. A row of CSV
 // each frame, and the ratio of the sums.
 // usage: visible_triangles MODEL.gnm PATH.json FRAMES [WIDTHxHEIGHT]
-#include "executor/image_pass.h"
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "path/camera_path.h"
+#include "render/image_pass.h"
+#include "render/software_backend.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -16,11 +16,11 @@ namespace {
 int run(const char* model, const char* pathName, int frames, int width, int height) {
     const hierarchy::ModelFile file(model, gibibytes(1));
     const path::CameraPath path = path::readCameraPath(pathName);
-    const auto software = executor::makeSoftwareExecutor();
+    const auto software = render::makeSoftwareBackend();
     frame::Renderer renderer(file, *software, {});
     raster::Rasterizer rasterizer;
-    executor::SoftwarePass pass;
-    executor::Picture picture(width, height);
+    render::SoftwarePass pass;
+    render::Picture picture(width, height);
     std::vector<std::uint64_t> words(picture.pixels.size());
     std::uint64_t drawnSum = 0;
     std::uint64_t setUpSum = 0;
@@ -35,14 +35,13 @@ int run(const char* model, const char* pathName, int frames, int width, int heig
         quality.shadows = plan::ShadowMode::Off;
         quality.occlusion = plan::Choice::On;
         const frame::PreparedFrame prepared = renderer.prepare(view, quality, frame::Waiting::UntilComplete, nullptr);
-        const auto hidden =
-            executor::drawVisible(renderer.drawing(prepared, {}), {&rasterizer, &pass, &words, &picture});
+        const auto hidden = render::drawVisible(renderer.drawing(prepared, {}), {&rasterizer, &pass, &words, &picture});
         std::vector<std::uint32_t> names;
         for (const std::uint64_t word : words)
             if (word != 0) names.push_back(raster::visibleTriangle(word));
         std::sort(names.begin(), names.end());
         const auto seen = static_cast<std::uint64_t>(std::unique(names.begin(), names.end()) - names.begin());
-        const selection::DrawList& image = prepared.cut.lists[0];
+        const lod::DrawList& image = prepared.cut.lists[0];
         std::printf(
             "%d,%llu,%llu,%llu,%llu,%llu,%llu\n",
             i,

@@ -2,12 +2,12 @@
 
 #include "core/error.h"
 #include "core/heap.h"
+#include "hierarchy/source/open_source.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/verify/cracks.h"
 #include "preprocess/verify/error_bound.h"
 #include "preprocess/verify/rules.h"
 #include "preprocess/verify/source_soup.h"
-#include "storage/open_source.h"
 
 #include <tbb/global_control.h>
 
@@ -100,7 +100,7 @@ Bytes comparisonBytes(const hierarchy::ModelFile& file, const read::MeshSummary&
 
 Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     Verification verification;
-    std::unique_ptr<storage::Source> source = storage::openSource(options.model);
+    std::unique_ptr<hierarchy::Source> source = hierarchy::openSource(options.model);
     std::vector<std::string> rest = {"structure", "nesting", "monotone_error", "cracks"};
     if (!options.source.empty()) rest.emplace_back("error_bound");
     std::optional<hierarchy::ModelFile> file;

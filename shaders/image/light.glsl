@@ -1,4 +1,4 @@
-// The light of a surface and its displayed colour. executor/light/light_model.h explains the model.
+// The light of a surface and its displayed colour. render/light/light_model.h explains the model.
 
 #include "image/transfer.glsl"
 

@@ -1,7 +1,7 @@
 // Overlays that visualise the method. OVERLAY: 1 partitions, 2 texels, 3 aliasing, 4 lod, 5 clusters, 6 projection, 7
 // residency.
 
-// All colours equal those of executor/overlay/overlay_colors.cpp, which explains their choice.
+// All colours equal those of render/overlay/overlay_colors.cpp, which explains their choice.
 vec3 indexColor(int index) {
     const vec3 colors[8] = vec3[](
         vec3(0.74, 0.57, 0.29), vec3(0.49, 0.12, 0.1), vec3(0.75, 0.9, 0.47), vec3(0.2, 0.38, 0.53),

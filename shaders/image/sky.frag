@@ -1,4 +1,4 @@
-// The sky behind the model. executor/light/background.h defines its parameters, and background.cpp has the same
+// The sky behind the model. render/light/background.h defines its parameters, and background.cpp has the same
 // colours.
 #include "image/transfer.glsl"
 

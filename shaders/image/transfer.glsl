@@ -1,4 +1,4 @@
-// The transfer function of sRGB, identical to executor/light/light_model.h.
+// The transfer function of sRGB, identical to render/light/light_model.h.
 
 vec3 displayFromLinear(vec3 linear) {
     vec3 root = sqrt(linear);

@@ -3,7 +3,7 @@
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
-namespace gnomon::executor::block {
+namespace gnomon::render::block {
 using vec4 = glm::vec4;
 using ivec4 = glm::ivec4;
 using vec2 = glm::vec2;
@@ -33,11 +33,11 @@ GNOMON_BLOCK(0, Frame) {
     int sideFaceCount;    // per slice
     int hasOwnNear;       // 1 if the near face has its own maps
     float errorPixels;    // error limit
-    float drawnResidence; // for the residency overlay: reason of the current draws (executor::Residence)
+    float drawnResidence; // for the residency overlay: reason of the current draws (render::Residence)
     int isFaceted;        // 1 if surfaces use the normals of their triangles
     int isShouldered;     // 1 if light x is tone-mapped to x / (1 + x)
     int unusedInt;
-    // The light of a surface with normal n, in linear RGB (executor/light/light_model.h), is ambientMean + ambientTilt
+    // The light of a surface with normal n, in linear RGB (render/light/light_model.h), is ambientMean + ambientTilt
     // (n.skyAxis) + headlight (n.v)^2, plus sun max(n.l, 0) if the surface is lit.
     vec3 ambientMean;
     float headlight;
@@ -115,5 +115,5 @@ Partition partitionAt(int index) {
 #endif
 
 #ifdef __cplusplus
-} // namespace gnomon::executor::block
+} // namespace gnomon::render::block
 #endif

@@ -5,13 +5,13 @@
 #include "core/units.h"
 #include "hierarchy/model_text.h"
 #include "hierarchy/octahedral.h"
-#include "measure/finished_picture.h"
-#include "measure/session.h"
 #include "preprocess/exporter/export.h"
 #include "settings/contradictions.h"
 #include "settings/output.h"
 #include "settings/plan_json.h"
 #include "settings/resolve.h"
+#include "task/finished_picture.h"
+#include "task/session.h"
 #include "telemetry/json_text.h"
 
 #include <optional>
@@ -75,7 +75,7 @@ Mesh uniformMesh(const hierarchy::ModelFile& file, const exporter::ExportLimit& 
 struct Model::State {
     settings::Settings settings;
     std::vector<std::string> damage;
-    measure::Session session;
+    task::Session session;
 
     State(const std::string& path, std::uint64_t memory)
         : settings(settingsFor(memory)),
@@ -117,7 +117,7 @@ Mesh Model::cutForView(const Options& options) const {
         const hierarchy::Grid& grid = state_->session.model().summary().grid;
         const hierarchy::ResidentPages pages = renderer.residency().resident();
         exporter::UniformCut cut;
-        for (const selection::ClusterRange& range : frame.cut.lists.at(0).ranges)
+        for (const lod::ClusterRange& range : frame.cut.lists.at(0).ranges)
             for (std::uint32_t c = 0; c < range.clusterCount; ++c) {
                 const hierarchy::Page& page = *pages[range.page];
                 exporter::addCluster(page, {}, page.clusters[range.firstCluster + c], grid.snapError(), cut);
@@ -129,7 +129,7 @@ Mesh Model::cutForView(const Options& options) const {
 std::string Model::plan(const Options& options) const {
     return withPlainErrors([&] {
         const auto [view, quality] = state_->viewOf(options);
-        const settings::BackendChoice backend = measure::backendFor(state_->settings, settings::DrawingCommand::Render);
+        const settings::BackendChoice backend = task::backendFor(state_->settings, settings::DrawingCommand::Render);
         return telemetry::jsonText(settings::planJson(state_->session.renderer().plan(view, quality), backend), 1);
     });
 }
@@ -144,12 +144,11 @@ Picture Model::render(const Options& options, int samples) const {
     return withPlainErrors([&] {
         const auto [view, quality] = state_->viewOf(options);
         NoProgress progress;
-        const measure::FinishedPicture drawn =
-            measure::drawFinished(state_->session, view, quality, {}, samples, progress);
+        const task::FinishedPicture drawn = task::drawFinished(state_->session, view, quality, {}, samples, progress);
         Picture picture{drawn.picture.width, drawn.picture.height, {}};
         picture.pixels.reserve(4 * drawn.picture.pixels.size());
         for (std::size_t i = 0; i < drawn.picture.pixels.size(); ++i) {
-            const executor::Rgb& color = drawn.picture.pixels[i];
+            const render::Rgb& color = drawn.picture.pixels[i];
             const std::uint8_t alpha = drawn.coverage ? drawn.coverage->pixels[i] : std::uint8_t{255};
             picture.pixels.insert(picture.pixels.end(), {color[0], color[1], color[2], alpha});
         }

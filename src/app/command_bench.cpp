@@ -3,12 +3,12 @@
 #include "app/console.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
+#include "bench/baseline.h"
+#include "bench/bench_output.h"
+#include "bench/bench_text.h"
+#include "bench/report_runs.h"
+#include "bench/summarize.h"
 #include "core/prepared_output.h"
-#include "measure/baseline.h"
-#include "measure/bench_output.h"
-#include "measure/bench_text.h"
-#include "measure/report_runs.h"
-#include "measure/summarize.h"
 #include "settings/codec.h"
 #include "settings/contradictions.h"
 #include "settings/files/named_files.h"
@@ -29,7 +29,7 @@ namespace {
 struct BenchOptions {
     CommonOptions common;
     SettingOptions settings;
-    measure::WalkOptions walk;
+    bench::WalkOptions walk;
     std::string model;
     std::string path;
     std::optional<std::string> shadowMaps;
@@ -47,21 +47,21 @@ struct BenchOptions {
 
 /// Returns the options of each walk. --quick reduces the number of frames. A report uses repetitions and validation by
 /// default.
-measure::WalkOptions walkOf(const BenchOptions& options) {
-    measure::WalkOptions walk = options.walk;
+bench::WalkOptions walkOf(const BenchOptions& options) {
+    bench::WalkOptions walk = options.walk;
     if (options.isQuick) {
         walk.frames = std::min(walk.frames, 8);
         walk.warmup = 1;
     }
     walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
-    const bool isProven = walk.oracle != proof::Oracle::None;
+    const bool isProven = walk.oracle != validation::Oracle::None;
     if (walk.isRealTime && isProven)
         throw settings::UsageError{
             "--oracle",
             "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
-        walk.oracle = proof::Oracle::SameDetail;
+        walk.oracle = validation::Oracle::SameDetail;
         walk.countsWrongPixels = true;
         walk.provenFrames = options.isQuick ? 3 : 8;
     }
@@ -84,24 +84,24 @@ Bounds boundsOf(const BenchOptions& options) {
 }
 
 /// Returns the requested runs. Throws UsageError if options contradict each other in any of them.
-std::vector<measure::BenchRun> runsOf(const BenchOptions& options) {
+std::vector<bench::BenchRun> runsOf(const BenchOptions& options) {
     settings::Settings fixed = options.settings.fixedSettings();
-    if (options.shadowMaps || proof::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
-    if (proof::isOfMaps(options.walk.oracle) && !options.report.empty())
+    if (options.shadowMaps || validation::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
+    if (validation::isOfMaps(options.walk.oracle) && !options.report.empty())
         settings::requireDirectionalLight(fixed, "--report");
     requireNoWindow(fixed);
     settings::requireSound(settings::Request{options.model, fixed, {.path = options.path}});
-    std::vector<measure::BenchRun> runs =
-        measure::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
-    if (runs.size() == 1 && !options.report.empty()) runs = measure::reportRuns(runs.front().settings, options.isQuick);
-    for (const measure::BenchRun& run : runs)
+    std::vector<bench::BenchRun> runs =
+        bench::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
+    if (runs.size() == 1 && !options.report.empty()) runs = bench::reportRuns(runs.front().settings, options.isQuick);
+    for (const bench::BenchRun& run : runs)
         settings::requireSound(run.settings); // a contradiction in the last run must not cost the first one's time
     return runs;
 }
 
 /// Returns the backend that draws all `runs`.
-settings::Backend backendOf(const std::vector<measure::BenchRun>& runs) {
-    return measure::backendFor(measure::backendSettings(runs), settings::DrawingCommand::Bench).backend;
+settings::Backend backendOf(const std::vector<bench::BenchRun>& runs) {
+    return task::backendFor(bench::backendSettings(runs), settings::DrawingCommand::Bench).backend;
 }
 
 /// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
@@ -112,70 +112,69 @@ public:
           bounds_(boundsOf(options)),
           runs_(runsOf(options)),
           path_(path::projected(path::readCameraPath(options.path), runs_.front().settings.projection)),
-          baseline_(options.baseline.empty() ? std::nullopt : std::optional(measure::readBaseline(options.baseline))),
-          session_(options.model, measure::backendSettings(runs_), printWarning, backendOf(runs_)),
+          baseline_(options.baseline.empty() ? std::nullopt : std::optional(bench::readBaseline(options.baseline))),
+          session_(options.model, bench::backendSettings(runs_), printWarning, backendOf(runs_)),
           csv_(options.csv),
           json_(options.json),
           images_(options.images),
           report_(options.report) {
         if (options.isQuick) shorten();
-        context_ = measure::statedFacts(runs_, path_, options_.walk, session_);
+        context_ = bench::statedFacts(runs_, path_, options_.walk, session_);
         context_["path"] = std::filesystem::path(options.path).filename().string();
         context_["version"] = GNOMON_VERSION;
         context_["threads"] = std::to_string(ThreadLimit::current());
-        if (baseline_) measure::requireComparable(*baseline_, context_);
+        if (baseline_) bench::requireComparable(*baseline_, context_);
         if (options.hasAllImages)
             options_.walk.onPicture = [folder = options.images](auto run, int frame, auto png) {
-                measure::writeFramePicture(folder, run, frame, png);
+                bench::writeFramePicture(folder, run, frame, png);
             };
     }
 
     void run() {
-        const std::vector<measure::RunResult> results = walked();
+        const std::vector<bench::RunResult> results = walked();
         std::vector<report::RunSummary> summaries;
-        std::transform(results.begin(), results.end(), std::back_inserter(summaries), measure::summarize);
+        std::transform(results.begin(), results.end(), std::back_inserter(summaries), bench::summarize);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         tellShortfall(results);
-        csv_.write(measure::csvText(results)); // written first, in case that a later step is interrupted
-        json_.write(measure::benchmarkText(context_, results));
-        std::fputs(measure::tableText(summaries).c_str(), stdout);
+        csv_.write(bench::csvText(results)); // written first, in case that a later step is interrupted
+        json_.write(bench::benchmarkText(context_, results));
+        std::fputs(bench::tableText(summaries).c_str(), stdout);
         std::fputs(choicesText(summaries).c_str(), stdout);
         if (!options_.images.empty()) writeImages();
-        if (!options_.report.empty()) measure::writeReport(options_.report, pageOf(summaries), results);
+        if (!options_.report.empty()) bench::writeReport(options_.report, pageOf(summaries), results);
         const bool hasFiles = !(options_.csv + options_.json + options_.images + options_.report).empty();
         requirePrinted(hasFiles ? "the files that were asked for are complete" : "");
         if (baseline_) {
-            for (const std::string& name : measure::notCompared(*baseline_, summaries))
+            for (const std::string& name : bench::notCompared(*baseline_, summaries))
                 printMessage(baseline_->path + ": not compared, on one side only: " + name);
-            measure::requireComplete(*baseline_, summaries, !options_.walk.isRealTime);
-            measure::requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
+            bench::requireComplete(*baseline_, summaries, !options_.walk.isRealTime);
+            bench::requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
         }
     }
 
 private:
-    static void tellShortfall(const std::vector<measure::RunResult>& results) {
+    static void tellShortfall(const std::vector<bench::RunResult>& results) {
         telemetry::Shortfall shortfall;
-        for (const measure::RunResult& result : results)
+        for (const bench::RunResult& result : results)
             for (const telemetry::FrameRow& row : result.rows)
                 shortfall.add(row);
-        if (const std::string line = measure::shortfallLine(shortfall); !line.empty()) printWarning(line);
+        if (const std::string line = task::shortfallLine(shortfall); !line.empty()) printWarning(line);
     }
 
-    measure::BenchWalks walks() { return {session_, path_, runs_, options_.walk}; }
+    bench::BenchWalks walks() { return {session_, path_, runs_, options_.walk}; }
 
     std::string choicesText(const std::vector<report::RunSummary>& summaries) {
         std::string text;
         const auto again = [this](std::size_t run) { return walkedAgain(run); };
-        if (bounds_.budgetMs) text += measure::underBudgetText(*bounds_.budgetMs, summaries, again);
-        if (summaries.size() > 1)
-            text += measure::underBoundText(runs_.front().settings.quality.maxAliasing, summaries);
-        if (baseline_) text += measure::changesText(*baseline_, summaries, bounds_.failAbovePercent);
+        if (bounds_.budgetMs) text += bench::underBudgetText(*bounds_.budgetMs, summaries, again);
+        if (summaries.size() > 1) text += bench::underBoundText(runs_.front().settings.quality.maxAliasing, summaries);
+        if (baseline_) text += bench::changesText(*baseline_, summaries, bounds_.failAbovePercent);
         return text;
     }
 
     void shorten() {
         const int wanted = options_.walk.frames;
-        options_.walk.frames = measure::quickFrames(session_, path_, runs_, options_.walk);
+        options_.walk.frames = bench::quickFrames(session_, path_, runs_, options_.walk);
         options_.walk.provenFrames = std::min(options_.walk.provenFrames, options_.walk.frames);
         if (options_.walk.frames < wanted)
             printMessage(
@@ -190,22 +189,22 @@ private:
         return progress;
     }
 
-    std::vector<measure::RunResult> walked() {
-        return measure::walkAll(walks(), *staged("bench", measure::frameCount(runs_, options_.walk)));
+    std::vector<bench::RunResult> walked() {
+        return bench::walkAll(walks(), *staged("bench", bench::frameCount(runs_, options_.walk)));
     }
 
     report::RunSummary walkedAgain(std::size_t run) {
-        measure::WalkOptions walk = options_.walk;
-        walk.oracle = proof::Oracle::None;
-        const auto progress = staged("once more", measure::frameCount({runs_[run]}, walk));
-        return measure::summarize(measure::walkAgain(walks(), run, *progress));
+        bench::WalkOptions walk = options_.walk;
+        walk.oracle = validation::Oracle::None;
+        const auto progress = staged("once more", bench::frameCount({runs_[run]}, walk));
+        return bench::summarize(bench::walkAgain(walks(), run, *progress));
     }
 
     void writeImages() {
-        const auto progress = staged("pictures", measure::kFramesOfPictures * runs_.size());
+        const auto progress = staged("pictures", bench::kFramesOfPictures * runs_.size());
         for (std::size_t run = 0; run < runs_.size(); ++run)
-            measure::writePictures(
-                options_.images, run, measure::middlePictures(session_, path_, runs_[run], options_.walk, *progress));
+            bench::writePictures(
+                options_.images, run, bench::middlePictures(session_, path_, runs_[run], options_.walk, *progress));
     }
 
     report::Report pageOf(const std::vector<report::RunSummary>& summaries) {
@@ -213,22 +212,22 @@ private:
         page.model = context_.at("model") + ", " + context_.at("model_triangles") + " triangles";
         page.context = context_;
         page.runs = summaries;
-        const std::vector<std::size_t> pictured = measure::picturedRuns(summaries);
-        const auto progress = staged("pictures", measure::kFramesOfPictures * pictured.size());
-        page.pictures = measure::middlePicturesOfAll(walks(), pictured, *progress);
+        const std::vector<std::size_t> pictured = bench::picturedRuns(summaries);
+        const auto progress = staged("pictures", bench::kFramesOfPictures * pictured.size());
+        page.pictures = bench::middlePicturesOfAll(walks(), pictured, *progress);
         const settings::Settings& settings = runs_.front().settings;
         plan::View view = settings::viewOf(settings, session_.model().summary());
         view.camera = path::cameraAt(path_, path_.keyframes.front().time);
-        page.storage = measure::storagePoints(session_.renderer().plan(view, settings::qualityOf(settings)));
+        page.storage = task::storagePoints(session_.renderer().plan(view, settings::qualityOf(settings)));
         return page;
     }
 
     BenchOptions options_;
     Bounds bounds_;
-    std::vector<measure::BenchRun> runs_;
+    std::vector<bench::BenchRun> runs_;
     path::CameraPath path_;
-    std::optional<measure::Baseline> baseline_;
-    measure::Session session_;
+    std::optional<bench::Baseline> baseline_;
+    task::Session session_;
     PreparedFile csv_;
     PreparedFile json_;
     std::map<std::string, std::string> context_;

@@ -4,9 +4,9 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/thread_limit.h"
-#include "measure/session.h"
 #include "settings/plan_json.h"
 #include "settings/resolve.h"
+#include "task/session.h"
 #include "telemetry/json_text.h"
 
 #include <cstdio>
@@ -26,9 +26,9 @@ struct ExplainOptions {
 void runExplain(const ExplainOptions& options) {
     settings::Settings settings = options.settings.settings();
     const plan::Quality quality = settings::qualityOf(settings);
-    const settings::BackendChoice backend = measure::backendFor(settings, settings::DrawingCommand::Render);
+    const settings::BackendChoice backend = task::backendFor(settings, settings::DrawingCommand::Render);
     settings.backend = settings::Backend::Software; // explain draws nothing, so it needs no OpenGL context
-    measure::Session session(options.model, settings, printWarning);
+    task::Session session(options.model, settings, printWarning);
     session.renderer().planFor(settings::capabilitiesOf(backend.backend));
     const plan::FramePlan plan = session.renderer().plan(settings::viewOf(settings, session.model()), quality);
     const std::string text = options.json ? telemetry::jsonText(settings::planJson(plan, backend), 1) + "\n"

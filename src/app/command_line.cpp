@@ -3,9 +3,9 @@
 #include "app/commands.h"
 #include "core/units.h"
 #include "gl/shader_library.h"
+#include "hierarchy/source/access.h"
 #include "settings/contradictions.h"
 #include "settings/table.h"
-#include "storage/access.h"
 
 #include <filesystem>
 
@@ -104,7 +104,7 @@ CLI::Validator seedText() {
 }
 
 void addServerOptions(CLI::App& command) {
-    storage::Access& access = storage::commonAccess();
+    hierarchy::Access& access = hierarchy::commonAccess();
     command.add_option("--cacert", access.authorityFile, "Of https://: the certificates to trust, not the system's")
         ->type_name("FILE.pem")
         ->check(CLI::ExistingFile);

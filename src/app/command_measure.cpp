@@ -4,8 +4,8 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/thread_limit.h"
-#include "measure/measured_points.h"
 #include "settings/codec.h"
+#include "task/measured_points.h"
 
 #include <cstdio>
 
@@ -16,7 +16,7 @@ namespace {
 struct MeasureOptions {
     CommonOptions common;
     SettingOptions settings;
-    measure::PointTask task;
+    task::PointTask task;
     std::vector<std::string> points, pixels;
     bool json = false, csv = false;
 };
@@ -31,7 +31,7 @@ glm::ivec2 pixelOf(const std::string& text, const std::array<int, 2>& size) {
 
 void runMeasure(const MeasureOptions& options) {
     const ThreadLimit limit(options.common);
-    measure::PointTask task = options.task;
+    task::PointTask task = options.task;
     task.settings = options.settings.settings();
     task.warn = printWarning;
     requireNoWindow(task.settings);
@@ -44,13 +44,13 @@ void runMeasure(const MeasureOptions& options) {
     if (task.takesVertices && task.pixels.empty()) throw settings::UsageError{"--vertices", "--vertices is of --pixel"};
     const auto progress = makeProgress(options.common, Polling::No);
     progress->stage("measure", "points", task.points.size() + task.pixels.size());
-    const auto [of, measure] = measure::measurePoints(task);
+    const auto [of, measure] = task::measurePoints(task);
     progress->advance(measure.size());
     std::string text;
-    for (const std::string& line : survey::inWords(measure, of))
+    for (const std::string& line : inspect::inWords(measure, of))
         text += line + "\n";
-    if (options.json) text = survey::jsonOf(std::span(&measure, 1), of);
-    if (options.csv) text = survey::csvOf(std::span(&measure, 1), of);
+    if (options.json) text = inspect::jsonOf(std::span(&measure, 1), of);
+    if (options.csv) text = inspect::csvOf(std::span(&measure, 1), of);
     std::fputs(text.c_str(), stdout);
 }
 

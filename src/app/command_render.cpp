@@ -3,7 +3,7 @@
 #include "app/console.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
-#include "measure/render.h"
+#include "task/render.h"
 
 #include <cstdio>
 #include <memory>
@@ -15,7 +15,7 @@ namespace {
 
 struct RenderOptions {
     CommonOptions common;
-    measure::RenderTask task;
+    task::RenderTask task;
 };
 
 /// The words of the command line that are not typed yet.
@@ -29,11 +29,11 @@ void streamToStdout(const std::string& bytes) {
 }
 
 /// Turns the words and files that the command line names into values. Throws UsageError and Error.
-measure::RenderTask taskOf(settings::Request request, const RenderWords& words) {
+task::RenderTask taskOf(settings::Request request, const RenderWords& words) {
     request.settings = words.settings.parsed();
     request.output.colors = settings::valueColors(words.colors);
     requireNoWindow(request.settings);
-    measure::RenderTask task = measure::renderTask(std::move(request));
+    task::RenderTask task = task::renderTask(std::move(request));
     task.warn = printWarning;
     task.stream = streamToStdout;
     return task;
@@ -42,7 +42,7 @@ measure::RenderTask taskOf(settings::Request request, const RenderWords& words) 
 void runRender(const RenderOptions& options) {
     const ThreadLimit limit(options.common);
     const Polling polling = options.task.output.isSeries() ? Polling::Yes : Polling::No;
-    measure::render(options.task, *makeProgress(options.common, polling));
+    task::render(options.task, *makeProgress(options.common, polling));
     requirePrinted();
 }
 
@@ -53,12 +53,12 @@ void addPictures(CLI::App& command, settings::Output& output) {
         ->required()
         ->type_name("FILE.png");
     std::vector<std::string> overlays;
-    for (const auto& each : executor::kOverlays)
+    for (const auto& each : render::kOverlays)
         overlays.emplace_back(each.word);
     command
         .add_option_function<std::string>(
             "--overlay",
-            [&output](const std::string& word) { output.overlay = *valueOf(executor::kOverlays, word); },
+            [&output](const std::string& word) { output.overlay = *valueOf(render::kOverlays, word); },
             "What is painted over the picture")
         ->check(CLI::IsMember(overlays))
         ->default_str("none");

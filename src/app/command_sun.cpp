@@ -4,11 +4,11 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/thread_limit.h"
-#include "measure/sun_hours.h"
 #include "settings/files/named_files.h"
 #include "settings/resolve.h"
 #include "settings/sun_settings.h"
 #include "sun/sun_day.h"
+#include "task/sun_hours.h"
 #include "telemetry/json_text.h"
 
 #include <cstdio>
@@ -75,14 +75,14 @@ void runPosition(const PositionOptions& options) {
 struct HoursOptions {
     std::string at, from, to, step, error;
     SettingOptions settings;
-    measure::SunHoursTask task;
+    task::SunHoursTask task;
     bool isJson = false;
     CommonOptions common;
 };
 
-void runHours(HoursOptions options, measure::SunHoursTeam& team) {
+void runHours(HoursOptions options, task::SunHoursTeam& team) {
     const ThreadLimit threads(options.common);
-    measure::SunHoursTask task = options.task;
+    task::SunHoursTask task = options.task;
     task.team = &team;
     if (!team.leads()) options.common.progress = "none";
     task.settings = options.settings.settings();
@@ -112,20 +112,20 @@ void runHours(HoursOptions options, measure::SunHoursTeam& team) {
     settings::requireApart(
         {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--points", task.points}},
         {{"--output", task.output}, {"--pfm", task.pfm}, {"--csv", task.csv}});
-    const auto done = measure::computeSunHours(task, *makeProgress(options.common));
+    const auto done = task::computeSunHours(task, *makeProgress(options.common));
     if (!done) return;
     if (!options.isJson) {
-        std::fputs(measure::summaryText(*done, task.period.stepSeconds).c_str(), stderr);
+        std::fputs(bench::summaryText(*done, task.period.stepSeconds).c_str(), stderr);
         return;
     }
-    std::printf("%s\n", measure::summaryJson(*done).c_str());
+    std::printf("%s\n", bench::summaryJson(*done).c_str());
     requirePrinted("the files that were asked for are complete");
 }
 
-void addHoursCommand(CLI::App& group, const std::shared_ptr<measure::SunHoursTeam>& team) {
+void addHoursCommand(CLI::App& group, const std::shared_ptr<task::SunHoursTeam>& team) {
     auto options = std::make_shared<HoursOptions>();
     CLI::App* command = group.add_subcommand("hours", "Count the hours of sun over a period, by exact shadows");
-    measure::SunHoursTask& task = options->task;
+    task::SunHoursTask& task = options->task;
     addModel(*command, task.model);
     command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
     command->add_option("--from", options->from, "ISO 8601 with an offset: 2026-06-21T00:00+02:00")->required();
@@ -167,11 +167,11 @@ void addPositionCommand(CLI::App& group) {
 
 } // namespace
 
-void addSunCommand(CLI::App& program, const std::shared_ptr<measure::SunHoursTeam>& team) {
+void addSunCommand(CLI::App& program, const std::shared_ptr<task::SunHoursTeam>& team) {
     CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands, and how long it shines on what");
     group->require_subcommand(1);
     if (!team) addPositionCommand(*group);
-    addHoursCommand(*group, team ? team : std::make_shared<measure::SunHoursTeam>());
+    addHoursCommand(*group, team ? team : std::make_shared<task::SunHoursTeam>());
 }
 
 } // namespace gnomon::app

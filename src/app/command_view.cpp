@@ -3,12 +3,12 @@
 #include "app/console.h"
 #include "app/thread_limit.h"
 #include "core/error.h"
+#include "hierarchy/source/open_source.h"
 #include "settings/backend_choice.h"
 #include "settings/files/named_files.h"
 #include "settings/output.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
-#include "storage/open_source.h"
 #include "viewer/input/key_table.h"
 #include "viewer/viewer.h"
 
@@ -31,7 +31,7 @@ void requireSound(const viewer::ViewerOptions& options) {
         throw settings::UsageError{
             "--backend",
             settings::optionText("backend", settings) + " draws into no window; take auto, software or window"};
-    if (!storage::isAddress(options.file) && !std::filesystem::exists(options.file))
+    if (!hierarchy::isAddress(options.file) && !std::filesystem::exists(options.file))
         throw Error(options.file, "this model cannot be opened", "a file", "none");
 }
 

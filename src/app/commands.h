@@ -12,7 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace gnomon::measure {
+namespace gnomon::task {
 class SunHoursTeam;
 }
 
@@ -63,7 +63,7 @@ void addRenderCommand(CLI::App& program);
 
 /// Adds `gnomon sun`. With `team`, the command has only `sun hours`, which the team computes. Otherwise it has all its
 /// subcommands, and only this process computes.
-void addSunCommand(CLI::App& program, const std::shared_ptr<measure::SunHoursTeam>& team = {});
+void addSunCommand(CLI::App& program, const std::shared_ptr<task::SunHoursTeam>& team = {});
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);

@@ -46,11 +46,11 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     wanted_ = std::max(samples, plan::lightFrames(plan()));
     const bool hasSky = plan().sky.directions > 0; // sky light affects all tiles
     whole_ = hasSky ? wanted_ : std::max(samples, plan::leastFirstPoints(wanted_));
-    const executor::FrameDrawing drawing = renderer.drawing(frame, frame.options);
-    shown_ = executor::shownAs(drawing);
-    sum_.reset(shown_.hasGround, executor::rowsOf(drawing).first);
+    const render::FrameDrawing drawing = renderer.drawing(frame, frame.options);
+    shown_ = render::shownAs(drawing);
+    sum_.reset(shown_.hasGround, render::rowsOf(drawing).first);
     if (hasSky) {
-        onGround_ = executor::groundShares(drawing);
+        onGround_ = render::groundShares(drawing);
         onGround_.sky /= static_cast<float>(plan::levelSkyLight(wanted_, plan().sky.model));
         FrameOptions options = frame.options;
         leaveSkyOut(options);
@@ -66,7 +66,7 @@ void Accumulation::add() {
 }
 
 void Accumulation::leaveSkyOut(FrameOptions& options) const {
-    options.lightPart = executor::LightPart::WithoutSky;
+    options.lightPart = render::LightPart::WithoutSky;
     options.groundShade = onGround_.sun;
 }
 
@@ -95,19 +95,19 @@ void Accumulation::drawSunlit(int sample) {
 
 /// Adds the last drawn image to the sum. With sky light, first adds the image of a part of the sky.
 void Accumulation::take(int sample) {
-    executor::Executor& executor = renderer_->executor();
-    if (plan().sky.directions == 0) return sum_.add(executor.light(), tilesOf(sample).get());
-    executor::LightPicture light = executor.light();
+    render::Backend& backend = renderer_->backend();
+    if (plan().sky.directions == 0) return sum_.add(backend.light(), tilesOf(sample).get());
+    render::LightPicture light = backend.light();
     const plan::SkyPart part = plan::skyPart(sample, wanted_, plan().sky.model, plan().view.up);
     FrameOptions options = frame_->options;
     options.subpixel = subpixelOffset(sample);
     options.mapShift = mapShift(sample);
-    options.lightPart = executor::LightPart::SkyDirection;
+    options.lightPart = render::LightPart::SkyDirection;
     options.skyWeight = part.weight;
     const double level = part.weight * glm::dot(part.direction, glm::normalize(plan().view.up));
     options.groundShade = static_cast<float>(level) * onGround_.sky;
     renderer_->drawTowards(*frame_, part.direction, options);
-    executor::addLight(light, executor.light());
+    render::addLight(light, backend.light());
     sum_.add(light);
 }
 

@@ -2,9 +2,9 @@
 // linear light, gives antialiasing, penumbrae and sky light.
 #pragma once
 
-#include "executor/light/background.h"
-#include "executor/light/light_sum.h"
 #include "frame/renderer.h"
+#include "render/light/background.h"
+#include "render/light/light_sum.h"
 
 namespace gnomon::frame {
 
@@ -44,12 +44,12 @@ public:
     int wanted() const { return wanted_; }
 
     /// Returns the mean light before tone mapping.
-    executor::LightPicture light() const { return sum_.mean(); }
+    render::LightPicture light() const { return sum_.mean(); }
 
-    executor::Picture picture() const { return sum_.picture(shown_); }
+    render::Picture picture() const { return sum_.picture(shown_); }
 
     /// Returns nullopt unless the background is transparent.
-    std::optional<executor::Coverage> coverage() const {
+    std::optional<render::Coverage> coverage() const {
         return shown_.isTransparent ? std::optional(sum_.coverage()) : std::nullopt;
     }
 
@@ -65,9 +65,9 @@ private:
     const Frame* frame_ = nullptr;
     int wanted_ = 1;
     int whole_ = 1; // number of first frames that are drawn in all tiles
-    executor::GroundShares onGround_;
-    executor::Shown shown_;
-    executor::LightSum sum_;
+    render::GroundShares onGround_;
+    render::Shown shown_;
+    render::LightSum sum_;
 };
 
 } // namespace gnomon::frame

@@ -1,7 +1,7 @@
 #include "frame/drawn_point.h"
 
-#include "executor/view/lens.h"
-#include "executor/view/section_cut.h"
+#include "render/view/lens.h"
+#include "render/view/section_cut.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,8 @@ struct SightLine {
     glm::dvec3 at(double depth) const { return start + direction * depth; }
 };
 
-SightLine sightLine(const executor::FrameDrawing& drawing, const glm::ivec2& pixel) {
-    const executor::Lens lens = executor::lensOf(drawing);
+SightLine sightLine(const render::FrameDrawing& drawing, const glm::ivec2& pixel) {
+    const render::Lens lens = render::lensOf(drawing);
     const plan::View& view = drawing.plan->view;
     const glm::dvec2 size(view.width, view.height);
     const glm::dvec2 across = (glm::dvec2(pixel) + 0.5) / size * 2.0 - 1.0;
@@ -81,9 +81,9 @@ std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dv
 /// The first intersection of the line with the drawn clusters, outside the regions that section planes remove.
 class FirstCrossing {
 public:
-    FirstCrossing(const SightLine& line, const executor::FrameDrawing& drawing)
+    FirstCrossing(const SightLine& line, const render::FrameDrawing& drawing)
         : line_(line),
-          sections_(executor::sectionPlanes(drawing)),
+          sections_(render::sectionPlanes(drawing)),
           origin_(drawing.space.originCell.x, drawing.space.originCell.y, drawing.space.originCell.z) {}
 
     void add(const hierarchy::Page& page, const hierarchy::Cluster& cluster, double snapError) {
@@ -150,12 +150,12 @@ glm::dvec3 nearestCorner(const Crossing& crossing, const SightLine& line) {
 
 std::optional<DrawnPoint> drawnPoint(
     const Renderer& renderer, const PreparedFrame& frame, const FrameOptions& options, const glm::ivec2& pixel) {
-    const executor::FrameDrawing drawing = renderer.drawing(frame, options);
+    const render::FrameDrawing drawing = renderer.drawing(frame, options);
     const SightLine line = sightLine(drawing, pixel);
     const double snapError = drawing.grid.snapError();
     const hierarchy::ResidentPages resident = renderer.residency().resident();
     FirstCrossing found(line, drawing);
-    for (const selection::ClusterRange& range : drawing.image->ranges) {
+    for (const lod::ClusterRange& range : drawing.image->ranges) {
         const hierarchy::Page* page = resident[range.page];
         if (page == nullptr) return std::nullopt;
         for (std::uint32_t i = 0; i < range.clusterCount; ++i)
@@ -163,7 +163,7 @@ std::optional<DrawnPoint> drawnPoint(
     }
     const std::optional<double> entry = found.entry();
     if (entry) { // no triangle covers the cap of a section, so the depth buffer tells whether the pixel shows it
-        const float seen = renderer.executor().viewDepth().at(pixel.x, pixel.y);
+        const float seen = renderer.backend().viewDepth().at(pixel.x, pixel.y);
         const double depth = *entry - frame.plan.view.eyeMovedBack.value_or(0);
         if (std::abs(seen - depth) <= 1e-5 * std::abs(*entry))
             return DrawnPoint{{found.cell(line.at(*entry)), snapError}, std::nullopt};

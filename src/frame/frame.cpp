@@ -1,7 +1,4 @@
 #include "core/stopwatch.h"
-#include "culling/layers.h"
-#include "executor/light/light_sum.h"
-#include "executor/ray_shadows.h"
 #include "frame/frame_cuts.h"
 #include "frame/frame_row.h"
 #include "frame/ground.h"
@@ -9,15 +6,18 @@
 #include "frame/picture_memory.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
+#include "lod/layers.h"
 #include "plan/caster_culling.h"
 #include "plan/distant_view.h"
 #include "plan/occlusion_choice.h"
 #include "plan/shadow_decision.h"
+#include "render/light/light_sum.h"
+#include "render/ray_shadows.h"
 
 #include <utility>
 
 // The sequence of a frame: residency -> plan -> cut -> cull per partition -> shadow passes -> image pass -> log. For
-// exact shadows, and for casters that receivers cull, the executor finds the visible points first and shades them last.
+// exact shadows, and for casters that receivers cull, the backend finds the visible points first and shades them last.
 
 namespace gnomon::frame {
 
@@ -46,22 +46,22 @@ Bytes Renderer::picturePart(const plan::View& view, const plan::Quality& quality
     if (residency_.holdsPictures()) return pictureBytes(view, quality, options);
     if (!options.isAccumulated) return {};
     const auto pixels = static_cast<std::uint64_t>(view.width) * static_cast<std::uint64_t>(view.height);
-    return executor::LightSum::bytes(pixels, quality.look.ground, quality.sky.directions > 0);
+    return render::LightSum::bytes(pixels, quality.look.ground, quality.sky.directions > 0);
 }
 
 Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     const Stopwatch watch;
     plan::Quality meant = quality;
-    if (executor::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsRequested;
+    if (render::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsRequested;
     if (!continuesMotion(view, meant)) motion_.isSunless.reset();
     residency_.reservePicture(picturePart(view, meant, options));
     Frame frame{prepare(view, meant, options.waiting, frameBefore(view, meant), options.margin()), options, {}};
-    const executor::DrawStatistics drawn = drawWithOrWithoutSun(frame);
+    const render::DrawStatistics drawn = drawWithOrWithoutSun(frame);
     if (frame.isSunless) plan::leaveLightSamplingOut(frame.plan);
     if (drawn.exact && drawn.exact->endedEarly)
         frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::OmissionReason::AllAreDark});
     frame.row =
-        frameRow(frame, drawn, {model_->path(), executor_->name(), residency_.statistics(), residency_.rayTreeBytes()});
+        frameRow(frame, drawn, {model_->path(), backend_->name(), residency_.statistics(), residency_.rayTreeBytes()});
     frame.row.totalMs = watch.elapsed().count;
     shortfall_.add(frame.row);
     motion_.previous = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
@@ -74,7 +74,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
 void Renderer::chooseOcclusion(PreparedFrame& frame) const {
     const bool isOpen = capabilities().occlusionCulling && frame.plan.quality.occlusion == plan::Choice::Auto;
     const double layers =
-        isOpen ? culling::imageLayers(cutQuery(residency_, frame), frame.cut.lists[0], plan::kLeastLayers) : 0;
+        isOpen ? lod::imageLayers(cutQuery(residency_, frame), frame.cut.lists[0], plan::kLeastLayers) : 0;
     plan::chooseOcclusion(frame.plan, layers);
 }
 
@@ -120,7 +120,7 @@ PreparedFrame Renderer::prepareShadows(
         const Stopwatch round;
         PreparedFrame frame;
         frame.before = before;
-        frame.space = executor::drawSpace(view, model.grid, model.bounds);
+        frame.space = render::drawSpace(view, model.grid, model.bounds);
         const std::optional<DepthSpan> range =
             plan::widestRange(view, quality, withGround(model.bounds, ground_.get()));
         frame.errorPixels = quality.errorPixels;
@@ -149,15 +149,15 @@ PreparedFrame Renderer::prepareShadows(
     }
 }
 
-executor::DrawStatistics Renderer::draw(PreparedFrame& frame, const FrameOptions& options) {
+render::DrawStatistics Renderer::draw(PreparedFrame& frame, const FrameOptions& options) {
     moveMaps(frame.plan, options.mapShift);
     heldMaps_.mark(frame, options);
     heldMaps_.clear();
-    executor::FrameDrawing drawing = this->drawing(frame, options);
+    render::FrameDrawing drawing = this->drawing(frame, options);
     if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
-    if (frame.isExact()) return executor_->drawExactly(drawing);
-    if (frame.isRayTraced()) return executor::drawByRays(*executor_, drawing, residency_.rayTrees());
-    executor::DrawStatistics statistics = executor_->draw(drawing);
+    if (frame.isExact()) return backend_->drawExactly(drawing);
+    if (frame.isRayTraced()) return render::drawByRays(*backend_, drawing, residency_.rayTrees());
+    render::DrawStatistics statistics = backend_->draw(drawing);
     // no visible point needs a shadow computation
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace();
     heldMaps_.hold(frame, options, statistics.culled.has_value());
@@ -168,7 +168,7 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     plan::View view = frame.plan.view;
     view.towardsLight = towardsLight;
     const hierarchy::ModelSummary& model = model_->summary();
-    if (options.lightPart == executor::LightPart::SkyDirection) view.pointLight.reset();
+    if (options.lightPart == render::LightPart::SkyDirection) view.pointLight.reset();
     // All directions of the sky must use the same ground.
     const bool hasSky = frame.plan.sky.directions > 0;
     ground_ = groundOf(
@@ -180,7 +180,7 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
 }
 
 void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& options) {
-    executor::FrameDrawing drawing = this->drawing(frame, options);
+    render::FrameDrawing drawing = this->drawing(frame, options);
     if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
     plan::FramePlan moved;
     if (options.mapShift != glm::dvec2(0) && !frame.plan.passes.empty()) {
@@ -188,14 +188,14 @@ void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& option
         moveMaps(moved, options.mapShift);
         drawing.plan = &moved;
         heldMaps_.clear();
-        executor_->drawShadowMaps(drawing);
+        backend_->drawShadowMaps(drawing);
     }
     if (frame.isExact())
-        executor_->drawExactly(drawing);
+        backend_->drawExactly(drawing);
     else if (frame.isRayTraced())
-        executor::drawByRays(*executor_, drawing, residency_.rayTrees());
+        render::drawByRays(*backend_, drawing, residency_.rayTrees());
     else
-        executor_->drawImage(drawing);
+        backend_->drawImage(drawing);
 }
 
 } // namespace gnomon::frame

@@ -1,11 +1,11 @@
 #include "frame/frame_cuts.h"
 
 #include "core/error.h"
-#include "culling/caster_detail.h"
-#include "culling/frame_cut.h"
 #include "frame/ray_casters.h"
 #include "frame/scene_facts.h"
-#include "selection/nearest_depth.h"
+#include "lod/caster_detail.h"
+#include "lod/frame_cut.h"
+#include "lod/nearest_depth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +16,15 @@ namespace {
 
 void cut(PreparedFrame& frame, const plan::Quality& quality, const Residency& residency) {
     if (quality.maxTriangles)
-        frame.errorPixels = selection::cappedErrorPixels(cutQuery(residency, frame), *quality.maxTriangles);
-    frame.cut = culling::cutFrame(cutQuery(residency, frame));
+        frame.errorPixels = lod::cappedErrorPixels(cutQuery(residency, frame), *quality.maxTriangles);
+    frame.cut = lod::cutFrame(cutQuery(residency, frame));
 }
 
 /// Returns the view pyramid of the image with `margin` more pixels on each side.
-ConvexVolume imageVolume(selection::DetailView detail, const CutView& cutView) {
+ConvexVolume imageVolume(lod::DetailView detail, const CutView& cutView) {
     detail.tanHalfX *= 1 + 2 * cutView.margin / cutView.view.width;
     detail.tanHalfY *= 1 + 2 * cutView.margin / cutView.view.height;
-    return selection::viewPyramid(detail);
+    return lod::viewPyramid(detail);
 }
 
 /// Returns the section planes of a view in local space. `origin` is the origin of local space in world space.
@@ -50,11 +50,11 @@ void addSections(PreparedFrame& frame, const glm::dvec3& origin) {
     const double slack = 4 * frame.space.step;
     for (const Plane& plane : localSections(seen, origin))
         frame.volumes.push_back({{{plane.normal, plane.offset + slack}, {-plane.normal, slack - plane.offset}}});
-    if (frame.volumes.size() > bvh::kMaxVolumes)
+    if (frame.volumes.size() > lod::kMaxVolumes)
         throw Error(
             "sections",
             "there are too many shadow maps beside them",
-            "at most " + std::to_string(bvh::kMaxVolumes - 1) + " maps and planes",
+            "at most " + std::to_string(lod::kMaxVolumes - 1) + " maps and planes",
             std::to_string(frame.volumes.size() - 1));
 }
 
@@ -67,8 +67,8 @@ void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& recei
     }
 }
 
-selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame) {
-    selection::CutQuery query = residency.query();
+lod::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame) {
+    lod::CutQuery query = residency.query();
     query.rule = frame.rule.get();
     query.errorPixels = frame.errorPixels;
     query.volumes = frame.volumes;
@@ -83,14 +83,14 @@ void cutImage(
     const Residency& residency,
     const hierarchy::Grid& grid) {
     const plan::View& view = cutView.view;
-    selection::DetailView detail = detailView(view, view.camera.eye - grid.origin);
-    const double nearest = selection::nearestDepth(*residency.query().trees, detail);
+    lod::DetailView detail = detailView(view, view.camera.eye - grid.origin);
+    const double nearest = lod::nearestDepth(*residency.query().trees, detail);
     if (std::isfinite(nearest)) detail.nearestDepth = std::max(detail.nearestDepth, nearest);
-    frame.rule = std::make_shared<selection::ErrorRule>(detail);
+    frame.rule = std::make_shared<lod::ErrorRule>(detail);
     frame.volumes = {imageVolume(detail, cutView)};
     clipBySections(view, grid.origin, frame.volumes.front());
     if (range) {
-        frame.volumes.push_back(culling::localVolume(plan::sweptView(view, *range), detail));
+        frame.volumes.push_back(lod::localVolume(plan::sweptView(view, *range), detail));
         if (view.cutsCasters) clipBySections(view, grid.origin, frame.volumes.back());
     }
     cut(frame, quality, residency);
@@ -103,13 +103,13 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
         frame.cut.lists.resize(1);
         return;
     }
-    const selection::DetailView view = frame.rule->view();
-    std::vector<selection::CasterDetail> casters;
+    const lod::DetailView view = frame.rule->view();
+    std::vector<lod::CasterDetail> casters;
     for (const plan::ShadowPass& pass : frame.plan.passes) {
-        if (!seen.pointLight) casters.push_back(culling::casterDetail(view, pass.map));
+        if (!seen.pointLight) casters.push_back(lod::casterDetail(view, pass.map));
         // Without culling, every map draws the whole model at the detail that the maps require.
         const bool isCulled = frame.plan.quality.cullCasters != plan::CasterCulling::Off;
-        frame.volumes.push_back(isCulled ? culling::localVolume(pass.map.casterVolume, view) : ConvexVolume{});
+        frame.volumes.push_back(isCulled ? lod::localVolume(pass.map.casterVolume, view) : ConvexVolume{});
     }
     if (seen.pointLight) {
         casters = pointCasterDetails(frame);
@@ -119,10 +119,10 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
         frame.volumes.push_back(casters.back().casters);
     }
     const glm::dvec3 origin = seen.camera.eye - view.eye;
-    for (selection::CasterDetail& caster : casters)
+    for (lod::CasterDetail& caster : casters)
         clipToModel(frame.facts.bounds, origin, caster.receivers);
     addSections(frame, origin);
-    frame.rule = std::make_shared<selection::ErrorRule>(view, std::move(casters));
+    frame.rule = std::make_shared<lod::ErrorRule>(view, std::move(casters));
     cut(frame, frame.plan.quality, residency);
 }
 

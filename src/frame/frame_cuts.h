@@ -9,7 +9,7 @@
 namespace gnomon::frame {
 
 /// Returns the query that computes the cut of `frame`.
-selection::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame);
+lod::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame);
 
 /// An image whose cut extends beyond its edges.
 struct CutView {
@@ -34,7 +34,7 @@ void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& recei
 
 /// Clips the caster volumes of `frame` by the section planes if the sections remove casters. Adds one volume per
 /// section plane, which extends 4 grid steps to each side of the plane. `origin` is the origin of local space in world
-/// space. Throws Error if the number of volumes exceeds bvh::kMaxVolumes.
+/// space. Throws Error if the number of volumes exceeds lod::kMaxVolumes.
 void addSections(PreparedFrame& frame, const glm::dvec3& origin);
 
 /// Cuts a planned frame again: the image, and the casters of each pass, culled to its partition. Casters can require

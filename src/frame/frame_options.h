@@ -1,7 +1,7 @@
 // The options of a frame besides its view and quality.
 #pragma once
 
-#include "executor/executor.h"
+#include "render/backend.h"
 
 #include <memory>
 #include <optional>
@@ -19,8 +19,8 @@ enum class Waiting : std::uint8_t {
 /// The options of a frame besides its view and quality.
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
-    executor::Overlay overlay = executor::Overlay::None;
-    bool wantsSurfaces = false; // stores the result of the executor's `surfaces`
+    render::Overlay overlay = render::Overlay::None;
+    bool wantsSurfaces = false; // stores the result of the backend's `surfaces`
     bool reusesMaps = true;     // reuses maps that are identical to maps of the previous frame
     // the caller also reads the maps themselves, so receivers cull no casters
     bool wantsWholeMaps = false;
@@ -29,14 +29,14 @@ struct FrameOptions {
     // shows the view's frame from another camera: its cut, its casters and its maps
     std::optional<Camera> observerCamera;
     glm::dvec2 subpixel{0}; // sample position as in FrameDrawing, at most half a pixel from the centre
-    // `drawSample` will follow: the cut has a `margin`, maps are complete, and the executor stores the light
+    // `drawSample` will follow: the cut has a `margin`, maps are complete, and the backend stores the light
     bool isAccumulated = false;
     glm::dvec2 mapShift{0}; // shift of the texel grids of all maps, as in ShadowMap
-    executor::LightPart lightPart = executor::LightPart::All;
+    render::LightPart lightPart = render::LightPart::All;
     double skyWeight = 0;                          // as in FrameDrawing
     std::optional<glm::vec3> groundShade;          // as in FrameDrawing
     std::shared_ptr<const shadow::TileMask> tiles; // as in FrameDrawing
-    std::optional<executor::ImageRows> rows;       // as in FrameDrawing
+    std::optional<render::ImageRows> rows;         // as in FrameDrawing
 
     /// Returns the pixels by which the cut extends beyond the image on each side.
     double margin() const { return isAccumulated ? 0.5 : 0; }

@@ -21,14 +21,14 @@ void setExact(const exact::ExactStatistics& exact, telemetry::FrameRow& row) {
     row.castersKept = toCount(exact.cast.clustersKept);
 }
 
-void setCulled(const executor::CulledCasters& culled, telemetry::FrameRow& row) {
+void setCulled(const render::CulledCasters& culled, telemetry::FrameRow& row) {
     row.shadowMapsDrawn = toCount(culled.mapsDrawn);
     row.shadowTriangles = toCount(culled.triangles);
     row.castersKept = toCount(culled.clustersKept);
 }
 
 /// Sets the counts of the shadow passes: drawn maps, triangles, and tested casters.
-void setCasters(const PreparedFrame& frame, const executor::DrawStatistics& drawn, telemetry::FrameRow& row) {
+void setCasters(const PreparedFrame& frame, const render::DrawStatistics& drawn, telemetry::FrameRow& row) {
     const plan::FramePlan& plan = frame.plan;
     row.shadowMapsDrawn = 0;
     std::uint64_t shadowTriangles = 0;
@@ -48,7 +48,7 @@ void setCasters(const PreparedFrame& frame, const executor::DrawStatistics& draw
 }
 
 /// Returns the caster culling that the maps used.
-std::string_view cullingOf(const plan::FramePlan& plan, const executor::DrawStatistics& drawn) {
+std::string_view cullingOf(const plan::FramePlan& plan, const render::DrawStatistics& drawn) {
     const bool isWhole = !drawn.culled && plan.casterCulling == plan::CasterCulling::Receivers;
     return wordOf(plan::kCasterCullings, isWhole ? plan::CasterCulling::On : plan.casterCulling);
 }
@@ -56,7 +56,7 @@ std::string_view cullingOf(const plan::FramePlan& plan, const executor::DrawStat
 } // namespace
 
 telemetry::FrameRow frameRow(
-    const PreparedFrame& frame, const executor::DrawStatistics& drawn, const FrameSource& source) {
+    const PreparedFrame& frame, const render::DrawStatistics& drawn, const FrameSource& source) {
     const plan::FramePlan& plan = frame.plan;
     const plan::Quality& quality = plan.quality;
     telemetry::FrameRow row;
@@ -75,7 +75,7 @@ telemetry::FrameRow frameRow(
     row.height = plan.view.height;
     row.imageWidthDrawn = plan.view.width;
     row.samplesPerPixel = 1;
-    row.backend = source.executor;
+    row.backend = source.backend;
     row.planMs = frame.planMs;
     row.selectMs = frame.selectMs;
     row.cullMs = frame.cullMs;

@@ -2,8 +2,8 @@
 
 #include "frame/scene_facts.h"
 #include "hierarchy/upright_frame.h"
+#include "lod/error_rule.h"
 #include "plan/light_directions.h"
-#include "selection/error_rule.h"
 
 #include <algorithm>
 #include <array>
@@ -202,7 +202,7 @@ std::shared_ptr<const Ground> groundOf(
 
 bool addGround(const Ground& ground, const plan::View& view, double gridStep, plan::SceneFacts& facts) {
     const glm::dvec3 eye = view.camera.eye;
-    const Polygon shown = clipped(ground.outline, selection::viewPyramid(detailView(view, eye)));
+    const Polygon shown = clipped(ground.outline, lod::viewPyramid(detailView(view, eye)));
     if (shown.empty()) return false;
     const CameraBasis basis = cameraBasis(view.camera);
     const double slack = 4 * gridStep;

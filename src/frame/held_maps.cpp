@@ -13,7 +13,7 @@ HeldMaps::Image HeldMaps::imageOf(const PreparedFrame& frame, const FrameOptions
     image.isSunless = frame.isSunless;
     if (frame.ground) image.ground = frame.ground->outline;
     image.clusters.reserve(frame.cut.lists.size());
-    for (const selection::DrawList& list : frame.cut.lists)
+    for (const lod::DrawList& list : frame.cut.lists)
         image.clusters.push_back(list.ranges);
     return image;
 }

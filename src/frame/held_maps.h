@@ -1,4 +1,4 @@
-// The shadow maps that are still in the executor's depth texture, and the choice of the maps that a frame can reuse.
+// The shadow maps that are still in the backend's depth texture, and the choice of the maps that a frame can reuse.
 #pragma once
 
 #include "frame/frame_options.h"
@@ -31,7 +31,7 @@ private:
         bool isSunless = false;
         std::vector<glm::dvec3> ground; // its outline; empty without a ground
         // of all draw lists; the first list is the image's
-        std::vector<std::vector<selection::ClusterRange>> clusters;
+        std::vector<std::vector<lod::ClusterRange>> clusters;
 
         bool operator==(const Image&) const = default;
     };

@@ -1,9 +1,9 @@
 #include "frame/light_plan.h"
 
-#include "culling/open_sky.h"
-#include "culling/penumbra_width.h"
 #include "frame/frame_cuts.h"
 #include "frame/ground.h"
+#include "lod/open_sky.h"
+#include "lod/penumbra_width.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,9 @@ namespace {
 
 /// Returns an upper bound of the penumbra widths on the ground, in pixels. It combines the longest shadow with the
 /// smallest visible depth.
-double onGround(const PreparedFrame& frame, const culling::DiscLight& light) {
+double onGround(const PreparedFrame& frame, const lod::DiscLight& light) {
     if (!frame.ground || !frame.facts.visible) return 0;
-    const selection::DetailView& view = frame.rule->view();
+    const lod::DetailView& view = frame.rule->view();
     const double aslant = std::sqrt(1 + view.tanHalfX * view.tanHalfX + view.tanHalfY * view.tanHalfY);
     const double pixelSlope = 2 * view.tanHalfY / view.heightPixels;
     const double depth = std::max(frame.facts.visible->nearest, view.nearestDepth);
@@ -28,9 +28,9 @@ double onGround(const PreparedFrame& frame, const culling::DiscLight& light) {
            longestShadow(*frame.ground, frame.plan.view, frame.facts.bounds);
 }
 
-culling::TiledView tiledView(const PreparedFrame& frame) {
+lod::TiledView tiledView(const PreparedFrame& frame) {
     const plan::View& view = frame.plan.view;
-    culling::TiledView seen;
+    lod::TiledView seen;
     seen.tiles = {view.width, view.height};
     seen.isParallel = view.camera.isParallel();
     const double half = seen.isParallel ? halfHeightAtTarget(view.camera) : view.tanHalfY();
@@ -43,16 +43,16 @@ culling::TiledView tiledView(const PreparedFrame& frame) {
 
 void planLightSampling(PreparedFrame& frame, const Residency& residency) {
     plan::FramePlan& plan = frame.plan;
-    const selection::CutQuery query = cutQuery(residency, frame);
-    const selection::DrawList& image = frame.cut.lists[0];
+    const lod::CutQuery query = cutQuery(residency, frame);
+    const lod::DrawList& image = frame.cut.lists[0];
     if (plan.view.sunAngleRadians > 0) {
-        const culling::DiscLight light{plan.light.unit(), 2 * std::tan(plan.view.sunAngleRadians / 2)};
-        const std::span<const selection::DrawList> lists(frame.cut.lists);
+        const lod::DiscLight light{plan.light.unit(), 2 * std::tan(plan.view.sunAngleRadians / 2)};
+        const std::span<const lod::DrawList> lists(frame.cut.lists);
         const std::size_t behindImage = lists.size() - 1;
         // The last lists contain the clusters near the section planes; they are no casters.
         const auto casters = lists.subspan(1, behindImage - std::min(behindImage, plan.view.sections.size()));
-        const culling::TiledView seen = tiledView(frame);
-        const std::vector<double> byTile = culling::penumbraWidths(query, image, casters, light, seen);
+        const lod::TiledView seen = tiledView(frame);
+        const std::vector<double> byTile = lod::penumbraWidths(query, image, casters, light, seen);
         plan::PenumbraBound bound{*std::max_element(byTile.begin(), byTile.end()), seen.tiles, byTile};
         bound.widest = std::max(bound.widest, onGround(frame, light));
         // The bounds per tile cover clusters only, but not the ground or the caps of sections.
@@ -62,8 +62,8 @@ void planLightSampling(PreparedFrame& frame, const Residency& residency) {
     if (plan.quality.sky.directions > 0) {
         const glm::dvec3 origin = residency.query().trees->grid().origin;
         const Box bounds{frame.facts.bounds.min - origin, frame.facts.bounds.max - origin};
-        const auto solids = plan.view.sections.empty() ? culling::Solids::Whole : culling::Solids::MayBeCut;
-        plan::planSky(plan, frame.ground || culling::mayHideSky(query, image, bounds, solids));
+        const auto solids = plan.view.sections.empty() ? lod::Solids::Whole : lod::Solids::MayBeCut;
+        plan::planSky(plan, frame.ground || lod::mayHideSky(query, image, bounds, solids));
     }
 }
 

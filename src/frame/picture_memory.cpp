@@ -1,9 +1,9 @@
 #include "frame/picture_memory.h"
 
 #include "exact/exact_shadows.h"
-#include "executor/light/light_sum.h"
-#include "executor/picture.h"
 #include "plan/shadow_decision.h"
+#include "render/light/light_sum.h"
+#include "render/picture.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace gnomon::frame {
 namespace {
 
 // bytes per pixel: colour and coverage
-constexpr std::uint64_t kFinished = sizeof(executor::Rgb) + sizeof(std::uint8_t);
+constexpr std::uint64_t kFinished = sizeof(render::Rgb) + sizeof(std::uint8_t);
 
 /// The bytes of a picture while it is drawn.
 struct Demand {
@@ -26,10 +26,10 @@ Demand demandOf(const plan::View& view, const plan::Quality& quality, const Fram
     constexpr std::uint64_t kMapOfLamp = sizeof(std::int32_t);
     constexpr std::uint64_t kCells = mebibytes(8).count;
     Demand demand;
-    demand.perPixel = sizeof(std::uint64_t) + 2 * sizeof(executor::Rgb); // visibility buffer, picture and its copy
-    if (options.wantsSurfaces) demand.perPixel += sizeof(executor::SurfaceSample);
+    demand.perPixel = sizeof(std::uint64_t) + 2 * sizeof(render::Rgb); // visibility buffer, picture and its copy
+    if (options.wantsSurfaces) demand.perPixel += sizeof(render::SurfaceSample);
     if (options.isAccumulated)
-        demand.perPixel += executor::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
+        demand.perPixel += render::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
     const bool hasSun = !plan::isWithoutSun(quality.look.shading);
     const plan::ShadowMode shadows = plan::decideShadows(quality, plan::kSoftwareCapabilities).mode;
     if (hasSun && shadows != plan::ShadowMode::Off && shadows != plan::ShadowMode::Maps)
@@ -50,7 +50,7 @@ Demand demandOf(const plan::View& view, const plan::Quality& quality, const Fram
 
 /// Returns true if the image can be drawn in bands of rows, because the caller does not need all rows at once.
 bool canHaveBands(const plan::View& view, const FrameOptions& options) {
-    return options.overlay == executor::Overlay::None && !options.wantsSurfaces && !options.wantsWholeImage &&
+    return options.overlay == render::Overlay::None && !options.wantsSurfaces && !options.wantsWholeImage &&
            !options.wantsWholeMaps && !options.observerCamera && view.sections.empty();
 }
 
@@ -60,10 +60,10 @@ Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const F
     return demandOf(view, quality, options).all;
 }
 
-std::vector<executor::ImageRows> bandsOf(
+std::vector<render::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory) {
     constexpr int kMinRows = 64; // a multiple of what is shaded together and of what is masked
-    const std::vector<executor::ImageRows> whole = {{0, view.height}};
+    const std::vector<render::ImageRows> whole = {{0, view.height}};
     if (!canHaveBands(view, options)) return whole;
     const Demand demand = demandOf(view, quality, options);
     if (demand.all.count <= memory.count / 2) return whole;
@@ -71,7 +71,7 @@ std::vector<executor::ImageRows> bandsOf(
     const std::uint64_t stripes = std::max<std::uint64_t>(memory.count / 4 / perStripe, 1);
     const int rows =
         static_cast<int>(std::min<std::uint64_t>(stripes * kMinRows, static_cast<std::uint64_t>(view.height)));
-    std::vector<executor::ImageRows> bands;
+    std::vector<render::ImageRows> bands;
     for (int first = 0; first < view.height; first += rows)
         bands.push_back({first, std::min(rows, view.height - first)});
     return bands;

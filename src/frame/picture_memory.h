@@ -17,7 +17,7 @@ Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const F
 /// Returns the bands in which an image of `view` is drawn within `memory`, from the bottom. The result is a single band
 /// if the whole image fits into half of the memory, or if the frame cannot be drawn in bands. Otherwise a band needs at
 /// most a quarter of the memory, but has at least 64 rows. The image has the same bytes for any number of bands.
-std::vector<executor::ImageRows> bandsOf(
+std::vector<render::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory);
 
 } // namespace gnomon::frame

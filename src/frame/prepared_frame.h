@@ -1,11 +1,11 @@
 // A frame between planning and drawing: its plan, its cut and its resident pages.
 #pragma once
 
-#include "executor/executor.h"
 #include "frame/ground.h"
+#include "lod/cut.h"
+#include "lod/page_store.h"
 #include "plan/plan_frame.h"
-#include "selection/cut.h"
-#include "streaming/page_store.h"
+#include "render/backend.h"
 
 #include <memory>
 #include <vector>
@@ -20,16 +20,16 @@ struct PreparedFrame {
     std::shared_ptr<const plan::PlannedFrame> before; // the previous frame, for hysteresis; null without one
     plan::SceneFacts facts;
     std::shared_ptr<const Ground> ground; // null if no part of the ground is in view
-    executor::DrawSpace space;
-    std::shared_ptr<const selection::ErrorRule> rule; // error rule of the cut; `volumes` also belong to the cut
+    render::DrawSpace space;
+    std::shared_ptr<const lod::ErrorRule> rule; // error rule of the cut; `volumes` also belong to the cut
     std::vector<ConvexVolume> volumes;
     // true: the light reaches so few visible pixels that --shading auto uses the headlight
     bool isSunless = false;
     double errorPixels = 1; // error limit of the quality, or more if a cap on triangles increases it
     // The first list is the image's. The other lists are one per shadow pass, or a single list with the casters of rays
     // or exact shadows.
-    selection::Cut cut;
-    streaming::DemandOutcome residency;
+    lod::Cut cut;
+    lod::DemandOutcome residency;
     double planMs = 0;
     double selectMs = 0;
     double cullMs = 0;

@@ -1,6 +1,6 @@
 #include "frame/ray_casters.h"
 
-#include "culling/frame_cut.h"
+#include "lod/frame_cut.h"
 #include "shadow/caster_volume.h"
 
 #include <algorithm>
@@ -44,12 +44,12 @@ glm::dvec3 pointInCamera(const plan::FramePlan& plan) {
 }
 
 /// Returns the required detail of the casters between a point light and the visible points between two depths.
-selection::CasterDetail slabDetail(const PreparedFrame& frame, double near, double far) {
+lod::CasterDetail slabDetail(const PreparedFrame& frame, double near, double far) {
     const plan::FramePlan& plan = frame.plan;
     const std::vector<glm::dvec3> corners = cornersBetween(plan.view, near, far);
     const glm::dvec3 light = pointInCamera(plan);
-    selection::CasterDetail detail;
-    detail.casters = culling::localVolume(shadow::pointCasterVolume(corners, light), frame.rule->view());
+    lod::CasterDetail detail;
+    detail.casters = lod::localVolume(shadow::pointCasterVolume(corners, light), frame.rule->view());
     detail.receiverNear = near;
     detail.point.emplace();
     detail.point->at = frame.rule->view().eye + (plan.view.pointLight->at - plan.view.camera.eye);
@@ -67,25 +67,24 @@ ConvexVolume rayCasterVolume(const PreparedFrame& frame) {
         return slabDetail(frame, frustum.near, frustum.far).casters;
     }
     const shadow::Region region = wholeRegion(plan, frame.facts);
-    return culling::localVolume(
-        shadow::casterVolume(region, shadow::lightFrame(plan.towardsLight)), frame.rule->view());
+    return lod::localVolume(shadow::casterVolume(region, shadow::lightFrame(plan.towardsLight)), frame.rule->view());
 }
 
-selection::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
+lod::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
     const plan::FramePlan& plan = frame.plan;
     const shadow::Region region = wholeRegion(plan, frame.facts);
-    selection::CasterDetail detail; // without texels: rays have none
+    lod::CasterDetail detail; // without texels: rays have none
     detail.casters = rayCasterVolume(frame);
-    detail.receivers = culling::localVolume(region.volume, frame.rule->view());
+    detail.receivers = lod::localVolume(region.volume, frame.rule->view());
     detail.receiverNear = region.frustum.near;
     detail.towardsLight = plan.light.unit();
     return detail;
 }
 
-std::vector<selection::CasterDetail> pointCasterDetails(const PreparedFrame& frame) {
+std::vector<lod::CasterDetail> pointCasterDetails(const PreparedFrame& frame) {
     constexpr int kMostSlabs = 12;
     const shadow::ViewFrustum frustum = visibleFrustum(frame.plan, frame.facts);
-    std::vector<selection::CasterDetail> details;
+    std::vector<lod::CasterDetail> details;
     double far = frustum.far;
     while (static_cast<int>(details.size()) + 1 < kMostSlabs && far / 2 > frustum.near) {
         details.push_back(slabDetail(frame, far / 2, far));

@@ -10,9 +10,9 @@ ConvexVolume rayCasterVolume(const PreparedFrame& frame);
 
 /// Returns the required detail of the casters of a point light. There is one entry per range of view depths with a
 /// ratio of 2. Near receivers thus increase only the detail of casters that shadow them.
-std::vector<selection::CasterDetail> pointCasterDetails(const PreparedFrame& frame);
+std::vector<lod::CasterDetail> pointCasterDetails(const PreparedFrame& frame);
 
 /// Returns the required detail of all casters that rays can hit, for a directional light.
-selection::CasterDetail rayCasterDetail(const PreparedFrame& frame);
+lod::CasterDetail rayCasterDetail(const PreparedFrame& frame);
 
 } // namespace gnomon::frame

@@ -1,9 +1,9 @@
 #include "frame/renderer.h"
 
-#include "executor/lod_substitutes.h"
-#include "executor/view/section_memory.h"
 #include "frame/frame_cuts.h"
 #include "plan/view_jump.h"
+#include "render/lod_substitutes.h"
+#include "render/view/section_memory.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ bool cullsByReceivers(const PreparedFrame& frame, const FrameOptions& options) {
 }
 
 /// Sets the clip planes such that an orthographic image of `camera` shows all geometry within `bounds`.
-void clipAround(const Camera& camera, const Box& bounds, executor::FrameDrawing& drawing) {
+void clipAround(const Camera& camera, const Box& bounds, render::FrameDrawing& drawing) {
     constexpr double kBeyond = 1.01;
     const glm::dvec3 view = cameraBasis(camera).view;
     const double middle = glm::dot(view, bounds.center() - camera.eye);
@@ -29,11 +29,11 @@ void clipAround(const Camera& camera, const Box& bounds, executor::FrameDrawing&
 
 } // namespace
 
-Renderer::Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options)
+Renderer::Renderer(const hierarchy::ModelFile& model, render::Backend& backend, ResidencyOptions options)
     : model_(&model),
-      executor_(&executor),
+      backend_(&backend),
       residency_(model, std::move(options)),
-      sections_(std::make_shared<executor::SectionMemory>()) {}
+      sections_(std::make_shared<render::SectionMemory>()) {}
 
 plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
     return prepare(view, quality, Waiting::UntilComplete, frameBefore(view, quality)).plan;
@@ -56,7 +56,7 @@ std::shared_ptr<const plan::PlannedFrame> Renderer::frameBefore(
 std::optional<bool> Renderer::isWithoutSun(const Frame& frame) const {
     if (ground_) return false; // only the sun's shadow makes the ground visible
     if (frame.options.observerCamera || !frame.facts.visible || !frame.facts.visible->anything) return std::nullopt;
-    const std::optional<std::uint64_t> litPixels = executor_->litPixels();
+    const std::optional<std::uint64_t> litPixels = backend_->litPixels();
     if (!litPixels) return std::nullopt;
     return isNextToNothing(*litPixels, frame.plan.view);
 }
@@ -68,19 +68,19 @@ bool Renderer::isNextToNothing(std::uint64_t litPixels, const plan::View& view) 
 
 /// The first frame of a motion chooses the shading for the whole motion, so that it does not switch between sun and
 /// headlight.
-executor::DrawStatistics Renderer::drawWithOrWithoutSun(Frame& frame) {
+render::DrawStatistics Renderer::drawWithOrWithoutSun(Frame& frame) {
     const bool isLeftOpen = frame.plan.quality.look.shading == plan::Shading::Auto;
     frame.isSunless = isLeftOpen && !ground_ && motion_.isSunless.value_or(false);
-    executor::DrawStatistics drawn = draw(frame, frame.options);
+    render::DrawStatistics drawn = draw(frame, frame.options);
     if (!isLeftOpen || motion_.isSunless) return drawn;
     motion_.isSunless = isWithoutSun(frame);
     frame.isSunless = motion_.isSunless.value_or(false);
     return frame.isSunless ? draw(frame, frame.options) : drawn;
 }
 
-executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
+render::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
     const hierarchy::ModelSummary& summary = model_->summary();
-    executor::FrameDrawing drawing;
+    render::FrameDrawing drawing;
     drawing.plan = &frame.plan;
     drawing.space = frame.space;
     drawing.grid = summary.grid;
@@ -112,9 +112,9 @@ executor::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const Frame
     const plan::Shading shading = frame.plan.quality.look.shading;
     const plan::Shading automatic = frame.isSunless ? plan::Shading::Headlight : plan::Shading::Lit;
     drawing.shading = shading == plan::Shading::Auto ? automatic : shading;
-    if (options.overlay == executor::Overlay::Residency)
+    if (options.overlay == render::Overlay::Residency)
         drawing.substitutes =
-            executor::lodSubstitutes(cutQuery(residency_, frame), *drawing.image, [this](std::uint32_t page) {
+            render::lodSubstitutes(cutQuery(residency_, frame), *drawing.image, [this](std::uint32_t page) {
                 return residency_.isDamaged(page);
             });
     drawing.wantsSurfaces = options.wantsSurfaces;

@@ -2,11 +2,11 @@
 // partition, shadow passes, image pass.
 #pragma once
 
-#include "culling/receivers.h"
 #include "frame/held_maps.h"
 #include "frame/prepared_frame.h"
 #include "frame/residency.h"
 #include "hierarchy/model_file.h"
+#include "lod/receivers.h"
 #include "telemetry/frame_row.h"
 #include "telemetry/shortfall.h"
 
@@ -26,11 +26,11 @@ struct Frame : PreparedFrame {
 /// Draws the frames of a model, one after another.
 class Renderer {
 public:
-    /// `model` and `executor` must outlive the renderer. Throws Error if the root is damaged or if the memory is
+    /// `model` and `backend` must outlive the renderer. Throws Error if the root is damaged or if the memory is
     /// smaller than the tables.
-    Renderer(const hierarchy::ModelFile& model, executor::Executor& executor, ResidencyOptions options);
+    Renderer(const hierarchy::ModelFile& model, render::Backend& backend, ResidencyOptions options);
 
-    /// Draws the frame of a view; the executor then contains its image. If the previous frame belongs to the same
+    /// Draws the frame of a view; the backend then contains its image. If the previous frame belongs to the same
     /// motion (plan/view_jump.h), it provides the hysteresis of the plan and determines the shading. Otherwise the
     /// image does not depend on previous frames.
     Frame render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
@@ -38,7 +38,7 @@ public:
     /// Returns the plan of a view, with the facts from the hierarchy, without drawing.
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
-    /// Makes all following plans for the capabilities `backend` instead of those of the executor.
+    /// Makes all following plans for the capabilities `backend` instead of those of the backend.
     void planFor(const plan::Capabilities& backend) { plannedFor_ = backend; }
 
     /// The shared state of the frames of a motion. Frames that start with the same state have the same plan and
@@ -78,7 +78,7 @@ public:
         double margin = 0);
 
     /// Draws the frame that was prepared last, also repeatedly. Afterwards its plan says which maps were reused.
-    executor::DrawStatistics draw(PreparedFrame& frame, const FrameOptions& options);
+    render::DrawStatistics draw(PreparedFrame& frame, const FrameOptions& options);
 
     /// Draws the image of the last rendered frame again with the same cut, at the sample position in `options`. The
     /// frame must have `isAccumulated`. The maps are drawn again if `options` shift them.
@@ -89,8 +89,8 @@ public:
     /// not affect later frames, but `frame` itself cannot be drawn again.
     void drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options);
 
-    /// Returns the executor's input for `frame`. `frame` must outlive the result.
-    executor::FrameDrawing drawing(const PreparedFrame& frame, const FrameOptions& options) const;
+    /// Returns the backend's input for `frame`. `frame` must outlive the result.
+    render::FrameDrawing drawing(const PreparedFrame& frame, const FrameOptions& options) const;
 
     /// Reserves memory for the image of a later frame.
     void reservePicture(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
@@ -107,7 +107,7 @@ public:
 
     const hierarchy::ModelFile& model() const { return *model_; }
 
-    executor::Executor& executor() const { return *executor_; }
+    render::Backend& backend() const { return *backend_; }
 
 private:
     /// Does the work of `prepare` with the current ground, except penumbrae and sky light.
@@ -119,7 +119,7 @@ private:
         double margin);
 
     /// Returns the capabilities that plans are made for.
-    plan::Capabilities capabilities() const { return plannedFor_.value_or(executor_->capabilities()); }
+    plan::Capabilities capabilities() const { return plannedFor_.value_or(backend_->capabilities()); }
 
     /// Plans `frame` from its facts.
     void planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const;
@@ -131,20 +131,20 @@ private:
     std::shared_ptr<const plan::PlannedFrame> frameBefore(const plan::View& view, const plan::Quality& quality) const;
 
     std::optional<bool> isWithoutSun(const Frame& frame) const;
-    executor::DrawStatistics drawWithOrWithoutSun(Frame& frame);
+    render::DrawStatistics drawWithOrWithoutSun(Frame& frame);
     Bytes picturePart(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) const;
     void chooseOcclusion(PreparedFrame& frame) const;
 
     const hierarchy::ModelFile* model_;
-    executor::Executor* executor_;
+    render::Backend* backend_;
     std::optional<plan::Capabilities> plannedFor_;
     Residency residency_;
     Motion motion_;
     HeldMaps heldMaps_;
     telemetry::Shortfall shortfall_;
-    std::vector<culling::DepthCandidate> depthScratch_;
+    std::vector<lod::DepthCandidate> depthScratch_;
     std::shared_ptr<const Ground> ground_; // of the prepared view
-    std::shared_ptr<executor::SectionMemory> sections_;
+    std::shared_ptr<render::SectionMemory> sections_;
 };
 
 } // namespace gnomon::frame

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/limit_error.h"
-#include "culling/frame_cut.h"
 #include "hierarchy/validation.h"
+#include "lod/frame_cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ Bytes memoryBesideProgram(const hierarchy::ModelFile& model, const ResidencyOpti
     return {options.memory.count - program.count};
 }
 
-bool hasMoved(const selection::DetailView& a, const selection::DetailView& b) {
+bool hasMoved(const lod::DetailView& a, const lod::DetailView& b) {
     return a.eye != b.eye || a.basis.view != b.basis.view || a.basis.up != b.basis.up;
 }
 
@@ -74,8 +74,8 @@ Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options
            .unreadPause = model.source().isRemote() ? std::optional(kUnreadPause) : std::nullopt}),
       trees_(model.pages(), model.summary().grid) {}
 
-selection::CutQuery Residency::query() const {
-    selection::CutQuery query;
+lod::CutQuery Residency::query() const {
+    lod::CutQuery query;
     query.trees = &trees_;
     query.resident = store_.resident();
     query.blocked = &store_.blocked();
@@ -105,8 +105,8 @@ void Residency::reservePicture(Bytes bytes) {
 
 void Residency::keepRayTrees(bool areKept) {
     if (areKept == (rayTrees_ != nullptr)) return;
-    rayTrees_ = areKept ? std::make_unique<raycast::KeptTrees>() : nullptr;
-    store_.keepBeside(areKept ? raycast::keptTreeBytes : std::function<Bytes(const hierarchy::PageInfo&)>());
+    rayTrees_ = areKept ? std::make_unique<raytrace::KeptTrees>() : nullptr;
+    store_.keepBeside(areKept ? raytrace::keptTreeBytes : std::function<Bytes(const hierarchy::PageInfo&)>());
 }
 
 void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
@@ -116,27 +116,26 @@ void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
     if (waiting == Waiting::Never) store_.admitLoaded();
 }
 
-streaming::DemandOutcome Residency::serve(
-    const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting) {
+lod::DemandOutcome Residency::serve(const lod::CutQuery& query, const lod::Cut& cut, Waiting waiting) {
     // A frame that waits loads level after level without prefetching. It is complete equally early, even over a
     // network, and reads a sixth fewer bytes.
     if (waiting == Waiting::UntilComplete) {
-        streaming::DemandOutcome outcome = store_.load({.used = cut.used, .wanted = cut.wanted, .isOpen = isOpen_});
+        lod::DemandOutcome outcome = store_.load({.used = cut.used, .wanted = cut.wanted, .isOpen = isOpen_});
         // If the store requires ancestor-complete pages once, the following passes require them too. Otherwise the
         // frame could alternate between both modes without end.
         if (std::exchange(isOpen_, store_.isOpen()) != isOpen_) outcome.hasChanged = true;
         return outcome;
     }
-    const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
+    const std::vector<hierarchy::PageDemand> foreseen = lod::foreseenPages(query, cut, model_->pages());
     const auto ranked = [&](std::span<const hierarchy::PageDemand> demands) {
         return rankedByBoxes(query, demands, model_->pages());
     };
     return store_.request({ranked(cut.used), ranked(cut.wanted), ranked(foreseen), alongTheMotion(query)});
 }
 
-std::vector<std::uint32_t> Residency::pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const {
+std::vector<std::uint32_t> Residency::pagesOf(const lod::CutQuery& query, const lod::Cut& cut) const {
     std::vector<std::uint32_t> pages = cut.passed;
-    const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(query, cut, model_->pages());
+    const std::vector<hierarchy::PageDemand> foreseen = lod::foreseenPages(query, cut, model_->pages());
     for (const std::span<const hierarchy::PageDemand> demands :
          {std::span(cut.used), std::span(cut.wanted), std::span(foreseen)})
         for (const hierarchy::PageDemand& demand : demands)
@@ -147,27 +146,27 @@ std::vector<std::uint32_t> Residency::pagesOf(const selection::CutQuery& query, 
 Bytes Residency::bytesWith(std::span<const std::uint32_t> pages) const {
     Bytes result = tableBytes(*model_);
     for (const std::uint32_t page : pages)
-        result.count += streaming::decodedBytes(model_->pages()[page]).count;
+        result.count += lod::decodedBytes(model_->pages()[page]).count;
     return result;
 }
 
 Bytes Residency::rayTreeBytesWith(std::span<const std::uint32_t> pages) const {
     Bytes result;
     for (const std::uint32_t page : pages)
-        result.count += raycast::keptTreeBytes(model_->pages()[page]).count;
+        result.count += raytrace::keptTreeBytes(model_->pages()[page]).count;
     return result;
 }
 
-std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const selection::CutQuery& query) {
-    const selection::DetailView& now = query.rule->view();
-    const std::optional<selection::DetailView> before = std::exchange(before_, now);
+std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const lod::CutQuery& query) {
+    const lod::DetailView& now = query.rule->view();
+    const std::optional<lod::DetailView> before = std::exchange(before_, now);
     if (!before || !hasMoved(*before, now)) return {};
-    const selection::ErrorRule rule(continued(*before, now, kFramesAhead));
-    selection::CutQuery ahead = query;
+    const lod::ErrorRule rule(continued(*before, now, kFramesAhead));
+    lod::CutQuery ahead = query;
     ahead.rule = &rule;
     ahead.volumes = {};
-    selection::Cut cut = culling::cutFrame(ahead);
-    const std::vector<hierarchy::PageDemand> foreseen = selection::foreseenPages(ahead, cut, model_->pages());
+    lod::Cut cut = lod::cutFrame(ahead);
+    const std::vector<hierarchy::PageDemand> foreseen = lod::foreseenPages(ahead, cut, model_->pages());
     std::vector<hierarchy::PageDemand> result = std::move(cut.used);
     result.insert(result.end(), cut.wanted.begin(), cut.wanted.end());
     result.insert(result.end(), foreseen.begin(), foreseen.end());
@@ -175,7 +174,7 @@ std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const selection::Cu
 }
 
 std::vector<hierarchy::PageDemand> rankedByBoxes(
-    const selection::CutQuery& query,
+    const lod::CutQuery& query,
     std::span<const hierarchy::PageDemand> demands,
     std::span<const hierarchy::PageInfo> pages) {
     constexpr double kOutOfView = 1e-15; // lower priority than all pages in view, but higher than prefetched pages
@@ -190,7 +189,7 @@ std::vector<hierarchy::PageDemand> rankedByBoxes(
     return result;
 }
 
-selection::DetailView continued(const selection::DetailView& before, const selection::DetailView& now, double frames) {
+lod::DetailView continued(const lod::DetailView& before, const lod::DetailView& now, double frames) {
     Camera camera;
     camera.eye = now.eye + frames * (now.eye - before.eye);
     const glm::dvec3 view = now.basis.view + frames * (now.basis.view - before.basis.view);
@@ -199,7 +198,7 @@ selection::DetailView continued(const selection::DetailView& before, const selec
     const bool isSteady = glm::dot(view, now.basis.view) > 0.5 && glm::dot(up, now.basis.up) > 0.5;
     camera.target = camera.eye + (isSteady ? view : now.basis.view);
     camera.up = isSteady ? up : now.basis.up;
-    selection::DetailView result = now;
+    lod::DetailView result = now;
     result.eye = camera.eye;
     result.basis = cameraBasis(camera);
     return result;

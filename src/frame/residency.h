@@ -4,9 +4,9 @@
 #include "core/check.h"
 #include "frame/frame_options.h"
 #include "hierarchy/model_file.h"
-#include "raycast/kept_trees.h"
-#include "selection/cut.h"
-#include "streaming/page_store.h"
+#include "lod/cut.h"
+#include "lod/page_store.h"
+#include "raytrace/kept_trees.h"
 
 #include <functional>
 #include <memory>
@@ -16,7 +16,7 @@ namespace gnomon::frame {
 
 struct ResidencyOptions {
     Bytes memory = gibibytes(1); // for tables and decoded pages
-    std::function<void(const streaming::DamagedPage&)> onDamaged;
+    std::function<void(const lod::DamagedPage&)> onDamaged;
     /// A page that cannot be read counts as damaged; on a server, it counts as missing and is requested again.
     /// Otherwise such a page is an error.
     bool drawsWithoutUnread = false;
@@ -38,7 +38,7 @@ public:
     Residency(const hierarchy::ModelFile& model, ResidencyOptions options);
 
     /// Returns a query with the members that depend on the model. The caller sets the members that depend on the view.
-    selection::CutQuery query() const;
+    lod::CutQuery query() const;
 
     hierarchy::ResidentPages resident() const { return store_.resident(); }
 
@@ -52,11 +52,11 @@ public:
 
     /// Requests the pages that `cut` of `query` wants, and waits for them unless `waiting` is Never. The first volume
     /// must be the image's.
-    streaming::DemandOutcome serve(const selection::CutQuery& query, const selection::Cut& cut, Waiting waiting);
+    lod::DemandOutcome serve(const lod::CutQuery& query, const lod::Cut& cut, Waiting waiting);
 
     /// Returns the pages that `cut` of `query` needs. The result is exact if `cut.wanted` is empty, and otherwise a
     /// superset.
-    std::vector<std::uint32_t> pagesOf(const selection::CutQuery& query, const selection::Cut& cut) const;
+    std::vector<std::uint32_t> pagesOf(const lod::CutQuery& query, const lod::Cut& cut) const;
 
     /// Returns the memory of the tables and `pages`.
     Bytes bytesWith(std::span<const std::uint32_t> pages) const;
@@ -87,7 +87,7 @@ public:
 
     /// Returns the ray trees of resident pages. Requires keepRayTrees(true). The tree of a page is deleted when the
     /// page is evicted.
-    raycast::KeptTrees& rayTrees() {
+    raytrace::KeptTrees& rayTrees() {
         GNOMON_CHECK(rayTrees_);
         return *rayTrees_;
     }
@@ -95,10 +95,10 @@ public:
     /// Returns the current memory of the ray trees.
     Bytes rayTreeBytes() const { return rayTrees_ ? rayTrees_->bytes() : Bytes(); }
 
-    const streaming::StoreStatistics& statistics() const { return store_.statistics(); }
+    const lod::StoreStatistics& statistics() const { return store_.statistics(); }
 
 private:
-    std::vector<hierarchy::PageDemand> alongTheMotion(const selection::CutQuery& query);
+    std::vector<hierarchy::PageDemand> alongTheMotion(const lod::CutQuery& query);
 
     const hierarchy::ModelFile* model_;
     Bytes memory_;
@@ -107,11 +107,11 @@ private:
     bool holdsPictures_ = false;
     bool hasNotWaited_ = false; // true: a frame with Waiting::Never has begun
     bool isOpen_ = false;       // true: pages of this frame are loaded without their ancestors
-    streaming::FilePageSource source_;
-    std::unique_ptr<raycast::KeptTrees> rayTrees_; // null if no trees are kept
-    streaming::PageStore store_;
-    selection::PageTrees trees_;
-    std::optional<selection::DetailView> before_; // view of the previous frame
+    lod::FilePageSource source_;
+    std::unique_ptr<raytrace::KeptTrees> rayTrees_; // null if no trees are kept
+    lod::PageStore store_;
+    lod::PageTrees trees_;
+    std::optional<lod::DetailView> before_; // view of the previous frame
 };
 
 /// Returns `demands` with priorities that use the boxes of their pages (rows of `pages`). The most urgent pages are
@@ -119,11 +119,11 @@ private:
 /// sphere of a group encloses the spheres of all finer groups. Inside a model, most spheres therefore contain the eye,
 /// and all pages would seem urgent. A priority is never increased, and pages with a root group are unchanged.
 std::vector<hierarchy::PageDemand> rankedByBoxes(
-    const selection::CutQuery& query,
+    const lod::CutQuery& query,
     std::span<const hierarchy::PageDemand> demands,
     std::span<const hierarchy::PageInfo> pages);
 
 /// Returns the view that the motion from `before` to `now` reaches after `frames` more frames.
-selection::DetailView continued(const selection::DetailView& before, const selection::DetailView& now, double frames);
+lod::DetailView continued(const lod::DetailView& before, const lod::DetailView& now, double frames);
 
 } // namespace gnomon::frame

@@ -1,8 +1,8 @@
 #include "frame/scene_facts.h"
 
-#include "culling/frame_cut.h"
-#include "culling/lit_side.h"
-#include "culling/survey.h"
+#include "lod/frame_cut.h"
+#include "lod/lit_side.h"
+#include "lod/visible_depths.h"
 #include "plan/distant_view.h"
 #include "plan/plan_frame.h"
 
@@ -14,22 +14,22 @@ namespace {
 
 /// Returns the receivers and casters of the image between the depths of `seen`.
 plan::SceneFacts::Light lightFacts(
-    const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut, const DepthSpan& seen) {
-    const selection::DetailView& detail = query.rule->view();
-    const ConvexVolume swept = culling::localVolume(plan::sweptView(view, seen), detail);
+    const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut, const DepthSpan& seen) {
+    const lod::DetailView& detail = query.rule->view();
+    const ConvexVolume swept = lod::localVolume(plan::sweptView(view, seen), detail);
     plan::SceneFacts::Light light;
     Box casters;
-    for (const culling::CasterBlock& block : culling::casterBlocks(query, cut.lists[1])) {
+    for (const lod::CasterBlock& block : lod::casterBlocks(query, cut.lists[1])) {
         if (classify(swept, block.box) == Containment::Outside) continue;
         casters.add(block.box);
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
-    light.seen = culling::seenParts(query, cut.lists[0], seen);
+    light.seen = lod::seenParts(query, cut.lists[0], seen);
     if (view.pointLight) { // lit sides are computed only for directional lights, so all depths count as lit
         light.lit = {seen};
         return light;
     }
-    const culling::LitSurfaces surfaces = culling::litSurfaces(query, cut.lists[0], view.light().unit(), casters, seen);
+    const lod::LitSurfaces surfaces = lod::litSurfaces(query, cut.lists[0], view.light().unit(), casters, seen);
     light.lit = surfaces.spans;
     light.canBeShadowed = surfaces.canBeShadowed;
     return light;
@@ -37,8 +37,8 @@ plan::SceneFacts::Light lightFacts(
 
 } // namespace
 
-selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye) {
-    selection::DetailView detail;
+lod::DetailView detailView(const plan::View& view, const glm::dvec3& eye) {
+    lod::DetailView detail;
     detail.eye = eye;
     detail.basis = cameraBasis(view.camera);
     detail.tanHalfX = view.tanHalfX();
@@ -52,14 +52,14 @@ selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye) 
 plan::SceneFacts sceneFacts(
     const plan::View& view,
     const Box& bounds,
-    const selection::CutQuery& query,
-    const selection::Cut& cut,
+    const lod::CutQuery& query,
+    const lod::Cut& cut,
     const std::optional<DepthSpan>& range,
-    std::vector<culling::DepthCandidate>& scratch) {
+    std::vector<lod::DepthCandidate>& scratch) {
     plan::SceneFacts facts;
     facts.bounds = bounds;
     facts.visible = plan::SceneFacts::Visible();
-    const std::optional<culling::VisibleDepths> seen = culling::visibleDepthRange(query, cut.lists[0], scratch);
+    const std::optional<lod::VisibleDepths> seen = lod::visibleDepthRange(query, cut.lists[0], scratch);
     if (!seen || !(seen->span.far > 0)) return facts;
     facts.visible = {seen->span.near, seen->span.far, true};
     // The widest range ends at the floor of near. Nearer depths are clamped to its near end.
@@ -69,9 +69,9 @@ plan::SceneFacts sceneFacts(
     return facts;
 }
 
-bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut) {
+bool isTurnedFromLight(const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut) {
     if (view.pointLight) return false; // lit sides are computed only for directional lights
-    return !culling::mayFaceLight(query, cut.lists[0], view.light().unit());
+    return !lod::mayFaceLight(query, cut.lists[0], view.light().unit());
 }
 
 } // namespace gnomon::frame

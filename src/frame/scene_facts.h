@@ -1,26 +1,26 @@
 // The facts of a scene that a plan needs, and the conversion of views and volumes to the local space of the hierarchy.
 #pragma once
 
-#include "culling/receivers.h"
+#include "lod/cut.h"
+#include "lod/receivers.h"
 #include "plan/frame_plan.h"
-#include "selection/cut.h"
 
 namespace gnomon::frame {
 
 /// Returns the parameters of `view` for the selection of detail. `eye` is in local space.
-selection::DetailView detailView(const plan::View& view, const glm::dvec3& eye);
+lod::DetailView detailView(const plan::View& view, const glm::dvec3& eye);
 
 /// Returns the facts for a plan of `view`. The first list of `cut` is the image. The second list, if it exists,
 /// contains the casters around the image. `range` is the result of widestRange.
 plan::SceneFacts sceneFacts(
     const plan::View& view,
     const Box& bounds,
-    const selection::CutQuery& query,
-    const selection::Cut& cut,
+    const lod::CutQuery& query,
+    const lod::Cut& cut,
     const std::optional<DepthSpan>& range,
-    std::vector<culling::DepthCandidate>& scratch);
+    std::vector<lod::DepthCandidate>& scratch);
 
 /// Returns true if no visible cluster of the image of `cut` can be lit, even without casters. False is not certain.
-bool isTurnedFromLight(const plan::View& view, const selection::CutQuery& query, const selection::Cut& cut);
+bool isTurnedFromLight(const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut);
 
 } // namespace gnomon::frame

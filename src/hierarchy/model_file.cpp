@@ -3,8 +3,8 @@
 #include "core/limit_error.h"
 #include "hierarchy/file_layout.h"
 #include "hierarchy/page_codec.h"
+#include "hierarchy/source/open_source.h"
 #include "hierarchy/validation.h"
-#include "storage/open_source.h"
 
 #include <algorithm>
 #include <memory>
@@ -17,7 +17,7 @@ namespace gnomon::hierarchy {
 namespace {
 
 /// Reads `count` bytes. The range must be within the file.
-std::vector<std::byte> readBytes(const storage::Source& source, std::uint64_t offset, std::uint64_t count) {
+std::vector<std::byte> readBytes(const hierarchy::Source& source, std::uint64_t offset, std::uint64_t count) {
     std::vector<std::byte> bytes(count);
     source.readAt(offset, bytes);
     return bytes;
@@ -25,7 +25,7 @@ std::vector<std::byte> readBytes(const storage::Source& source, std::uint64_t of
 
 /// Returns true if `bytes` have the checksum of `place`. If the checksum is wrong, reads the bytes again without caches
 /// first.
-bool isAsWritten(const storage::Source& source, const TablePlace& place, std::span<std::byte> bytes) {
+bool isAsWritten(const hierarchy::Source& source, const TablePlace& place, std::span<std::byte> bytes) {
     const auto isRight = [&] { return checksum64(bytes) == place.checksum; };
     return isRight() || (source.readAnew(place.offset, bytes) && isRight());
 }
@@ -39,7 +39,7 @@ struct Header {
 constexpr const char* kNoModel = "not a model (gnomon build MESH -o MODEL.gnm makes one)";
 
 /// Reads and checks the header.
-Header readHeader(const storage::Source& source, std::uint64_t fileBytes) {
+Header readHeader(const hierarchy::Source& source, std::uint64_t fileBytes) {
     if (fileBytes < kHeaderBytes + kFooterBytes)
         throw Error(
             atByte(source.name(), fileBytes),
@@ -66,7 +66,7 @@ Header readHeader(const storage::Source& source, std::uint64_t fileBytes) {
 }
 
 /// Reads and checks the footer. Its tables must be within the file and need at most `tableMemory` for reading.
-Footer readFooter(const storage::Source& source, std::uint64_t fileBytes, Bytes tableMemory) {
+Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Bytes tableMemory) {
     const std::uint64_t offset = fileBytes - kFooterBytes;
     try {
         const Footer footer = decodeFooter(readBytes(source, offset, kFooterBytes));
@@ -99,7 +99,7 @@ Footer readFooter(const storage::Source& source, std::uint64_t fileBytes, Bytes 
 
 /// Reads the table at `place` and decodes it.
 template <class Decode>
-auto readTable(const storage::Source& source, const TablePlace& place, const char* name, Decode decode) {
+auto readTable(const hierarchy::Source& source, const TablePlace& place, const char* name, Decode decode) {
     std::vector<std::byte> bytes = readBytes(source, place.offset, place.bytes);
     try {
         if (!isAsWritten(source, place, bytes)) throw Damage{"wrong checksum"};
@@ -119,9 +119,10 @@ bool hasLayoutOf(const FieldLayout& layout, const std::vector<Field>& fields) {
 
 } // namespace
 
-ModelFile::ModelFile(const std::string& path, Bytes tableMemory) : ModelFile(storage::openSource(path), tableMemory) {}
+ModelFile::ModelFile(const std::string& path, Bytes tableMemory)
+    : ModelFile(hierarchy::openSource(path), tableMemory) {}
 
-ModelFile::ModelFile(std::unique_ptr<storage::Source> source, Bytes tableMemory)
+ModelFile::ModelFile(std::unique_ptr<hierarchy::Source> source, Bytes tableMemory)
     : source_(std::move(source)), fileBytes_(source_->size()) {
     const Header header = readHeader(*source_, fileBytes_);
     formatVersion_ = header.version;

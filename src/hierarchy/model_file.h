@@ -5,7 +5,7 @@
 #include "core/units.h"
 #include "hierarchy/model.h"
 #include "hierarchy/page_fields.h"
-#include "storage/source.h"
+#include "hierarchy/source/source.h"
 
 #include <memory>
 #include <span>
@@ -27,11 +27,11 @@ public:
     explicit ModelFile(const std::string& path, Bytes tableMemory = {kMostTableBytes});
 
     /// Opens the model that `source` reads. Errors are the same as for a path.
-    explicit ModelFile(std::unique_ptr<storage::Source> source, Bytes tableMemory = {kMostTableBytes});
+    explicit ModelFile(std::unique_ptr<hierarchy::Source> source, Bytes tableMemory = {kMostTableBytes});
 
     const std::string& path() const { return source_->name(); }
 
-    const storage::Source& source() const { return *source_; }
+    const hierarchy::Source& source() const { return *source_; }
 
     std::uint32_t formatVersion() const { return formatVersion_; }
 
@@ -57,7 +57,7 @@ public:
     Page readPage(std::uint32_t page, PageFields& fields) const;
 
 private:
-    std::unique_ptr<storage::Source> source_;
+    std::unique_ptr<hierarchy::Source> source_;
     std::uint64_t fileBytes_ = 0;
     std::uint32_t formatVersion_ = kFormatVersion;
     std::string contentHash_;

@@ -87,7 +87,7 @@ void SunTeam::meet(Subject subject, std::vector<std::byte> bytes, Progress& prog
     }
 }
 
-void SunTeam::combine(daylight::LitSteps& lit, Progress& progress) {
+void SunTeam::combine(sun::LitSteps& lit, Progress& progress) {
     if (lit.count.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw Error("MPI", "too many points for one job", "at most 2^31 - 1", std::to_string(lit.count.size()));
     meet(Subject::Ready, {}, progress);

@@ -1,8 +1,8 @@
 // The ranks of an MPI job that compute hours of sun. Each rank computes a fixed share of the light directions.
 #pragma once
 
-#include "measure/sun_hours_team.h"
 #include "preprocess/distributed/mailbox.h"
+#include "task/sun_hours_team.h"
 
 #include <functional>
 #include <vector>
@@ -11,16 +11,16 @@ namespace gnomon::mpi {
 
 /// A team of MPI ranks for hours of sun. Messages report failed and ready ranks. One reduction adds the results of all
 /// ranks.
-class SunTeam final : public measure::SunHoursTeam {
+class SunTeam final : public task::SunHoursTeam {
 public:
     /// Joins the team. In a rank other than 0, the team calls `noteStop` if rank 0 sends Stop.
     explicit SunTeam(distributed::Mailbox& mailbox, std::function<void()> noteStop = {});
 
-    daylight::LightShare share() const override { return {mailbox_.rank(), mailbox_.count()}; }
+    sun::LightShare share() const override { return {mailbox_.rank(), mailbox_.count()}; }
 
     void begin(const std::string& key, Progress& progress) override;
     void poll() override;
-    void combine(daylight::LitSteps& lit, Progress& progress) override;
+    void combine(sun::LitSteps& lit, Progress& progress) override;
 
 private:
     struct Member {

@@ -1,4 +1,4 @@
-// The names of the colour maps for scalar values. executor/overlay/color_map.h contains their colours.
+// The names of the colour maps for scalar values. render/overlay/color_map.h contains their colours.
 #pragma once
 
 #include "core/words.h"

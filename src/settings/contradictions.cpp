@@ -1,6 +1,6 @@
 #include "settings/contradictions.h"
 
-#include "executor/picture_series.h"
+#include "render/picture_series.h"
 #include "settings/backend_choice.h"
 #include "settings/files/named_files.h"
 #include "settings/resolve.h"
@@ -19,10 +19,10 @@ using Condition = bool (*)(const Request&);
 constexpr OptionUse kPath{"path", [](const Request& r) { return !r.output.path.empty(); }};
 constexpr OptionUse kTurntable{"turntable", [](const Request& r) { return r.output.turntable > 0; }};
 constexpr OptionUse kLight{"light", [](const Request& r) { return r.settings.isLightGiven; }};
-constexpr OptionUse kOverlay{"overlay", [](const Request& r) { return r.output.overlay != executor::Overlay::None; }};
+constexpr OptionUse kOverlay{"overlay", [](const Request& r) { return r.output.overlay != render::Overlay::None; }};
 constexpr OptionUse kColorBy{"color-by", [](const Request& r) { return r.output.colors.by != ColorBy::None; }};
 constexpr OptionUse kStats{"stats", [](const Request& r) { return !r.output.statistics.empty(); }};
-constexpr OptionUse kOracle{"oracle", [](const Request& r) { return r.output.oracle != proof::Oracle::None; }};
+constexpr OptionUse kOracle{"oracle", [](const Request& r) { return r.output.oracle != validation::Oracle::None; }};
 constexpr OptionUse kDepth{"depth", [](const Request& r) { return !r.output.depth.empty(); }};
 constexpr OptionUse kShadowDepth{"shadow-depth", [](const Request& r) { return !r.output.shadowDepth.empty(); }};
 constexpr OptionUse kReference{"reference", [](const Request& r) { return !r.output.reference.empty(); }};
@@ -138,7 +138,7 @@ void requireFiles(const Request& request) {
     const bool isStream = output.isSeries() && output.picture == "-";
     if (!isStream) requireExtension("--output", output.picture, ".png");
     if (output.isSeries()) {
-        if (!isStream && !executor::numberedName(output.picture, 0))
+        if (!isStream && !render::numberedName(output.picture, 0))
             refuse("--output", output.picture, "- or a name with a number in it, such as frame%04d.png");
         return;
     }

@@ -10,7 +10,7 @@ namespace gnomon::settings {
 constexpr int kMaxSlices = 12;
 
 constexpr int kMaxSide =
-    16384; // pixels per side of an image, and texels per side of the shadow texture; all executors can draw it
+    16384; // pixels per side of an image, and texels per side of the shadow texture; all backends can draw it
 constexpr std::int64_t kMaxShadowTexels = std::int64_t{kMaxSide} * kMaxSide;
 constexpr int kMaxFilter = 16; // texels
 

@@ -1,9 +1,9 @@
 // The pictures and files that a render makes, beside the view and its quality.
 #pragma once
 
-#include "executor/overlay/overlay.h"
-#include "proof/oracle.h"
+#include "render/overlay/overlay.h"
 #include "settings/value_colors.h"
+#include "validation/oracle.h"
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ inline constexpr int kMostSamples = 65535;
 struct Output {
     std::string picture;        // a PNG; of several pictures a pattern such as frame%04d.png, or "-" for YUV4MPEG2
     std::optional<int> samples; // frames per picture; nothing: see samplesOf
-    executor::Overlay overlay = executor::Overlay::None;
+    render::Overlay overlay = render::Overlay::None;
     ValueColors colors;         // in place of the model's own
     std::string path;           // a camera path: several pictures along it
     std::optional<int> frames;  // the number of these pictures; nothing: 60
@@ -28,7 +28,7 @@ struct Output {
     double referenceThreshold = 0.01; // max mean difference, fraction of full scale
     std::string depth;                // view depths, PFM
     std::string shadowDepth;          // a folder for the shadow maps, PFM
-    proof::Oracle oracle = proof::Oracle::None;
+    validation::Oracle oracle = validation::Oracle::None;
 
     bool isSeries() const { return !path.empty() || turntable > 0; }
 };

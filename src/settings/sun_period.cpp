@@ -5,22 +5,14 @@
 #include "settings/table.h"
 #include "settings/usage_error.h"
 
-#include <cmath>
-
 namespace gnomon::settings {
 
-std::size_t stepCount(const SunPeriod& period) {
-    constexpr double kSecondsOfDay = 86400;
-    const sun::JulianDate from = sun::julianDate(period.from);
-    const sun::JulianDate to = sun::julianDate(period.to);
-    const double seconds = ((to.midnight - from.midnight) + (to.fraction - from.fraction)) * kSecondsOfDay;
-    if (!(seconds > 0)) throw UsageError{"--to", "--to has to be later than --from"};
-    // A microsecond more or less is the rounding of dates.
-    const double steps = std::ceil(seconds / period.stepSeconds - 0.5 - 1e-6 / period.stepSeconds);
+void requireSteps(const sun::SunPeriod& period) {
+    if (!(sun::secondsOf(period) > 0)) throw UsageError{"--to", "--to has to be later than --from"};
+    const double steps = sun::stepCount(period);
     if (steps < 1) throw UsageError{"--step", "--step is more than twice the time from --from to --to"};
-    if (steps > kMostSunSteps)
+    if (steps > kMaxSunSteps)
         throw UsageError{"--step", "--step is too short: more than a million steps from --from to --to"};
-    return static_cast<std::size_t>(steps);
 }
 
 Settings sunHoursSettings(const Settings& settings) {

@@ -7,6 +7,7 @@
 #include "path/framing.h"
 #include "settings/setting_place.h"
 #include "sun/sun_day.h"
+#include "sun/sun_period.h"
 
 #include <cmath>
 
@@ -149,14 +150,6 @@ std::vector<Setting> sunSettings() {
     };
 }
 
-glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec3& up) {
-    const double azimuth = radiansFromDegrees(sun.azimuth + north);
-    const double elevation = radiansFromDegrees(sun.elevationRefracted);
-    const double level = std::cos(elevation);
-    return hierarchy::uprightFrame(up).toWorld(
-        {level * std::sin(azimuth), std::sin(elevation), -level * std::cos(azimuth)});
-}
-
 SunTime sunAt(const sun::Place& place, const sun::CivilTime& time) {
     return {place, time, sun::sunPosition(sun::julianDate(time), place, {})};
 }
@@ -212,7 +205,7 @@ void setLight(const Settings& settings, const hierarchy::ModelSummary& model, pl
     if (view.pointLight)
         view.towardsLight = towardsPoint(*view.pointLight, hierarchy::mainPartOf(model), view.up);
     else if (settings.sun)
-        view.towardsLight = towardsSun(settings.sun->position, settings.north.value_or(0), view.up);
+        view.towardsLight = sun::towardsSun(settings.sun->position, settings.north.value_or(0), view.up);
     else
         view.towardsLight = settings.isLightGiven ? settings.towardsLight : path::usualLight(view.up);
 }

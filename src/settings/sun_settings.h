@@ -26,11 +26,6 @@ Codec<plan::SkyLight> skyLight();
 /// `--sky`.
 std::vector<Setting> sunSettings();
 
-/// Returns the unit vector towards a Sun at that position, above the horizon or below it, in a world in which `up` is
-/// up. True north is `north` degrees clockwise, seen from above, of the world's own north. The world's north is
-/// opposite its front: -z if y is up, y if z is up.
-glm::dvec3 towardsSun(const sun::SunPosition& sun, double north, const glm::dvec3& up);
-
 /// Returns the Sun at a place and time, as the usual air shows it.
 SunTime sunAt(const sun::Place& place, const sun::CivilTime& time);
 

@@ -1,6 +1,6 @@
 // The table of all settings. The command line, the axes of a bench, the panel and the keys of the window, the report
 // and the help all read it. --overlay and --oracle are not in the table: they do not change the view or its quality,
-// their values are defined in the layers executor and proof, and only some commands have them.
+// their values are defined in the layers backend and proof, and only some commands have them.
 #pragma once
 
 #include "settings/setting.h"

@@ -31,7 +31,7 @@ struct ValueColors {
     std::string field{}; // name of the field, for ColorBy::Field
     plan::ColorMap map = plan::ColorMap::Viridis;
     std::optional<std::array<double, 2>>
-        range{}; // values at the ends of the map; nullopt: the range of the value (values/value_picture.h)
+        range{}; // values at the ends of the map; nullopt: the range of the value (inspect/value_picture.h)
 
     bool operator==(const ValueColors&) const = default;
 };

@@ -1,4 +1,4 @@
-// One shadow map of a frame: the value that the plan, the executors, the validation and the tests share.
+// One shadow map of a frame: the value that the plan, the backends, the validation and the tests share.
 #pragma once
 
 #include "shadow/cube/cube_face.h"

@@ -15,27 +15,27 @@ bool Measuring::beginNext() {
     return true;
 }
 
-std::vector<survey::Measure> Measuring::withPoints() const {
-    std::vector<survey::Measure> all = measures_;
+std::vector<inspect::Measure> Measuring::withPoints() const {
+    std::vector<inspect::Measure> all = measures_;
     if (all.back().empty()) all.pop_back();
     return all;
 }
 
 std::vector<std::string> Measuring::inWords() const {
-    const std::vector<survey::Measure> all = withPoints();
+    const std::vector<inspect::Measure> all = withPoints();
     std::vector<std::string> lines;
-    if (!all.empty()) lines = survey::inWords(all.back(), of_);
+    if (!all.empty()) lines = inspect::inWords(all.back(), of_);
     if (all.size() > 1) lines.insert(lines.begin(), "measure " + std::to_string(all.size()));
     lines.emplace_back("click a point, Shift+click a vertex; Backspace drops it, Enter begins another, Shift+U saves");
     return lines;
 }
 
 std::string Measuring::json() const {
-    return survey::jsonOf(withPoints(), of_);
+    return inspect::jsonOf(withPoints(), of_);
 }
 
 std::string Measuring::csv() const {
-    return survey::csvOf(withPoints(), of_);
+    return inspect::csvOf(withPoints(), of_);
 }
 
 } // namespace gnomon::viewer

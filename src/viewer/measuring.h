@@ -1,7 +1,7 @@
 // The measures that the user takes in the window, point by point.
 #pragma once
 
-#include "survey/measures.h"
+#include "inspect/measures.h"
 
 #include <string>
 #include <vector>
@@ -13,14 +13,14 @@ class Measuring {
 public:
     Measuring() = default;
 
-    explicit Measuring(survey::Surveyed of) : of_(std::move(of)) {}
+    explicit Measuring(inspect::Surveyed of) : of_(std::move(of)) {}
 
     /// Returns true if clicks add points and the measures are visible.
     bool isOn() const { return isOn_; }
 
     void toggle() { isOn_ = !isOn_; }
 
-    void take(const survey::Point& point) { measures_.back().push_back(point); }
+    void take(const inspect::Point& point) { measures_.back().push_back(point); }
 
     /// Removes the last point. Returns false if there is none.
     bool dropLast();
@@ -31,9 +31,9 @@ public:
     bool isEmpty() const { return measures_.front().empty(); }
 
     /// Returns at least one measure. The last one may be empty.
-    const std::vector<survey::Measure>& measures() const { return measures_; }
+    const std::vector<inspect::Measure>& measures() const { return measures_; }
 
-    const survey::Surveyed& of() const { return of_; }
+    const inspect::Surveyed& of() const { return of_; }
 
     /// Returns the result of the last measure with points, and the available keys.
     std::vector<std::string> inWords() const;
@@ -43,10 +43,10 @@ public:
     std::string csv() const;
 
 private:
-    std::vector<survey::Measure> withPoints() const;
+    std::vector<inspect::Measure> withPoints() const;
 
-    survey::Surveyed of_;
-    std::vector<survey::Measure> measures_{1};
+    inspect::Surveyed of_;
+    std::vector<inspect::Measure> measures_{1};
     bool isOn_ = false;
 };
 

@@ -5,12 +5,12 @@
 #include "core/printable.h"
 #include "core/stopwatch.h"
 #include "hierarchy/model_file.h"
+#include "hierarchy/source/open_source.h"
 #include "preprocess/pipeline/build_key.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/pipeline/source_up.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/read/words.h"
-#include "storage/open_source.h"
 #include "telemetry/json_text.h"
 
 #include <filesystem>
@@ -49,7 +49,7 @@ private:
 };
 
 bool isModelPath(const std::string& path) {
-    return storage::isAddress(path) || std::filesystem::path(path).extension() == ".gnm";
+    return hierarchy::isAddress(path) || std::filesystem::path(path).extension() == ".gnm";
 }
 
 std::string cachePath(const std::string& meshPath) {

@@ -27,7 +27,7 @@ void OpenFile::openModel(const std::string& path) {
         });
     onOpen_(*scene);
     scene_ = std::move(scene);
-    fate_ = storage::Fate::Same;
+    fate_ = hierarchy::Fate::Same;
 }
 
 void OpenFile::watchBuild() {
@@ -42,7 +42,7 @@ void OpenFile::watchBuild() {
 }
 
 bool OpenFile::watchFile() {
-    using storage::Fate;
+    using hierarchy::Fate;
     if (!scene_ || now_() - lastWatch_ < kWatchSeconds) return false;
     lastWatch_ = now_();
     const Fate fate = scene_->fate();

@@ -56,7 +56,7 @@ private:
     std::function<void(const Scene&)> onOpen_;
     std::unique_ptr<Scene> scene_;
     std::unique_ptr<CacheBuild> build_;
-    storage::Fate fate_ = storage::Fate::Same;
+    hierarchy::Fate fate_ = hierarchy::Fate::Same;
     double lastWatch_ = 0;
 };
 

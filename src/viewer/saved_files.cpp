@@ -2,7 +2,7 @@
 
 #include "core/file.h"
 #include "core/temporary_name.h"
-#include "storage/open_source.h"
+#include "hierarchy/source/open_source.h"
 #include "viewer/environment_path.h"
 
 #include <algorithm>
@@ -93,21 +93,21 @@ SavedFiles::SavedFiles(const std::string& modelPath) {
     if (!stem.empty()) stem_ = stem;
     const std::string folder = fs::path(modelPath).parent_path().string();
     // The current folder is used if the model is on a server or in a folder without write permission.
-    if (!storage::isAddress(modelPath) && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0)
+    if (!hierarchy::isAddress(modelPath) && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0)
         folder_ = folder;
 }
 
-std::string SavedFiles::savePicture(const executor::Picture& picture) const {
+std::string SavedFiles::savePicture(const render::Picture& picture) const {
     return saveNumbered("_", picture);
 }
 
-std::string SavedFiles::saveNumbered(const std::string& kind, const executor::Picture& picture) const {
-    const auto write = [&](const std::vector<std::string>& names) { executor::writePng(names.front(), picture); };
+std::string SavedFiles::saveNumbered(const std::string& kind, const render::Picture& picture) const {
+    const auto write = [&](const std::vector<std::string>& names) { render::writePng(names.front(), picture); };
     return saveNew(pictureFolder() + "/" + stem_ + kind, {".png"}, write).front();
 }
 
 std::string SavedFiles::saveWindow(const gl::Api& gl, const glm::ivec2& size) const {
-    executor::Picture picture(size.x, size.y);
+    render::Picture picture(size.x, size.y);
     gl.readPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
     for (int top = 0, bottom = size.y - 1; top < bottom; ++top, --bottom)
         std::swap_ranges(&picture.at(0, top), &picture.at(0, top) + size.x, &picture.at(0, bottom));
@@ -136,11 +136,11 @@ std::string SavedFiles::saveMeasures(const std::string& json, const std::string&
     return names.front() + " and " + names.back();
 }
 
-void SavedFiles::savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const {
+void SavedFiles::savePlayed(const std::string& folder, int frame, const render::Picture& picture) const {
     fs::create_directories(folder);
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "frame%04d.png", frame);
-    executor::writePng((fs::path(folder) / name.data()).string(), picture);
+    render::writePng((fs::path(folder) / name.data()).string(), picture);
 }
 
 } // namespace gnomon::viewer

@@ -2,9 +2,9 @@
 // current folder, measures next to the model. It never overwrites existing files.
 #pragma once
 
-#include "executor/picture.h"
 #include "gl/api.h"
 #include "path/camera_path.h"
+#include "render/picture.h"
 
 #include <glm/glm.hpp>
 
@@ -21,7 +21,7 @@ public:
 
     /// Saves an image as "Gnomon/bunny_1.png" in the picture folder of the XDG user directories, else in ~/Pictures, in
     /// the home folder, or in the current folder.
-    std::string savePicture(const executor::Picture& picture) const;
+    std::string savePicture(const render::Picture& picture) const;
 
     /// Saves the framebuffer of the window as "bunny_window1.png" in the same folder. The framebuffer must be complete
     /// and bound.
@@ -37,10 +37,10 @@ public:
     std::string saveMeasures(const std::string& json, const std::string& csv) const;
 
     /// Saves frame `frame` of a played path in `folder` as "frame0000.png". Creates the folder if needed.
-    void savePlayed(const std::string& folder, int frame, const executor::Picture& picture) const;
+    void savePlayed(const std::string& folder, int frame, const render::Picture& picture) const;
 
 private:
-    std::string saveNumbered(const std::string& kind, const executor::Picture& picture) const;
+    std::string saveNumbered(const std::string& kind, const render::Picture& picture) const;
 
     std::string stem_ = "gnomon";
     std::string folder_; // folder for measures

@@ -1,12 +1,12 @@
 #include "viewer/scene.h"
 
-#include "executor/gl/gl_executor.h"
-#include "executor/light/eye_dome.h"
-#include "executor/software_executor.h"
-#include "proof/frame_proof.h"
+#include "hierarchy/source/open_source.h"
+#include "inspect/value_picture.h"
+#include "render/gl/gl_backend.h"
+#include "render/light/eye_dome.h"
+#include "render/software_backend.h"
 #include "settings/backend_choice.h"
-#include "storage/open_source.h"
-#include "values/value_picture.h"
+#include "validation/frame_proof.h"
 #include "viewer/input/picking.h"
 
 #include <chrono>
@@ -20,23 +20,23 @@ constexpr int kPickReach = 6; // pixels around the cursor
 
 /// Opens the source of a model. Requests to a server time out after one second, so that the user sees the problem. The
 /// page store tries again.
-std::unique_ptr<storage::Source> sourceOf(const std::string& path) {
-    storage::Access access = storage::commonAccess();
+std::unique_ptr<hierarchy::Source> sourceOf(const std::string& path) {
+    hierarchy::Access access = hierarchy::commonAccess();
     access.patience = std::chrono::seconds(1);
-    return storage::openSource(path, access);
+    return hierarchy::openSource(path, access);
 }
 
-std::unique_ptr<executor::Executor> windowExecutor(
+std::unique_ptr<render::Backend> windowBackend(
     const settings::Settings& settings, const settings::ValueColors& colors, const gl::Context& context) {
     const settings::BackendChoice choice = settings::chooseBackend(
         {.requested = settings.backend,
          .command = settings::DrawingCommand::View,
          .hasGpu = context.isHardware(),
          .need = settings::softwareNeed(settings, colors)});
-    if (choice.backend == settings::Backend::Software) return executor::makeSoftwareExecutor();
+    if (choice.backend == settings::Backend::Software) return render::makeSoftwareBackend();
     const gl::ShaderLibrary shaders(
         settings.shaderFolder.empty() ? std::nullopt : std::optional<std::string>(settings.shaderFolder));
-    return executor::makeWindowExecutor(context, shaders, settings.gpuMemory);
+    return render::makeWindowBackend(context, shaders, settings.gpuMemory);
 }
 
 } // namespace
@@ -49,13 +49,13 @@ Scene::Scene(
     std::function<void(const std::string&)> onDamaged)
     : model_(sourceOf(path), settings.memory),
       context_(&context),
-      executor_(windowExecutor(settings, colors, context)),
+      backend_(windowBackend(settings, colors, context)),
       renderer_(
           model_,
-          *executor_,
+          *backend_,
           {.memory = settings.memory,
            .onDamaged =
-               [onDamaged = std::move(onDamaged)](const streaming::DamagedPage& page) {
+               [onDamaged = std::move(onDamaged)](const lod::DamagedPage& page) {
                    onDamaged(
                        (page.isRetried  ? "pages could not be read, their parents are drawn and it is tried again: "
                         : page.isUnread ? "a page could not be read, its parents are drawn: "
@@ -66,23 +66,23 @@ Scene::Scene(
 
 const frame::Frame& Scene::draw(const Shot& shot) {
     plan::Quality quality = shot.quality;
-    if (quality.shadows == plan::ShadowMode::Exact && !executor_->capabilities().exactShadows)
+    if (quality.shadows == plan::ShadowMode::Exact && !backend_->capabilities().exactShadows)
         quality.shadows = plan::ShadowMode::Rays; // as exact as this backend can be
-    if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !executor_->capabilities().unevenRows)
+    if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !backend_->capabilities().unevenRows)
         quality.warp.rule = shadow::WarpRule::Auto; // the smallest bound of even rows
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options);
     colored_.reset();
     if (shot.colors.by != settings::ColorBy::None) { // before another frame is drawn
-        executor::Picture colored = executor_->picture();
-        values::colorByValues(shot.colors, renderer_, *frame_, colored);
+        render::Picture colored = backend_->picture();
+        inspect::colorByValues(shot.colors, renderer_, *frame_, colored);
         colored_ = std::move(colored);
     }
     if (shot.options.isAccumulated) accumulation_.begin(renderer_, *frame_, shot.samples);
     if (shot.measuresAliasing) {
-        proof::ProofOptions options;
+        validation::ProofOptions options;
         options.measuresAliasing = true;
-        proof::setAccuracy(proof::prove(renderer_, *frame_, options), frame_->row);
+        validation::setAccuracy(validation::prove(renderer_, *frame_, options), frame_->row);
     }
     seenBy_ = shot.seenBy();
     isUploaded_ = false;
@@ -99,14 +99,14 @@ void Scene::addSample() {
     }
 }
 
-executor::Picture Scene::picture() const {
+render::Picture Scene::picture() const {
     if (colored_) return *colored_;
-    return samples() > 1 ? accumulation_.picture() : executor_->picture();
+    return samples() > 1 ? accumulation_.picture() : backend_->picture();
 }
 
 ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
     if (!frame_) return {};
-    if (const std::uint32_t texture = executor_->texture();
+    if (const std::uint32_t texture = backend_->texture();
         texture != 0 && samples() <= 1 && !darkensHollows && !colored_) {
         // Software OpenGL would take longer for that than for all the rest of the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
@@ -114,12 +114,12 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
         return {texture, true, false};
     }
     if (!isUploaded_) {
-        executor::Picture picture = this->picture();
+        render::Picture picture = this->picture();
         if (darkensHollows) {
             const double distance = seenBy_.isParallel() ? glm::length(seenBy_.target - seenBy_.eye) : 0;
-            executor::darkenHollows(picture, executor_->viewDepth(), distance);
+            render::darkenHollows(picture, backend_->viewDepth(), distance);
         }
-        executor::takePicture(picture, words_);
+        render::takePicture(picture, words_);
         if (uploaded_.width() != words_.width || uploaded_.height() != words_.height)
             uploaded_ = gl::Texture::ofWindowPictures(context_->api(), words_.width, words_.height);
         uploaded_.write(GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, std::as_bytes(std::span(words_.pixels)));
@@ -132,15 +132,15 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
 
 std::optional<glm::dvec3> Scene::pick(const glm::ivec2& pixel) {
     if (!frame_) return std::nullopt;
-    return pointUnder(executor_->viewDepth(), seenBy_, pixel, kPickReach);
+    return pointUnder(backend_->viewDepth(), seenBy_, pixel, kPickReach);
 }
 
 std::optional<frame::DrawnPoint> Scene::drawnPoint(const glm::ivec2& pixel) {
     if (!frame_) return std::nullopt;
-    const std::optional<glm::ivec2> drawn = drawnPixel(executor_->viewDepth(), pixel, kPickReach);
+    const std::optional<glm::ivec2> drawn = drawnPixel(backend_->viewDepth(), pixel, kPickReach);
     if (!drawn) return std::nullopt;
     frame::FrameOptions options = frame_->options;
-    options.overlay = executor::Overlay::None; // an overlay is not needed
+    options.overlay = render::Overlay::None; // an overlay is not needed
     return frame::drawnPoint(renderer_, *frame_, options, *drawn);
 }
 

@@ -1,16 +1,16 @@
-// An open model with its executor in the window: frames, images, and the state of its file.
+// An open model with its backend in the window: frames, images, and the state of its file.
 #pragma once
 
-#include "executor/executor.h"
-#include "executor/overlay/window_picture.h"
 #include "frame/accumulation.h"
 #include "frame/drawn_point.h"
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "hierarchy/model_file.h"
+#include "hierarchy/source/source.h"
+#include "render/backend.h"
+#include "render/overlay/window_picture.h"
 #include "settings/settings.h"
 #include "settings/value_colors.h"
-#include "storage/source.h"
 
 #include <functional>
 #include <memory>
@@ -80,7 +80,7 @@ public:
     int wantedSamples() const { return accumulation_.wanted(); }
 
     /// Returns the last image or the mean, as `gnomon render` would write it.
-    executor::Picture picture() const;
+    render::Picture picture() const;
 
     /// Returns the image as a texture for `size` pixels. If `darkensHollows` is true, applies eye-dome lighting.
     ShownPicture shown(const glm::ivec2& size, bool darkensHollows);
@@ -95,25 +95,25 @@ public:
     std::optional<frame::DrawnPoint> drawnPoint(const glm::ivec2& pixel);
 
     /// Returns the state of the model's file since it was opened.
-    storage::Fate fate() const { return model_.source().fate(); }
+    hierarchy::Fate fate() const { return model_.source().fate(); }
 
     /// Returns true if the last frame lacks pages that a server may still send.
     bool isAwaiting() const;
 
     /// Returns the capabilities of the backend that draws.
-    plan::Capabilities capabilities() const { return executor_->capabilities(); }
+    plan::Capabilities capabilities() const { return backend_->capabilities(); }
 
 private:
     hierarchy::ModelFile model_;
     const gl::Context* context_;
-    std::unique_ptr<executor::Executor> executor_;
+    std::unique_ptr<render::Backend> backend_;
     frame::Renderer renderer_;
     std::optional<frame::Frame> frame_;
     frame::Accumulation accumulation_;
     Camera seenBy_;
-    std::optional<executor::Picture> colored_; // the last frame's, if it is coloured by a value
-    executor::WindowPicture words_;            // of it, as is:
-    gl::Texture uploaded_;                     // the picture of a backend without textures, or the mean
+    std::optional<render::Picture> colored_; // the last frame's, if it is coloured by a value
+    render::WindowPicture words_;            // of it, as is:
+    gl::Texture uploaded_;                   // the picture of a backend without textures, or the mean
     bool isUploaded_ = false;
 };
 

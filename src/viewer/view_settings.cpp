@@ -1,6 +1,6 @@
 #include "viewer/view_settings.h"
 
-#include "values/value_picture.h"
+#include "inspect/value_picture.h"
 
 #include <algorithm>
 
@@ -67,7 +67,7 @@ std::vector<settings::ValueColors> colorChoices(
 
 std::array<double, 2> widestEnds(
     const settings::ValueColors& colors, const hierarchy::ModelSummary& model, const glm::dvec3& up) {
-    if (colors.by == settings::ColorBy::Height) return values::heightRange(model.bounds, up);
+    if (colors.by == settings::ColorBy::Height) return inspect::heightRange(model.bounds, up);
     if (colors.by == settings::ColorBy::Error && !model.levels.empty())
         return {
             model.levels.front().maxError, std::max(model.levels.back().maxError, 2 * model.levels.front().maxError)};

@@ -1,8 +1,8 @@
 // The settings that keys and the panel change: quality, overlay, light, and the visible elements of the window.
 #pragma once
 
-#include "executor/executor.h"
 #include "hierarchy/model.h"
+#include "render/backend.h"
 #include "settings/settings.h"
 #include "settings/value_colors.h"
 
@@ -32,7 +32,7 @@ const char* name(Scheme scheme);
 /// The settings of a window.
 struct ViewSettings {
     settings::Settings asked; // without contradictions: `quality` describes the drawn image
-    executor::Overlay overlay = executor::Overlay::None;
+    render::Overlay overlay = render::Overlay::None;
     settings::ValueColors colors; // in images without an overlay
     double targetMs = 0;          // 0: no target
     bool showsFacts = false;      // all statistics; otherwise one line

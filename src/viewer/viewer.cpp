@@ -130,7 +130,7 @@ void WindowSession::enter(const Scene& scene) {
     }
     saved_ = SavedFiles(model.path());
     pictureDue_.reset(); // the pending image was of another model
-    measuring_ = Measuring(survey::surveyedOf(model.path(), model.summary(), framed_->up()));
+    measuring_ = Measuring(inspect::surveyedOf(model.path(), model.summary(), framed_->up()));
     glfwSetWindowTitle(window_.handle(), ("Gnomon - " + printable(model.path())).c_str());
     pace_.wakeScene();
     if (!options_.path.empty() && frameCount_ == 0) walk_.togglePlaying(saved_);
@@ -216,12 +216,12 @@ Shot WindowSession::shot(const glm::ivec2& size, bool isStill) const {
     shot.quality.shadowTexelsHeight = effort.texelsHeight;
     if (!effort.mayBeExact && !shot.quality.mapsBecause) shot.quality.mapsBecause = plan::ShadowReason::FrameTime;
     shot.options.overlay = settings_.overlay;
-    if (settings_.overlay == executor::Overlay::None) shot.colors = settings_.colors;
+    if (settings_.overlay == render::Overlay::None) shot.colors = settings_.colors;
     const bool isColored = shot.colors.by != settings::ColorBy::None;
     shot.options.wantsSurfaces = isColored;
     shot.measuresAliasing = comesToRest();
     shot.options.isAccumulated =
-        isStill && options_.samples > 1 && settings_.overlay == executor::Overlay::None && !isColored;
+        isStill && options_.samples > 1 && settings_.overlay == render::Overlay::None && !isColored;
     shot.samples = options_.samples;
     shot.options.waiting = walk_.playsFixed() ? frame::Waiting::UntilComplete : frame::Waiting::Never;
     if (walk_.isFrozen()) shot.options.observerCamera = walk_.camera();

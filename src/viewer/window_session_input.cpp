@@ -184,7 +184,7 @@ void WindowSession::actOnModel(const Binding& binding) {
     if (!walk_.isUnderWay()) recentViews().stay(walk_.camera()); // the key may leave this view
     switch (binding.action) {
     case Action::StepColors:
-        settings_.overlay = executor::Overlay::None;
+        settings_.overlay = render::Overlay::None;
         return messages_.show(stepColors(
             colorChoices(file_.scene()->model().summary(), file_.scene()->capabilities()),
             binding.value,

@@ -223,10 +223,10 @@ TEST(OracleOption, IsAFlagOrNamesHowFarItGoes) {
         command.parse(words);
         return option.mode();
     };
-    EXPECT_EQ(parsed({"m.gnm"}), proof::Oracle::None);
-    EXPECT_EQ(parsed({"m.gnm", "--oracle"}), proof::Oracle::SameDetail);
-    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), proof::Oracle::SameDetail);
-    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), proof::Oracle::None);
+    EXPECT_EQ(parsed({"m.gnm"}), validation::Oracle::None);
+    EXPECT_EQ(parsed({"m.gnm", "--oracle"}), validation::Oracle::SameDetail);
+    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), validation::Oracle::SameDetail);
+    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), validation::Oracle::None);
     EXPECT_THROW(parsed({"--oracle", "m.gnm"}), CLI::ValidationError) << "the model is no mode";
 }
 

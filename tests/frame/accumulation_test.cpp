@@ -1,10 +1,10 @@
 // Pictures of several frames against the plain mean, in doubles, of frames that are rendered one by one.
 #include "core/random.h"
-#include "executor/gl/gl_executor.h"
-#include "executor/light/background.h"
-#include "executor/software_executor.h"
 #include "frame/accumulation.h"
 #include "frame/drawn_model.h"
+#include "render/gl/gl_backend.h"
+#include "render/light/background.h"
+#include "render/software_backend.h"
 #include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ double levelOf(double linear) {
 /// The same by a renderer that knows no accumulation: each frame planned and drawn by itself, in doubles.
 class PlainMean {
 public:
-    explicit PlainMean(executor::Executor& executor) : executor_(&executor), renderer_(hills(), executor, {}) {}
+    explicit PlainMean(render::Backend& backend) : backend_(&backend), renderer_(hills(), backend, {}) {}
 
     void draw(const plan::View& view, const plan::Quality& quality, int samples) {
         const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
@@ -69,8 +69,8 @@ public:
             options.subpixel = subpixelOffset(sample);
             options.mapShift = mapShift(sample);
             const Frame frame = renderer_.render(view, quality, options);
-            background_ = executor::backgroundRows(renderer_.drawing(frame, options));
-            add(executor_->light());
+            background_ = render::backgroundRows(renderer_.drawing(frame, options));
+            add(backend_->light());
         }
     }
 
@@ -86,12 +86,12 @@ public:
     int covered(std::size_t pixel) const { return covered_[pixel]; }
 
 private:
-    executor::Executor* executor_;
+    render::Backend* backend_;
     Renderer renderer_;
 
-    void add(const executor::LightPicture& light) {
-        const executor::FloatPicture depth = executor_->viewDepth();
-        const executor::Picture picture = executor_->picture();
+    void add(const render::LightPicture& light) {
+        const render::FloatPicture depth = backend_->viewDepth();
+        const render::Picture picture = backend_->picture();
         std::size_t apart = 0;
         for (std::size_t i = 0; i < light.pixels.size(); ++i) {
             ASSERT_EQ(light.pixels[i][0] >= 0, std::isfinite(depth.pixels[i]));
@@ -108,12 +108,12 @@ private:
 
     bool isTransparent_ = false;
     int samples_ = 1;
-    std::vector<executor::Rgb> background_;
+    std::vector<render::Rgb> background_;
     std::vector<double> sums_;
     std::vector<int> covered_;
 };
 
-class AccumulationTwins : public testing::TestWithParam<std::unique_ptr<executor::Executor> (*)()> {
+class AccumulationTwins : public testing::TestWithParam<std::unique_ptr<render::Backend> (*)()> {
 protected:
     /// Both means of `samples` frames of a view; the largest difference that a rounding explains is one level.
     void expectAlike(const plan::View& view, const plan::Quality& quality, int samples) {
@@ -128,7 +128,7 @@ protected:
             accumulation.add();
         PlainMean plain(*other_);
         plain.draw(view, quality, samples);
-        const executor::Picture picture = accumulation.picture();
+        const render::Picture picture = accumulation.picture();
         const auto coverage = accumulation.coverage();
         ASSERT_EQ(coverage.has_value(), isTransparent);
         std::size_t apart = 0;
@@ -149,9 +149,9 @@ protected:
     std::size_t edges = 0; // pixels that were partly covered
 
 private:
-    std::unique_ptr<executor::Executor> executor_ = GetParam()();
-    std::unique_ptr<executor::Executor> other_ = GetParam()();
-    Renderer renderer_{hills(), *executor_, {}};
+    std::unique_ptr<render::Backend> backend_ = GetParam()();
+    std::unique_ptr<render::Backend> other_ = GetParam()();
+    Renderer renderer_{hills(), *backend_, {}};
 };
 
 plan::Quality randomQuality(Random& random, bool isSoftware) {
@@ -168,7 +168,7 @@ plan::Quality randomQuality(Random& random, bool isSoftware) {
 
 TEST_P(AccumulationTwins, AreTheMeanOfFramesRenderedOneByOne) {
     Random random(20);
-    const bool isSoftware = GetParam() == &executor::makeSoftwareExecutor;
+    const bool isSoftware = GetParam() == &render::makeSoftwareBackend;
     for (int round = 0; round < (isSoftware ? 24 : 6); ++round) {
         const plan::View view = randomView(random, 96, 64);
         const plan::Quality quality = randomQuality(random, isSoftware);
@@ -180,8 +180,8 @@ TEST_P(AccumulationTwins, AreTheMeanOfFramesRenderedOneByOne) {
 }
 
 TEST_P(AccumulationTwins, DrawWholeMapsMovedBySample) {
-    const auto executor = GetParam()();
-    Renderer renderer(hills(), *executor, {});
+    const auto backend = GetParam()();
+    Renderer renderer(hills(), *backend, {});
     Random random(3);
     const plan::View view = randomView(random, 96, 64);
     plan::Quality quality;
@@ -190,7 +190,7 @@ TEST_P(AccumulationTwins, DrawWholeMapsMovedBySample) {
     renderer.render(view, quality, options);
     options.isAccumulated = true;
     const Frame frame = renderer.render(view, quality, options);
-    const executor::FloatPicture maps = executor->shadowDepth();
+    const render::FloatPicture maps = backend->shadowDepth();
     ASSERT_GT(maps.width, 0);
     Accumulation accumulation;
     accumulation.begin(renderer, frame, 5);
@@ -204,30 +204,30 @@ TEST_P(AccumulationTwins, DrawWholeMapsMovedBySample) {
         options.mapShift = mapShift(sample);
         whole.continueFrom(before);
         whole.render(view, quality, options);
-        EXPECT_EQ(executor->shadowDepth().pixels, fresh->shadowDepth().pixels) << sample;
-        EXPECT_EQ(executor->shadowDepth().pixels == maps.pixels, sample == 0);
+        EXPECT_EQ(backend->shadowDepth().pixels, fresh->shadowDepth().pixels) << sample;
+        EXPECT_EQ(backend->shadowDepth().pixels == maps.pixels, sample == 0);
     }
 }
 
-std::unique_ptr<executor::Executor> osmesa() {
-    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
+std::unique_ptr<render::Backend> osmesa() {
+    return render::makeGlBackend(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
-INSTANTIATE_TEST_SUITE_P(Software, AccumulationTwins, testing::Values(&executor::makeSoftwareExecutor));
+INSTANTIATE_TEST_SUITE_P(Software, AccumulationTwins, testing::Values(&render::makeSoftwareBackend));
 INSTANTIATE_TEST_SUITE_P(Osmesa, AccumulationTwins, testing::Values(&osmesa));
 
 // A picture of twice the size has its pixels where four offsets have theirs.
 TEST(SubpixelOffsets, AreThePixelsOfALargerPicture) {
     Random random(7);
-    const auto executor = executor::makeSoftwareExecutor();
-    Renderer renderer(hills(), *executor, {});
+    const auto backend = render::makeSoftwareBackend();
+    Renderer renderer(hills(), *backend, {});
     plan::Quality quality;
     quality.shadows = ShadowMode::Off;
     quality.errorPixels = 1e-9;
     quality.look.background = {plan::Background::Kind::Color, {90, 90, 90}};
     plan::View view = randomView(random, 160, 100);
     renderer.render(view, quality, {});
-    const executor::Picture large = executor->picture();
+    const render::Picture large = backend->picture();
     view.width /= 2;
     view.height /= 2;
     std::size_t apart = 0;
@@ -236,7 +236,7 @@ TEST(SubpixelOffsets, AreThePixelsOfALargerPicture) {
             FrameOptions options;
             options.subpixel = {x * 0.5 - 0.25, 0.25 - y * 0.5}; // right and up
             renderer.render(view, quality, options);
-            const executor::Picture small = executor->picture();
+            const render::Picture small = backend->picture();
             for (int row = 0; row < view.height; ++row)
                 for (int column = 0; column < view.width; ++column)
                     apart += small.at(column, row) != large.at(2 * column + x, 2 * row + y) ? 1 : 0;

@@ -35,32 +35,32 @@ struct Crate {
 };
 
 /// The software backend, but for exact shadows: what OpenGL is like.
-class MapsAlone final : public executor::Executor {
+class MapsAlone final : public render::Backend {
 public:
     std::string name() const override { return own_->name(); }
 
-    executor::PassStatistics drawShadowMaps(const executor::FrameDrawing& frame) override {
+    render::PassStatistics drawShadowMaps(const render::FrameDrawing& frame) override {
         return own_->drawShadowMaps(frame);
     }
 
-    executor::PassStatistics drawImage(const executor::FrameDrawing& frame) override { return own_->drawImage(frame); }
+    render::PassStatistics drawImage(const render::FrameDrawing& frame) override { return own_->drawImage(frame); }
 
     Bytes deviceMemory() const override { return own_->deviceMemory(); }
 
-    executor::Picture picture() override { return own_->picture(); }
+    render::Picture picture() override { return own_->picture(); }
 
-    executor::LightPicture light() override { return own_->light(); }
+    render::LightPicture light() override { return own_->light(); }
 
     std::optional<std::uint64_t> litPixels() override { return own_->litPixels(); }
 
-    executor::FloatPicture viewDepth() override { return own_->viewDepth(); }
+    render::FloatPicture viewDepth() override { return own_->viewDepth(); }
 
-    executor::FloatPicture shadowDepth() override { return own_->shadowDepth(); }
+    render::FloatPicture shadowDepth() override { return own_->shadowDepth(); }
 
-    executor::Raster<executor::SurfaceSample> surfaces() override { return own_->surfaces(); }
+    render::Raster<render::SurfaceSample> surfaces() override { return own_->surfaces(); }
 
 private:
-    std::unique_ptr<executor::Executor> own_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> own_ = render::makeSoftwareBackend();
 };
 
 TEST(AutoShadows, AreExactWithTheSoftwareBackendAndDrawTheSamePicture) {
@@ -70,20 +70,20 @@ TEST(AutoShadows, AreExactWithTheSoftwareBackendAndDrawTheSamePicture) {
     EXPECT_EQ(frame.plan.shadowReason, ShadowReason::BackendIsExact);
     EXPECT_EQ(frame.row.shadows, "exact");
     EXPECT_EQ(frame.row.cullCasters, "") << "of maps that are not there";
-    const executor::Picture picture = crate.model->executor().picture();
+    const render::Picture picture = crate.model->backend().picture();
     crate.quality.shadows = ShadowMode::Exact;
     const Frame asked = crate.draw();
     EXPECT_EQ(asked.plan.shadowReason, ShadowReason::Requested);
-    EXPECT_TRUE(crate.model->executor().picture().pixels == picture.pixels);
+    EXPECT_TRUE(crate.model->backend().picture().pixels == picture.pixels);
 }
 
 TEST(AutoShadows, IsMapsWhereTheyAreAskedForOrAllThatThereIs) {
     Crate crate;
     FrameOptions options;
-    for (const executor::NamedOverlay& overlay : executor::kOverlays) {
+    for (const render::NamedOverlay& overlay : render::kOverlays) {
         options.overlay = overlay.value;
         const Frame frame = crate.draw(options);
-        const bool isOfMaps = executor::isOfMaps(overlay.value);
+        const bool isOfMaps = render::isOfMaps(overlay.value);
         EXPECT_EQ(frame.plan.quality.shadows, isOfMaps ? ShadowMode::Maps : ShadowMode::Exact) << overlay.word;
         EXPECT_EQ(frame.row.shadows, isOfMaps ? "maps" : "exact");
         EXPECT_EQ(frame.plan.passes.empty(), !isOfMaps);
@@ -95,8 +95,8 @@ TEST(AutoShadows, IsMapsWhereTheyAreAskedForOrAllThatThereIs) {
     EXPECT_EQ(crate.draw().row.shadows, "maps");
     crate.quality.shadows = ShadowMode::Exact;
     EXPECT_EQ(crate.draw().row.shadows, "exact") << "what is asked for by its name is not left open";
-    MapsAlone executor;
-    Renderer renderer(crate.model->file(), executor, {});
+    MapsAlone backend;
+    Renderer renderer(crate.model->file(), backend, {});
     crate.quality = {};
     crate.quality.shadows = ShadowMode::Auto;
     const Frame frame = renderer.render(crate.view, crate.quality, {});
@@ -109,13 +109,13 @@ TEST(AutoShadows, OfAFrameLeavesNothingInTheNext) {
     Crate crate;
     crate.quality.shadows = ShadowMode::Maps;
     crate.draw();
-    const executor::Picture maps = crate.model->executor().picture();
+    const render::Picture maps = crate.model->backend().picture();
     crate.quality.shadows = ShadowMode::Auto;
     const Frame exact = crate.draw();
     EXPECT_EQ(exact.row.shadows, "exact");
     crate.quality.shadows = ShadowMode::Maps;
     crate.draw();
-    EXPECT_TRUE(crate.model->executor().picture().pixels == maps.pixels);
+    EXPECT_TRUE(crate.model->backend().picture().pixels == maps.pixels);
 }
 
 TEST(AutoShadows, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
@@ -130,10 +130,10 @@ TEST(AutoShadows, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
         EXPECT_EQ(dark.cut.lists.size(), 1U) << "no caster was looked for";
         EXPECT_EQ(dark.row.shadowSamples, 0);
         EXPECT_EQ(dark.row.castersTested, 0);
-        const executor::Picture picture = crate.model->executor().picture();
+        const render::Picture picture = crate.model->backend().picture();
         crate.quality.shadows = ShadowMode::Rays;
         crate.draw();
-        EXPECT_TRUE(crate.model->executor().picture().pixels == picture.pixels);
+        EXPECT_TRUE(crate.model->backend().picture().pixels == picture.pixels);
     }
     Crate sky;
     sky.view.camera.target = sky.view.camera.eye + glm::dvec3(0, 1, 0.1);
@@ -179,9 +179,9 @@ TEST(AutoShadows, CastersStopWhereTheLastSampleIsDark) {
     const plan::Omission late{Effect::LateCasters, OmissionReason::AllAreDark};
     EXPECT_EQ(std::count(frame.plan.omitted.begin(), frame.plan.omitted.end(), late), 1);
     quality.shadows = ShadowMode::Off;
-    const executor::Picture dark = model.executor().picture();
+    const render::Picture dark = model.backend().picture();
     model.draw(view, quality);
-    EXPECT_FALSE(model.executor().picture().pixels == dark.pixels) << "nothing was dark: this tests nothing";
+    EXPECT_FALSE(model.backend().picture().pixels == dark.pixels) << "nothing was dark: this tests nothing";
     quality.shadows = ShadowMode::Exact;
     view.towardsLight = {1, 0.02, 0.01}; // from below the slabs
     const std::vector<plan::Omission> all = model.draw(view, quality).plan.omitted;

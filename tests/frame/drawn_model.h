@@ -1,9 +1,9 @@
 // A model in a file of its own with a renderer over the software backend.
 #pragma once
 
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"
+#include "render/software_backend.h"
 
 #include <filesystem>
 #include <memory>
@@ -19,7 +19,7 @@ public:
     explicit DrawnModel(const tests::TinyModel& model) {
         tests::writeModel(model, path_);
         file_ = std::make_unique<hierarchy::ModelFile>(path_);
-        renderer_ = std::make_unique<Renderer>(*file_, *executor_, ResidencyOptions());
+        renderer_ = std::make_unique<Renderer>(*file_, *backend_, ResidencyOptions());
     }
 
     ~DrawnModel() { std::filesystem::remove(path_); }
@@ -36,7 +36,7 @@ public:
 
     Renderer& renderer() { return *renderer_; }
 
-    executor::Executor& executor() { return *executor_; }
+    render::Backend& backend() { return *backend_; }
 
     const hierarchy::ModelFile& file() const { return *file_; }
 
@@ -46,7 +46,7 @@ private:
                          ("gnomon_drawn_" + std::to_string(::getpid()) + "_" + std::to_string(count_++) + ".gnm"))
                             .string();
     std::unique_ptr<hierarchy::ModelFile> file_;
-    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend_ = render::makeSoftwareBackend();
     std::unique_ptr<Renderer> renderer_;
 };
 

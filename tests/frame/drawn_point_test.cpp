@@ -3,7 +3,7 @@
 #include "frame/drawn_model.h"
 #include "frame/drawn_point.h"
 #include "hierarchy/scene_mesh.h"
-#include "survey/cells.h"
+#include "inspect/cells.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ void addTriangles(
 std::vector<Corners> drawnTriangles(DrawnModel& model, const Frame& frame) {
     std::vector<Corners> all;
     const auto resident = model.renderer().residency().resident();
-    for (const selection::ClusterRange& range : frame.cut.lists[0].ranges)
+    for (const lod::ClusterRange& range : frame.cut.lists[0].ranges)
         for (std::uint32_t i = 0; i < range.clusterCount; ++i)
             addTriangles(
                 *resident[range.page],
@@ -119,7 +119,7 @@ public:
 
     const tests::TinyModel& source() const { return hills_; }
 
-    glm::dvec3 world(const GridPlace& place) const { return survey::worldOf(hills_.summary.grid, place.cell); }
+    glm::dvec3 world(const GridPlace& place) const { return inspect::worldOf(hills_.summary.grid, place.cell); }
 
     std::optional<DrawnPoint> at(const glm::ivec2& pixel) { return drawnPoint(model_.renderer(), frame_, {}, pixel); }
 
@@ -134,14 +134,14 @@ public:
     /// Whether the picture, which rounds to its own places within a pixel, shows something else than `point` there.
     bool isDrawnElsewhere(const glm::ivec2& pixel, const glm::dvec3& point) {
         const double depth = glm::dot(point - view_.camera.eye, cameraBasis(view_.camera).view);
-        return std::abs(model_.executor().viewDepth().at(pixel.x, pixel.y) - depth) > 0.01 * std::abs(depth);
+        return std::abs(model_.backend().viewDepth().at(pixel.x, pixel.y) - depth) > 0.01 * std::abs(depth);
     }
 
     /// How far `point` is from the section of the view, which has one.
     double toSection(const glm::dvec3& point) const { return std::abs(view_.sections.at(0).signedDistance(point)); }
 
     bool isDrawnVertex(const glm::i64vec3& cell) const {
-        const glm::dvec3 world = survey::worldOf(hills_.summary.grid, cell);
+        const glm::dvec3 world = inspect::worldOf(hills_.summary.grid, cell);
         return std::any_of(triangles_.begin(), triangles_.end(), [&](const Corners& corners) {
             return std::find(corners.begin(), corners.end(), world) != corners.end();
         });
@@ -326,7 +326,7 @@ TEST(DrawnPoint, OfASolidIsOnItsSidesAndOnItsCaps) {
             ASSERT_EQ(found->vertex.has_value(), shown == Shown::Side) << round << ", " << pixel.x << ", " << pixel.y;
             const PixelLine line = lineOf(view, pixel);
             const glm::dvec3 expected = line.start + line.direction * solid.inside(line)[0];
-            ASSERT_LE(glm::distance(survey::worldOf(grid, found->point.cell), expected), 0.9 * grid.step());
+            ASSERT_LE(glm::distance(inspect::worldOf(grid, found->point.cell), expected), 0.9 * grid.step());
         }
     }
     EXPECT_GT(counts[Shown::Side], 500);

@@ -1,10 +1,10 @@
 // What a renderer allocates while a camera turns where it has turned before. Every large allocation of this program is
 // counted.
 #include "core/error.h"
-#include "executor/software_executor.h"
 #include "frame/accumulation.h"
 #include "frame/made_model.h"
 #include "frame/renderer.h"
+#include "render/software_backend.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -100,7 +100,7 @@ std::size_t turn(Renderer& renderer, const plan::Quality& quality, int side) {
 /// Two turns of each kind of shadows; nothing large may be allocated in the second. To be run on one thread: what each
 /// thread keeps grows whenever chance gives it more work than before.
 void expectNoneInTheSecondTurn(const hierarchy::ModelFile& model, int side) {
-    const auto executor = executor::makeSoftwareExecutor();
+    const auto backend = render::makeSoftwareBackend();
 
     struct Row {
         const char* what;
@@ -114,7 +114,7 @@ void expectNoneInTheSecondTurn(const hierarchy::ModelFile& model, int side) {
           Row{"maps", plan::ShadowMode::Maps, plan::CasterCulling::On},
           Row{"exact", plan::ShadowMode::Exact, plan::CasterCulling::Auto}}) {
         SCOPED_TRACE(row.what);
-        Renderer renderer(model, *executor, {});
+        Renderer renderer(model, *backend, {});
         plan::Quality quality;
         quality.shadows = row.shadows;
         quality.cullCasters = row.culling;
@@ -171,20 +171,20 @@ TEST(FrameMemory, OfSeveralFramesIsCounted) {
         quality.shadows = plan::ShadowMode::Exact;
         quality.look.shading = plan::Shading::Lit;
         if (hasSky) quality.sky.directions = 3;
-        const Bytes counted = executor::LightSum::bytes(std::uint64_t{1024} * 512, false, hasSky);
-        const auto executor = executor::makeSoftwareExecutor();
-        Renderer renderer(model.file(), *executor, {});
+        const Bytes counted = render::LightSum::bytes(std::uint64_t{1024} * 512, false, hasSky);
+        const auto backend = render::makeSoftwareBackend();
+        Renderer renderer(model.file(), *backend, {});
         const std::size_t taken = bytesOfSeveralFrames(renderer, view, quality);
         EXPECT_LE(static_cast<double>(taken), 1.05 * static_cast<double>(counted.count)) << hasSky;
         EXPECT_GE(static_cast<double>(taken), 0.8 * static_cast<double>(counted.count)) << hasSky;
         const Bytes pages = renderer.residency().statistics().committed;
         const Bytes tight{tableBytes(model.file()).count + counted.count + pages.count / 2};
-        Renderer narrow(model.file(), *executor, within(tight));
+        Renderer narrow(model.file(), *backend, within(tight));
         bytesOfSeveralFrames(narrow, view, quality);
         EXPECT_LE(narrow.residency().statistics().committed.count, pages.count / 2);
         narrow.render(view, quality, {});
         EXPECT_GE(narrow.residency().statistics().committed.count, pages.count) << "the room is not given back";
-        Renderer none(model.file(), *executor, within({tableBytes(model.file()).count + counted.count}));
+        Renderer none(model.file(), *backend, within({tableBytes(model.file()).count + counted.count}));
         FrameOptions several;
         several.isAccumulated = true;
         none.render(view, quality, {});

@@ -31,11 +31,11 @@ PreparedFrame frameOfTwoMaps() {
 }
 
 telemetry::FrameRow rowOf(const PreparedFrame& frame) {
-    executor::DrawStatistics drawn;
+    render::DrawStatistics drawn;
     drawn.shadows = {{7}, 4, 9000};
     drawn.image = {{8}, 3, std::nullopt};
     drawn.deviceMemory = {4096};
-    streaming::StoreStatistics residency;
+    lod::StoreStatistics residency;
     residency.resident = {123};
     return frameRow(frame, drawn, {"a.gnm", "software", residency});
 }

@@ -1,18 +1,18 @@
 #include "frame/full_casters.h"
 
-#include "culling/caster_detail.h"
-#include "culling/frame_cut.h"
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
+#include "lod/caster_detail.h"
+#include "lod/frame_cut.h"
+#include "render/software_backend.h"
 
 namespace gnomon::tests {
 
 namespace {
 
-using executor::FrameDrawing;
-using selection::ClusterRange;
-using selection::DrawList;
+using lod::ClusterRange;
+using lod::DrawList;
+using render::FrameDrawing;
 
 /// All pages of a model, in memory.
 class AllPages {
@@ -51,38 +51,38 @@ DrawList part(
 }
 
 /// Every caster of the plan's maps at full detail, by pass.
-selection::Cut fullCasters(const frame::Frame& frame, const hierarchy::ModelFile& model, const AllPages& pages) {
+lod::Cut fullCasters(const frame::Frame& frame, const hierarchy::ModelFile& model, const AllPages& pages) {
     const plan::View& view = frame.plan.view;
     const hierarchy::Grid& grid = model.summary().grid;
-    const selection::DetailView detail = frame::detailView(view, view.camera.eye - grid.origin);
+    const lod::DetailView detail = frame::detailView(view, view.camera.eye - grid.origin);
     std::vector<ConvexVolume> volumes;
-    std::vector<selection::CasterDetail> casters;
+    std::vector<lod::CasterDetail> casters;
     for (const plan::ShadowPass& pass : frame.plan.passes) {
-        casters.push_back(culling::casterDetail(detail, pass.map));
+        casters.push_back(lod::casterDetail(detail, pass.map));
         casters.back().texel = {}; // however small an error is, it counts
         volumes.push_back(casters.back().casters);
     }
-    const selection::PageTrees trees(model.pages(), grid);
-    const selection::ErrorRule rule(detail, casters);
-    selection::CutQuery query;
+    const lod::PageTrees trees(model.pages(), grid);
+    const lod::ErrorRule rule(detail, casters);
+    lod::CutQuery query;
     query.trees = &trees;
     query.resident = pages.table();
     query.rule = &rule;
     query.errorPixels = 0;
     query.volumes = volumes;
-    return culling::cutFrame(query);
+    return lod::cutFrame(query);
 }
 
 } // namespace
 
 CasterDifference casterDifference(
     const hierarchy::ModelFile& model, const plan::View& view, const plan::Quality& quality) {
-    const std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
+    const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
     const frame::Frame frame =
-        frame::Renderer(model, *executor, {.memory = gibibytes(4), .onDamaged = {}}).render(view, quality, {});
+        frame::Renderer(model, *backend, {.memory = gibibytes(4), .onDamaged = {}}).render(view, quality, {});
     const AllPages pages(model);
     const hierarchy::Grid& grid = model.summary().grid;
-    executor::FrameDrawing drawing;
+    render::FrameDrawing drawing;
     drawing.plan = &frame.plan;
     drawing.space = frame.space;
     drawing.grid = grid;
@@ -91,12 +91,12 @@ CasterDifference casterDifference(
     drawing.clipNear = 1e-3 * grid.step();
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
         drawing.casters.push_back(&frame.cut.lists[p + 1]);
-    executor->draw(drawing);
-    const executor::Picture planned = executor->picture();
+    backend->draw(drawing);
+    const render::Picture planned = backend->picture();
 
     CasterDifference result;
-    const selection::Cut full = fullCasters(frame, model, pages);
-    const ConvexVolume pyramid = selection::viewPyramid(frame::detailView(view, view.camera.eye - grid.origin));
+    const lod::Cut full = fullCasters(frame, model, pages);
+    const ConvexVolume pyramid = lod::viewPyramid(frame::detailView(view, view.camera.eye - grid.origin));
     std::vector<DrawList> lists;
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p) {
         DrawList& list = lists.emplace_back(part(*drawing.casters[p], pyramid, true, grid, pages.table()));
@@ -107,8 +107,8 @@ CasterDifference casterDifference(
     }
     for (std::size_t p = 0; p < lists.size(); ++p)
         drawing.casters[p] = &lists[p];
-    executor->draw(drawing);
-    result.wrongFraction = executor::difference(planned, executor->picture()).changedFraction;
+    backend->draw(drawing);
+    result.wrongFraction = render::difference(planned, backend->picture()).changedFraction;
     return result;
 }
 

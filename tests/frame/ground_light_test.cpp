@@ -50,7 +50,7 @@ std::optional<glm::dvec3> groundAt(const plan::View& view, int x, int y) {
     return view.camera.eye - ray * (view.camera.eye.y / ray.y);
 }
 
-executor::Picture skyPicture(DrawnModel& model, const plan::View& view, bool hasGround) {
+render::Picture skyPicture(DrawnModel& model, const plan::View& view, bool hasGround) {
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Exact;
     quality.look.shading = plan::Shading::Lit;
@@ -95,8 +95,8 @@ TEST(GroundLight, IsWhatABoxLeavesOfTheSky) {
     const double sun = 2.23 / std::sqrt(17.0); // of green, as light_model.cpp has it
     const double rest = 10 * 0.045 * (1 - 1 / std::sqrt(1.49));
     const double sky = 10 * 0.51 / (10 * 0.51 + sun + rest);
-    const executor::Picture picture = skyPicture(model, view, true);
-    const executor::Picture without = skyPicture(model, view, false);
+    const render::Picture picture = skyPicture(model, view, true);
+    const render::Picture without = skyPicture(model, view, false);
     std::vector<double> errors;
     double darkest = 1;
     for (int y = 0; y < view.height; ++y)
@@ -120,7 +120,7 @@ TEST(GroundLight, IsWhatABoxLeavesOfTheSky) {
 TEST(GroundLight, EndsWhereTheModelHidesNoneOfTheSky) {
     DrawnModel model(boxModel());
     const plan::View view = groundView({{0, 40, 90}, {0, 0, 40}, {0, 1, 0}, 0.7});
-    const executor::Picture picture = skyPicture(model, view, true);
+    const render::Picture picture = skyPicture(model, view, true);
     int looked = 0;
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {

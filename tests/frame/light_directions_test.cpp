@@ -56,7 +56,7 @@ double overPixel(const plan::View& view, int x, int y, const Of& of) {
 }
 
 /// The light of the mean of as many frames as the plan of `view` calls for.
-executor::LightPicture meanLight(
+render::LightPicture meanLight(
     DrawnModel& model, const plan::View& view, const plan::Quality& quality, int samples, int* frames = nullptr) {
     FrameOptions options;
     options.isAccumulated = true;
@@ -92,11 +92,11 @@ protected:
         quality.lightError = GetParam();
         quality.look.ambient = 0; // nothing but the sun
         int frames = 0;
-        const executor::LightPicture soft = meanLight(model, view, quality, 1, &frames);
+        const render::LightPicture soft = meanLight(model, view, quality, 1, &frames);
         EXPECT_EQ(frames, plan::directionsFor(GetParam()));
         view.sunAngleRadians = 0;
         quality.shadows = plan::ShadowMode::Off;
-        const executor::LightPicture open = meanLight(model, view, quality, 1);
+        const render::LightPicture open = meanLight(model, view, quality, 1);
         double worst = 0;
         std::size_t penumbra = 0;
         for (int y = 0; y < view.height; ++y)
@@ -169,9 +169,9 @@ double worstSkyError(
     DrawnModel model(scene.model());
     view.towardsLight = {0, -1, 0}; // the sun stands in the nadir, so the sky is brightest above
     plan::Quality quality = exactQuality();
-    const executor::LightPicture open = meanLight(model, view, quality, sky.directions);
+    const render::LightPicture open = meanLight(model, view, quality, sky.directions);
     quality.sky = sky;
-    const executor::LightPicture with = meanLight(model, view, quality, 1);
+    const render::LightPicture with = meanLight(model, view, quality, 1);
     double worst = 0;
     std::size_t looked = 0;
     for (int y = 0; y < view.height; ++y)
@@ -284,7 +284,7 @@ class PlainLightMean {
 public:
     explicit PlainLightMean(std::size_t pixels) : sums_(pixels), covered_(pixels) {}
 
-    void add(const executor::LightPicture& sun, const executor::LightPicture& sky) {
+    void add(const render::LightPicture& sun, const render::LightPicture& sky) {
         for (std::size_t p = 0; p < sums_.size(); ++p) {
             if (sun.pixels[p][0] < 0) continue;
             ++covered_[p];
@@ -294,7 +294,7 @@ public:
     }
 
     /// How many values of `found` are not its.
-    std::size_t apartFrom(const executor::LightPicture& found) const {
+    std::size_t apartFrom(const render::LightPicture& found) const {
         std::size_t apart = 0;
         for (std::size_t p = 0; p < sums_.size(); ++p) {
             apart += (found.pixels[p][0] >= 0) != (covered_[p] > 0) ? 1 : 0;
@@ -323,7 +323,7 @@ TEST(LightFrames, AreTheMeanOfFramesDrawnOneByOne) {
         quality.lightError = 0.3;
         quality.sky = {5, plan::SkyModel::Overcast};
         int frames = 0;
-        const executor::LightPicture found = meanLight(model, view, quality, 9, &frames);
+        const render::LightPicture found = meanLight(model, view, quality, 9, &frames);
         ASSERT_EQ(frames, 9);
         PlainLightMean mean(found.pixels.size());
         for (int i = 0; i < frames; ++i) {
@@ -331,18 +331,18 @@ TEST(LightFrames, AreTheMeanOfFramesDrawnOneByOne) {
             options.isAccumulated = true;
             options.subpixel = subpixelOffset(i);
             options.mapShift = mapShift(i);
-            const auto lightFrom = [&](const glm::dvec3& direction, executor::LightPart part, double weight) {
+            const auto lightFrom = [&](const glm::dvec3& direction, render::LightPart part, double weight) {
                 plan::View turned = view;
                 turned.towardsLight = direction;
                 options.lightPart = part;
                 options.skyWeight = weight;
                 model.draw(turned, quality, options);
-                return model.executor().light();
+                return model.backend().light();
             };
             const glm::dvec3 towards = plan::towardsDisc(view.towardsLight, 0.2, plan::discPoint(i, frames));
-            const executor::LightPicture sun = lightFrom(towards, executor::LightPart::WithoutSky, 0);
+            const render::LightPicture sun = lightFrom(towards, render::LightPart::WithoutSky, 0);
             const plan::SkyPart part = plan::skyPart(i, frames, quality.sky.model, view.up);
-            mean.add(sun, lightFrom(part.direction, executor::LightPart::SkyDirection, part.weight));
+            mean.add(sun, lightFrom(part.direction, render::LightPart::SkyDirection, part.weight));
         }
         EXPECT_EQ(mean.apartFrom(found), 0U) << static_cast<int>(shadows);
     }
@@ -357,11 +357,11 @@ TEST(Lamp, FarAwayLightsAsADirectionDoes) {
         view.width = view.height = 48;
         plan::Quality quality = exactQuality();
         quality.sky.directions = directions;
-        const executor::LightPicture sun = meanLight(model, view, quality, 4);
+        const render::LightPicture sun = meanLight(model, view, quality, 4);
         plan::View lit = view;
         const double distance = 64e6;
         lit.pointLight = {distance * glm::normalize(view.towardsLight), distance};
-        const executor::LightPicture lamp = meanLight(model, lit, quality, 4);
+        const render::LightPicture lamp = meanLight(model, lit, quality, 4);
         int different = 0;
         for (std::size_t i = 0; i < sun.pixels.size(); ++i)
             for (std::size_t c = 0; c < 3; ++c)
@@ -381,7 +381,7 @@ TEST(Lamp, FallsOffWithTheSquareOfTheDistance) {
         plan::Quality quality = exactQuality();
         quality.shadows = mode;
         quality.look.ambient = 0;
-        const executor::LightPicture light = meanLight(model, view, quality, 1);
+        const render::LightPicture light = meanLight(model, view, quality, 1);
         const auto relative = [&](int x, int y) {
             const glm::dvec3 way = view.pointLight->at - onFloor(view, {x + 0.5, y + 0.5});
             return light.pixels[light.index(x, y)][1] * std::pow(glm::length(way), 3) / way.y;
@@ -392,7 +392,7 @@ TEST(Lamp, FallsOffWithTheSquareOfTheDistance) {
                 EXPECT_NEAR(relative(x, y) / first, 1, 1e-4) << x << " " << y;
         plan::View sunlit = view;
         sunlit.pointLight.reset();
-        const executor::LightPicture sun = meanLight(model, sunlit, quality, 1);
+        const render::LightPicture sun = meanLight(model, sunlit, quality, 1);
         EXPECT_NEAR(first / sun.pixels[0][1], 9, 1e-3) << "as bright as the sun 3 away";
     }
 }

@@ -28,7 +28,7 @@ public:
 
     plan::Quality& quality() { return quality_; }
 
-    executor::Picture picture(int samples) {
+    render::Picture picture(int samples) {
         FrameOptions options;
         options.isAccumulated = true;
         const Frame frame = model_.draw(view_, quality_, options);
@@ -53,11 +53,11 @@ private:
 };
 
 /// By column of the picture, how many rows are dark, by how dark they are: where the shadow's edge is.
-std::vector<double> edgeOf(const executor::Picture& picture) {
+std::vector<double> edgeOf(const render::Picture& picture) {
     const auto level = [&](int x, int y) { return static_cast<double>(picture.at(x, y)[1]); };
     double darkest = 255;
     double brightest = 0;
-    for (const executor::Rgb& pixel : picture.pixels) {
+    for (const render::Rgb& pixel : picture.pixels) {
         darkest = std::min<double>(darkest, pixel[1]);
         brightest = std::max<double>(brightest, pixel[1]);
     }

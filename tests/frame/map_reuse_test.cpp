@@ -1,9 +1,9 @@
 // Maps that are not drawn again: only where nothing changed, and with the very bytes of drawing them all.
 #include "core/random.h"
-#include "executor/gl/gl_executor.h"
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"
+#include "render/gl/gl_backend.h"
+#include "render/software_backend.h"
 #include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
@@ -69,10 +69,10 @@ void moveBy(plan::View& view, const glm::dvec3& step) {
 /// A renderer that reuses maps beside one that draws each in every frame: all that they show is the same.
 class Twins {
 public:
-    explicit Twins(std::unique_ptr<executor::Executor> (*make)())
-        : executor_(make()),
+    explicit Twins(std::unique_ptr<render::Backend> (*make)())
+        : backend_(make()),
           redrawer_(make()),
-          renderer_(farHills(), *executor_, {}),
+          renderer_(farHills(), *backend_, {}),
           redrawing_(farHills(), *redrawer_, {}) {}
 
     /// Draws the frame twice; how many maps the first of them reused.
@@ -83,8 +83,8 @@ public:
         const Frame redrawn = redrawing_.render(view, quality, options);
         EXPECT_EQ(redrawn.row.shadowMapsDrawn, redrawn.row.shadowMaps);
         EXPECT_EQ(frame.row.shadowMaps, redrawn.row.shadowMaps);
-        EXPECT_EQ(executor_->shadowDepth().pixels, redrawer_->shadowDepth().pixels);
-        EXPECT_EQ(executor_->picture().pixels, redrawer_->picture().pixels);
+        EXPECT_EQ(backend_->shadowDepth().pixels, redrawer_->shadowDepth().pixels);
+        EXPECT_EQ(backend_->picture().pixels, redrawer_->picture().pixels);
         int reused = 0;
         for (const plan::ShadowPass& pass : frame.plan.passes)
             reused += pass.isReused ? 1 : 0;
@@ -97,14 +97,14 @@ public:
     int maps() const { return maps_; }
 
 private:
-    std::unique_ptr<executor::Executor> executor_;
-    std::unique_ptr<executor::Executor> redrawer_;
+    std::unique_ptr<render::Backend> backend_;
+    std::unique_ptr<render::Backend> redrawer_;
     Renderer renderer_;
     Renderer redrawing_;
     int maps_ = 0;
 };
 
-class MapReuse : public testing::TestWithParam<std::unique_ptr<executor::Executor> (*)()> {};
+class MapReuse : public testing::TestWithParam<std::unique_ptr<render::Backend> (*)()> {};
 
 TEST_P(MapReuse, StandingStillDrawsNoMapAgain) {
     Twins twins(GetParam());
@@ -160,9 +160,9 @@ TEST_P(MapReuse, WarpedMapsStayWhileNothingMoves) {
 
 // Maps that hold what an image asked for alone are no good for another image of the same camera and the same maps.
 TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
-    const auto executor = executor::makeSoftwareExecutor();
-    const auto fresh = executor::makeSoftwareExecutor();
-    Renderer renderer(farHills(), *executor, {});
+    const auto backend = render::makeSoftwareBackend();
+    const auto fresh = render::makeSoftwareBackend();
+    Renderer renderer(farHills(), *backend, {});
     Renderer redrawing(farHills(), *fresh, {});
     plan::Quality quality = warped(plan::CasterCulling::Receivers);
     const auto reused = [&](const FrameOptions& options) {
@@ -170,7 +170,7 @@ TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
         FrameOptions redrawn = options;
         redrawn.reusesMaps = false;
         redrawing.render(view(), quality, redrawn);
-        EXPECT_EQ(executor->picture().pixels, fresh->picture().pixels);
+        EXPECT_EQ(backend->picture().pixels, fresh->picture().pixels);
         int count = 0;
         for (const plan::ShadowPass& pass : frame.plan.passes)
             count += pass.isReused ? 1 : 0;
@@ -189,7 +189,7 @@ TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
     reused(options);
     options.observerCamera.reset();
     EXPECT_EQ(reused(options), 0) << "an observer asked";
-    options.overlay = executor::Overlay::Texels;
+    options.overlay = render::Overlay::Texels;
     EXPECT_EQ(reused(options), 0);
     quality.filter = 2;
     EXPECT_EQ(reused(options), 0);
@@ -288,11 +288,11 @@ TEST_P(MapReuse, ASeededWalkShowsTheSamePictures) {
     EXPECT_GT(reused, 30) << "this tests nothing";
 }
 
-std::unique_ptr<executor::Executor> reuseOnOsmesa() {
-    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
+std::unique_ptr<render::Backend> reuseOnOsmesa() {
+    return render::makeGlBackend(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
-INSTANTIATE_TEST_SUITE_P(Software, MapReuse, testing::Values(&executor::makeSoftwareExecutor));
+INSTANTIATE_TEST_SUITE_P(Software, MapReuse, testing::Values(&render::makeSoftwareBackend));
 INSTANTIATE_TEST_SUITE_P(Osmesa, MapReuse, testing::Values(&reuseOnOsmesa));
 
 } // namespace

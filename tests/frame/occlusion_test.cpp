@@ -17,9 +17,9 @@ using plan::ShadowMode;
 
 /// All that a frame leaves to be looked at.
 struct Drawn {
-    executor::Picture picture;
-    executor::FloatPicture depth;
-    executor::Raster<executor::SurfaceSample> surfaces;
+    render::Picture picture;
+    render::FloatPicture depth;
+    render::Raster<render::SurfaceSample> surfaces;
     telemetry::FrameRow row;
 };
 
@@ -32,7 +32,7 @@ bool sameBits(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
 /// A renderer of a model over the software backend.
 class Stage {
 public:
-    explicit Stage(const hierarchy::ModelFile& file) : file_(&file), renderer_(file, *executor_, ResidencyOptions()) {}
+    explicit Stage(const hierarchy::ModelFile& file) : file_(&file), renderer_(file, *backend_, ResidencyOptions()) {}
 
     Drawn draw(const plan::View& view, const plan::Quality& quality, int threads, bool wantsSurfaces) {
         FrameOptions options;
@@ -40,9 +40,9 @@ public:
         renderer_.forget();
         Drawn drawn;
         tbb::task_arena(threads).execute([&] { drawn.row = renderer_.render(view, quality, options).row; });
-        drawn.picture = executor_->picture();
-        drawn.depth = executor_->viewDepth();
-        if (wantsSurfaces) drawn.surfaces = executor_->surfaces();
+        drawn.picture = backend_->picture();
+        drawn.depth = backend_->viewDepth();
+        if (wantsSurfaces) drawn.surfaces = backend_->surfaces();
         return drawn;
     }
 
@@ -50,7 +50,7 @@ public:
 
 private:
     const hierarchy::ModelFile* file_;
-    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend_ = render::makeSoftwareBackend();
     Renderer renderer_;
 };
 

@@ -41,9 +41,9 @@ plan::Quality softQuality(plan::ShadowMode shadows, double error) {
 
 /// What some frames of a picture come to.
 struct Mean {
-    executor::LightPicture light;
-    executor::Picture picture;
-    executor::Coverage coverage;
+    render::LightPicture light;
+    render::Picture picture;
+    render::Coverage coverage;
     std::shared_ptr<const shadow::TileMask> tiles;
     int frames = 0;
 };
@@ -70,7 +70,7 @@ Mean meanOf(
     return {
         accumulation.light(),
         accumulation.picture(),
-        accumulation.coverage().value_or(executor::Coverage()),
+        accumulation.coverage().value_or(render::Coverage()),
         planned,
         accumulation.wanted()};
 }

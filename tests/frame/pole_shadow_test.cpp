@@ -62,11 +62,11 @@ struct Mismatch {
 };
 
 Mismatch mismatchOf(
-    const executor::Raster<executor::SurfaceSample>& surfaces, const glm::dvec2& middle, const glm::dvec3& sun) {
+    const render::Raster<render::SurfaceSample>& surfaces, const glm::dvec2& middle, const glm::dvec3& sun) {
     Mismatch mismatch;
     for (int row = 0; row < kWindow; ++row)
         for (int column = 0; column < kWindow; ++column) {
-            const executor::SurfaceSample& surface = surfaces.at(column, row);
+            const render::SurfaceSample& surface = surfaces.at(column, row);
             EXPECT_TRUE(surface.isLitSide());
             const bool isDark = surface.litFraction() < 0.5F;
             const glm::dvec2 point =
@@ -83,7 +83,7 @@ Mismatch mismatchOf(
 
 /// How many of four suns, 0.02 degrees higher, lower and to each side, the picture says otherwise of.
 int refuted(
-    const executor::Raster<executor::SurfaceSample>& surfaces, const glm::dvec2& middle, const sun::SunPosition& at) {
+    const render::Raster<render::SurfaceSample>& surfaces, const glm::dvec2& middle, const sun::SunPosition& at) {
     int count = 0;
     for (const double off : {-0.02, 0.02}) {
         const double turned = off / std::cos(radiansFromDegrees(at.elevationRefracted));
@@ -116,9 +116,9 @@ TEST(PoleShadow, TipLiesWhereTheSunSaysThroughAYear) {
             const glm::dvec3 sun = towards(at.azimuth, at.elevationRefracted);
             const glm::dvec2 tip = -glm::dvec2(sun.x, sun.z) * (kPoleHeight / sun.y);
             plan::View view = planAbout(tip);
-            view.towardsLight = settings::towardsSun(at, 0, {0, 1, 0});
+            view.towardsLight = sun::towardsSun(at, 0, {0, 1, 0});
             model.draw(view, quality, options);
-            const executor::Raster<executor::SurfaceSample> surfaces = model.executor().surfaces();
+            const render::Raster<render::SurfaceSample> surfaces = model.backend().surfaces();
             const Mismatch found = mismatchOf(surfaces, tip, sun);
             EXPECT_EQ(found.inside, 0);
             EXPECT_LT(found.all, kWindow / 4) << "of borders";

@@ -26,7 +26,7 @@ TEST(RayCasters, HoldEveryRayFromWhatIsSeenToTheLightAndNotTheOthers) {
         view.towardsLight = {random.uniform(-1, 1), random.uniform(0.2, 1), random.uniform(-1, 1)};
         const PreparedFrame frame = model.renderer().prepare(view, inSlices(1), Waiting::UntilComplete, nullptr);
         const ConvexVolume casters = rayCasterVolume(frame);
-        const selection::CasterDetail detail = rayCasterDetail(frame);
+        const lod::CasterDetail detail = rayCasterDetail(frame);
         const glm::dvec3 origin = model.file().summary().grid.origin;
         const plan::SceneFacts::Visible& seen = *frame.facts.visible;
         for (int i = 0; i < 200; ++i) {
@@ -61,7 +61,7 @@ TEST(RayCasters, OfAPointLightHoldEveryWayToIt) {
         quality.shadows = plan::ShadowMode::Exact;
         const PreparedFrame frame = model.renderer().prepare(view, quality, Waiting::UntilComplete, nullptr);
         const ConvexVolume casters = rayCasterVolume(frame);
-        const std::vector<selection::CasterDetail> details = pointCasterDetails(frame);
+        const std::vector<lod::CasterDetail> details = pointCasterDetails(frame);
         const glm::dvec3 origin = model.file().summary().grid.origin;
         const glm::dvec3 light = view.pointLight->at - origin;
         const plan::SceneFacts::Visible& seen = *frame.facts.visible;
@@ -74,7 +74,7 @@ TEST(RayCasters, OfAPointLightHoldEveryWayToIt) {
             const glm::dvec3 between = surface + random.uniform(0, 1) * (light - surface);
             EXPECT_TRUE(isInside(casters, between, 1e-9 * reach)) << trial;
             // Of the slab that the surface lies in: near enough, far enough from the light, and it holds the way.
-            EXPECT_TRUE(std::any_of(details.begin(), details.end(), [&](const selection::CasterDetail& detail) {
+            EXPECT_TRUE(std::any_of(details.begin(), details.end(), [&](const lod::CasterDetail& detail) {
                 return detail.receiverNear <= depth * (1 + 1e-9) && detail.receiverNear > depth / 2.1 &&
                        detail.point->farthest >= glm::length(light - surface) * (1 - 1e-9) &&
                        isInside(detail.casters, between, 1e-9 * reach) &&

@@ -1,9 +1,9 @@
 // Trees of rays beside resident pages: within the same memory, gone with their pages, and the past leaves no mark.
 #include "core/error.h"
-#include "executor/software_executor.h"
 #include "frame/made_model.h"
 #include "frame/renderer.h"
 #include "frame/shadow_triples.h"
+#include "render/software_backend.h"
 
 #include <gtest/gtest.h>
 
@@ -24,16 +24,16 @@ tests::ShadowTriple rayTriple(std::uint64_t index) {
     return triple;
 }
 
-/// A renderer under a memory, and its executor.
+/// A renderer under a memory, and its backend.
 struct TreeStage {
-    explicit TreeStage(Bytes memory) : renderer(plant(), *executor, {.memory = memory, .onDamaged = {}}) {}
+    explicit TreeStage(Bytes memory) : renderer(plant(), *backend, {.memory = memory, .onDamaged = {}}) {}
 
     Frame draw(std::uint64_t index) {
         const tests::ShadowTriple triple = rayTriple(index);
         return renderer.render(triple.view, triple.quality, {});
     }
 
-    std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
     Renderer renderer;
 };
 
@@ -41,7 +41,7 @@ struct TreeStage {
 Bytes allPages() {
     Bytes bytes;
     for (const hierarchy::PageInfo& page : plant().pages())
-        bytes.count += streaming::decodedBytes(page).count + raycast::keptTreeBytes(page).count;
+        bytes.count += lod::decodedBytes(page).count + raytrace::keptTreeBytes(page).count;
     return bytes;
 }
 
@@ -76,7 +76,7 @@ TEST(RayTrees, OfFramesBeforeLeaveNoMark) {
         const Frame frame = stage.draw(i);
         TreeStage fresh(memory);
         fresh.draw(i);
-        EXPECT_TRUE(stage.executor->picture().pixels == fresh.executor->picture().pixels);
+        EXPECT_TRUE(stage.backend->picture().pixels == fresh.backend->picture().pixels);
         isBinding = isBinding || frame.residency.isBudgetBinding;
     }
     EXPECT_TRUE(isBinding) << "there was room: this tests nothing";
@@ -95,7 +95,7 @@ TEST(RayTrees, GoWhereFramesHaveNoRays) {
 TEST(RayTrees, MustFitBesideTheCoarsestLevel) {
     std::uint64_t roots = 0;
     for (const hierarchy::PageInfo& page : plant().pages())
-        if (std::isinf(page.maxError)) roots += streaming::decodedBytes(page).count;
+        if (std::isinf(page.maxError)) roots += lod::decodedBytes(page).count;
     TreeStage stage({tableBytes(plant()).count + 2 * roots + 1});
     EXPECT_THROW(stage.draw(0), Error);
 }

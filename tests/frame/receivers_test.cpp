@@ -1,12 +1,12 @@
 // Casters culled by receivers against all casters: every picture is the same to the bit, whatever is looked up.
 #include "core/random.h"
-#include "executor/image_pass.h"
-#include "executor/software/receiver_pass.h"
-#include "executor/software_executor.h"
 #include "frame/crate_scene.h"
 #include "frame/drawn_model.h"
 #include "frame/made_model.h"
 #include "frame/shadow_triples.h"
+#include "render/image_pass.h"
+#include "render/software/receiver_pass.h"
+#include "render/software_backend.h"
 
 #include <gtest/gtest.h>
 
@@ -19,33 +19,33 @@ using plan::CasterCulling;
 
 /// What was drawn of a view, and what it took.
 struct Shot {
-    executor::Picture picture;
-    executor::Raster<executor::SurfaceSample> surfaces;
+    render::Picture picture;
+    render::Raster<render::SurfaceSample> surfaces;
     telemetry::FrameRow row;
 };
 
 class Camera {
 public:
-    explicit Camera(const hierarchy::ModelFile& model) : renderer_(model, *executor_, {}) {}
+    explicit Camera(const hierarchy::ModelFile& model) : renderer_(model, *backend_, {}) {}
 
     Shot shoot(const plan::View& view, plan::Quality quality, CasterCulling culling, const FrameOptions& options = {}) {
         quality.cullCasters = culling;
         renderer_.forget();
         Shot shot;
         shot.row = renderer_.render(view, quality, options).row;
-        shot.picture = executor_->picture();
-        shot.surfaces = executor_->surfaces();
+        shot.picture = backend_->picture();
+        shot.surfaces = backend_->surfaces();
         return shot;
     }
 
 private:
-    std::unique_ptr<executor::Executor> executor_ = executor::makeSoftwareExecutor();
+    std::unique_ptr<render::Backend> backend_ = render::makeSoftwareBackend();
     Renderer renderer_;
 };
 
-bool areSame(const executor::Raster<executor::SurfaceSample>& a, const executor::Raster<executor::SurfaceSample>& b) {
+bool areSame(const render::Raster<render::SurfaceSample>& a, const render::Raster<render::SurfaceSample>& b) {
     return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(executor::SurfaceSample)) == 0;
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(render::SurfaceSample)) == 0;
 }
 
 /// Triangles that the maps of a triple drew, under each culling.
@@ -55,7 +55,7 @@ struct DrawnTriangles {
     std::int64_t receivers = 0;
 };
 
-DrawnTriangles expectSamePictures(Camera& camera, const tests::ShadowTriple& triple, executor::Overlay overlay) {
+DrawnTriangles expectSamePictures(Camera& camera, const tests::ShadowTriple& triple, render::Overlay overlay) {
     const auto shoot = [&](CasterCulling culling, const FrameOptions& options) {
         return camera.shoot(triple.view, triple.quality, culling, options);
     };
@@ -92,7 +92,7 @@ DrawnTriangles expectSamePictures(const tests::BuiltFile& model, std::uint64_t c
         }
         SCOPED_TRACE(std::to_string(index) + ": " + tests::describe(triple));
         constexpr std::array kKinds = {
-            executor::Overlay::None, executor::Overlay::Partitions, executor::Overlay::Texels, executor::Overlay::Lod};
+            render::Overlay::None, render::Overlay::Partitions, render::Overlay::Texels, render::Overlay::Lod};
         const DrawnTriangles drawn = expectSamePictures(camera, triple, kKinds[index % kKinds.size()]);
         EXPECT_LE(drawn.receivers, drawn.on);
         all.off += drawn.off;
@@ -129,9 +129,9 @@ TEST(Receivers, NothingIsDrawnForAViewThatNoLightReaches) {
     quality.cullCasters = CasterCulling::Receivers;
     const Frame frame = model.draw(view, quality);
     quality.cullCasters = CasterCulling::On;
-    const executor::Picture picture = model.executor().picture();
+    const render::Picture picture = model.backend().picture();
     const Frame whole = model.draw(view, quality);
-    EXPECT_TRUE(picture.pixels == model.executor().picture().pixels);
+    EXPECT_TRUE(picture.pixels == model.backend().picture().pixels);
     EXPECT_LE(frame.row.shadowTriangles.value_or(0), whole.row.shadowTriangles.value_or(0));
 }
 
@@ -143,10 +143,10 @@ TEST(Receivers, WhoLooksOnFromElsewhereSeesTheSame) {
     plan::Quality quality = inSlices(3);
     quality.cullCasters = CasterCulling::On;
     model.draw(overGround(), quality, options);
-    const executor::Picture picture = model.executor().picture();
+    const render::Picture picture = model.backend().picture();
     quality.cullCasters = CasterCulling::Receivers;
     EXPECT_EQ(model.draw(overGround(), quality, options).row.cullCasters, "receivers");
-    EXPECT_TRUE(picture.pixels == model.executor().picture().pixels);
+    EXPECT_TRUE(picture.pixels == model.backend().picture().pixels);
 }
 
 TEST(Receivers, WholeMapsAreDrawnForWhoLooksAtThem) {
@@ -154,21 +154,21 @@ TEST(Receivers, WholeMapsAreDrawnForWhoLooksAtThem) {
     plan::Quality quality = inSlices(3);
     quality.cullCasters = CasterCulling::On;
     model.draw(overGround(), quality);
-    const executor::FloatPicture maps = model.executor().shadowDepth();
+    const render::FloatPicture maps = model.backend().shadowDepth();
     quality.cullCasters = CasterCulling::Receivers;
     FrameOptions options;
     options.wantsWholeMaps = true;
     const Frame frame = model.draw(overGround(), quality, options);
     EXPECT_EQ(frame.row.cullCasters, "on");
-    EXPECT_TRUE(model.executor().shadowDepth().pixels == maps.pixels);
+    EXPECT_TRUE(model.backend().shadowDepth().pixels == maps.pixels);
 }
 
 // What receivers of one view left in a map is no map for another view, nor for a frame that culls otherwise.
 TEST(Receivers, NoMapOfOtherReceiversIsReused) {
     const DrawnModel model(crateOnGround().model());
-    const std::array executors = {executor::makeSoftwareExecutor(), executor::makeSoftwareExecutor()};
-    Renderer reusing(model.file(), *executors[0], {});
-    Renderer redrawing(model.file(), *executors[1], {});
+    const std::array backends = {render::makeSoftwareBackend(), render::makeSoftwareBackend()};
+    Renderer reusing(model.file(), *backends[0], {});
+    Renderer redrawing(model.file(), *backends[1], {});
     FrameOptions anew;
     anew.reusesMaps = false;
     Random random(5);
@@ -189,7 +189,7 @@ TEST(Receivers, NoMapOfOtherReceiversIsReused) {
         anew.observerCamera = options.observerCamera;
         reusing.render(view, quality, options);
         redrawing.render(view, quality, anew);
-        EXPECT_TRUE(executors[0]->picture().pixels == executors[1]->picture().pixels);
+        EXPECT_TRUE(backends[0]->picture().pixels == backends[1]->picture().pixels);
     }
 }
 

@@ -88,7 +88,7 @@ std::vector<Change> changes() {
         [](Asked& a, Random& r) {
             a.quality.maxTriangles = r.below(2) == 0 ? std::nullopt : std::optional<std::uint64_t>(400);
         },
-        [](Asked& a, Random& r) { a.options.overlay = executor::kOverlays.at(r.below(3)).value; },
+        [](Asked& a, Random& r) { a.options.overlay = render::kOverlays.at(r.below(3)).value; },
         [](Asked& a, Random& r) {
             a.options.subpixel = {0.25 * static_cast<double>(r.below(2)), 0};
         },
@@ -102,17 +102,17 @@ std::vector<Change> changes() {
 }
 
 /// Draws `asked` with a renderer that has drawn nothing else.
-executor::Picture freshPicture(const hierarchy::ModelFile& model, const Asked& asked) {
-    const auto executor = executor::makeSoftwareExecutor();
-    Renderer(model, *executor, {}).render(asked.view, asked.quality, asked.options);
-    return executor->picture();
+render::Picture freshPicture(const hierarchy::ModelFile& model, const Asked& asked) {
+    const auto backend = render::makeSoftwareBackend();
+    Renderer(model, *backend, {}).render(asked.view, asked.quality, asked.options);
+    return backend->picture();
 }
 
 // One renderer reuses its maps, a second one draws each in every frame, and behind a changed setting a third one has
 // seen nothing else.
 TEST(Repeatability, NoPictureShowsWhatWasDrawnBefore) {
     DrawnModel model(crateOnGround().model());
-    const auto redrawing = executor::makeSoftwareExecutor();
+    const auto redrawing = render::makeSoftwareBackend();
     Renderer redrawer(model.file(), *redrawing, {});
     const std::vector<Change> all = changes();
     Random random(44);
@@ -129,7 +129,7 @@ TEST(Repeatability, NoPictureShowsWhatWasDrawnBefore) {
         const Frame frame = model.renderer().render(asked.view, asked.quality, asked.options);
         for (const plan::ShadowPass& pass : frame.plan.passes)
             reused += pass.isReused ? 1 : 0;
-        const executor::Picture picture = model.executor().picture();
+        const render::Picture picture = model.backend().picture();
         Asked anew = asked;
         anew.options.reusesMaps = false;
         redrawer.render(anew.view, anew.quality, anew.options);
@@ -162,12 +162,12 @@ TEST(Repeatability, CulledMapsServeNoOtherImage) {
             change(asked, random);
             model.renderer().continueFrom(before);
             model.renderer().render(asked.view, asked.quality, asked.options);
-            const executor::Picture picture = model.executor().picture();
-            const auto executor = executor::makeSoftwareExecutor();
-            Renderer fresh(model.file(), *executor, {});
+            const render::Picture picture = model.backend().picture();
+            const auto backend = render::makeSoftwareBackend();
+            Renderer fresh(model.file(), *backend, {});
             fresh.continueFrom(before);
             fresh.render(asked.view, asked.quality, asked.options);
-            EXPECT_TRUE(picture.pixels == executor->picture().pixels);
+            EXPECT_TRUE(picture.pixels == backend->picture().pixels);
         }
     }
     EXPECT_GT(reused, 10) << "this tests nothing";
@@ -194,14 +194,14 @@ TEST(Repeatability, AnAccumulatedFrameLeavesNoWiderCut) {
 
 /// Draws `asked` with each culling of casters, each occlusion culling, one thread and two, and expects equal pictures.
 void expectEqualPictures(const hierarchy::ModelFile& file, Asked asked) {
-    std::optional<executor::Picture> first;
+    std::optional<render::Picture> first;
     for (const auto& culling : plan::kCasterCullings)
         for (const auto& occlusion : plan::kChoices)
             for (const int threads : {1, 2}) {
                 asked.quality.cullCasters = culling.value;
                 asked.quality.occlusion = occlusion.value;
                 tbb::task_arena arena(threads);
-                const executor::Picture picture = arena.execute([&] { return freshPicture(file, asked); });
+                const render::Picture picture = arena.execute([&] { return freshPicture(file, asked); });
                 if (!first) first = picture;
                 EXPECT_TRUE(picture.pixels == first->pixels) << culling.word << ", " << occlusion.word;
             }

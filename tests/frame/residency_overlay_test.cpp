@@ -1,9 +1,9 @@
 // The overlay of residency: what waits for pages is yellow, what stands in for damaged ones dark red, all else blue.
-#include "executor/gl/gl_executor.h"
-#include "executor/overlay/overlay_colors.h"
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/tiny_model.h"
+#include "render/gl/gl_backend.h"
+#include "render/overlay/overlay_colors.h"
+#include "render/software_backend.h"
 #include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
@@ -69,29 +69,29 @@ struct Colors {
 };
 
 /// By the colours of the legend, which light makes darker; the background is of no such hue.
-Colors colors(const executor::Picture& picture) {
+Colors colors(const render::Picture& picture) {
     std::array<int, 3> found{};
     for (const auto& [r, g, b] : picture.pixels) {
         const glm::vec3 hue = glm::normalize(glm::vec3(r, g, b) + 1e-6F);
         for (std::size_t i = 0; i < found.size(); ++i)
-            if (glm::distance(hue, glm::normalize(executor::kResidenceColors[i])) < 0.02F) ++found[i];
+            if (glm::distance(hue, glm::normalize(render::kResidenceColors[i])) < 0.02F) ++found[i];
     }
     return {found[0], found[1], found[2]};
 }
 
-class ResidencyOverlay : public testing::TestWithParam<std::unique_ptr<executor::Executor> (*)()> {
+class ResidencyOverlay : public testing::TestWithParam<std::unique_ptr<render::Backend> (*)()> {
 protected:
     Colors drawn(const HillsFile& file, Waiting waiting, double errorPixels, int frames = 1) {
-        const std::unique_ptr<executor::Executor> executor = GetParam()();
-        Renderer renderer(file.model(), *executor, {});
+        const std::unique_ptr<render::Backend> backend = GetParam()();
+        Renderer renderer(file.model(), *backend, {});
         plan::Quality quality;
         quality.errorPixels = errorPixels;
         FrameOptions options;
         options.waiting = waiting;
-        options.overlay = executor::Overlay::Residency;
+        options.overlay = render::Overlay::Residency;
         for (int i = 0; i < frames; ++i)
             lastFrame = renderer.render(view(file.model()), quality, options);
-        return colors(executor->picture());
+        return colors(backend->picture());
     }
 
     Frame lastFrame;
@@ -122,11 +122,11 @@ TEST_P(ResidencyOverlay, IsDarkRedWherePagesAreDamaged) {
     EXPECT_EQ(found.waiting, 0);
 }
 
-std::unique_ptr<executor::Executor> residencyOnOsmesa() {
-    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
+std::unique_ptr<render::Backend> residencyOnOsmesa() {
+    return render::makeGlBackend(gl::testedPlatform(), gl::ShaderLibrary(std::nullopt), mebibytes(64));
 }
 
-INSTANTIATE_TEST_SUITE_P(Software, ResidencyOverlay, testing::Values(&executor::makeSoftwareExecutor));
+INSTANTIATE_TEST_SUITE_P(Software, ResidencyOverlay, testing::Values(&render::makeSoftwareBackend));
 INSTANTIATE_TEST_SUITE_P(Osmesa, ResidencyOverlay, testing::Values(&residencyOnOsmesa));
 
 } // namespace

@@ -28,8 +28,8 @@ protected:
     std::string path = testing::TempDir() + "gnomon_residency_" + std::to_string(::getpid()) + ".gnm";
 };
 
-selection::DetailView viewFrom(const glm::dvec3& eye) {
-    selection::DetailView view;
+lod::DetailView viewFrom(const glm::dvec3& eye) {
+    lod::DetailView view;
     view.eye = eye;
     view.basis = cameraBasis({eye, glm::dvec3(32, 0, 32), {0, 1, 0}, 1});
     return view;
@@ -49,24 +49,24 @@ struct SeenCut {
     SeenCut& operator=(SeenCut&&) = delete;
     ~SeenCut() = default;
 
-    const selection::DetailView view = viewFrom({10, 15, 10});
-    const selection::ErrorRule rule{view};
-    const std::vector<ConvexVolume> volumes{selection::viewPyramid(view)};
-    selection::CutQuery query;
+    const lod::DetailView view = viewFrom({10, 15, 10});
+    const lod::ErrorRule rule{view};
+    const std::vector<ConvexVolume> volumes{lod::viewPyramid(view)};
+    lod::CutQuery query;
 };
 
 TEST_F(ModelResidency, AFrameThatWaitsHasAllThatItsCutWants) {
     const hierarchy::ModelFile model(path);
     Residency residency(model, {});
     SeenCut seen(residency);
-    selection::CutQuery& query = seen.query;
+    lod::CutQuery& query = seen.query;
     residency.admitLoaded(Waiting::UntilComplete);
-    selection::Cut cut = selection::cut(query);
+    lod::Cut cut = lod::cut(query);
     int rounds = 0;
     while (residency.serve(query, cut, Waiting::UntilComplete).hasChanged) {
         ASSERT_LT(++rounds, 50);
         query.resident = residency.resident();
-        cut = selection::cut(query);
+        cut = lod::cut(query);
     }
     EXPECT_GT(rounds, 0);
     EXPECT_TRUE(cut.wanted.empty());
@@ -81,12 +81,12 @@ TEST_F(ModelResidency, AFrameThatNeverWaitsArrivesInTheEnd) {
     const hierarchy::ModelFile model(path);
     Residency residency(model, {});
     SeenCut seen(residency);
-    selection::CutQuery& query = seen.query;
+    lod::CutQuery& query = seen.query;
     for (int frame = 0; frame < 20000; ++frame) {
         residency.admitLoaded(Waiting::Never);
         query.resident = residency.resident();
-        const selection::Cut cut = selection::cut(query);
-        const streaming::DemandOutcome outcome = residency.serve(query, cut, Waiting::Never);
+        const lod::Cut cut = lod::cut(query);
+        const lod::DemandOutcome outcome = residency.serve(query, cut, Waiting::Never);
         if (cut.wanted.empty() && outcome.pagesMissing == 0) return;
         std::this_thread::sleep_for(std::chrono::microseconds(100));
     }
@@ -130,10 +130,10 @@ TEST_F(ModelResidency, WhatShadowsNeedIsRankedByThem) {
     const hierarchy::ModelFile model(path);
     Residency residency(model, {});
     const SeenCut seen(residency);
-    selection::CasterDetail caster; // anything anywhere, with shadows at one unit from the eye
+    lod::CasterDetail caster; // anything anywhere, with shadows at one unit from the eye
     caster.receiverNear = 1;
-    const selection::ErrorRule rule(seen.view, {caster});
-    selection::CutQuery query = seen.query;
+    const lod::ErrorRule rule(seen.view, {caster});
+    lod::CutQuery query = seen.query;
     query.rule = &rule;
     for (std::uint32_t page = 0; page < model.pages().size(); ++page) {
         const hierarchy::PageInfo& info = model.pages()[page];
@@ -164,30 +164,30 @@ TEST_F(ModelResidency, TheTableMustFitTheMemory) {
 }
 
 TEST(Continued, GoesOnAsItWent) {
-    const selection::DetailView before = viewFrom({0, 10, 0});
-    selection::DetailView now = before;
+    const lod::DetailView before = viewFrom({0, 10, 0});
+    lod::DetailView now = before;
     now.eye += glm::dvec3(1, 0, 2);
-    const selection::DetailView ahead = continued(before, now, 10);
+    const lod::DetailView ahead = continued(before, now, 10);
     EXPECT_LT(glm::distance(ahead.eye, now.eye + glm::dvec3(10, 0, 20)), 1e-9);
     EXPECT_LT(glm::distance(ahead.basis.view, now.basis.view), 1e-9) << "it does not turn";
     EXPECT_EQ(ahead.heightPixels, now.heightPixels);
     EXPECT_EQ(ahead.tanHalfX, now.tanHalfX);
-    const selection::DetailView still = continued(now, now, 10);
+    const lod::DetailView still = continued(now, now, 10);
     EXPECT_LT(glm::distance(still.eye, now.eye), 1e-12);
 }
 
 TEST(Continued, TurnsOnAsItTurnedButNotWildly) {
     const auto looking = [](double angle) {
-        selection::DetailView view;
+        lod::DetailView view;
         view.basis = cameraBasis({{0, 0, 0}, {std::sin(angle), 0, -std::cos(angle)}, {0, 1, 0}, 1});
         return view;
     };
-    const selection::DetailView slow = continued(looking(0), looking(0.01), 10);
+    const lod::DetailView slow = continued(looking(0), looking(0.01), 10);
     EXPECT_NEAR(std::atan2(slow.basis.view.x, -slow.basis.view.z), 0.11, 0.01);
-    const selection::DetailView spin = continued(looking(0), looking(1.5), 10);
+    const lod::DetailView spin = continued(looking(0), looking(1.5), 10);
     EXPECT_GT(glm::dot(spin.basis.view, looking(1.5).basis.view), 0)
         << "a spin is followed by less than a quarter turn";
-    const selection::DetailView frames = continued(looking(0), looking(0.02), 0);
+    const lod::DetailView frames = continued(looking(0), looking(0.02), 0);
     EXPECT_LT(glm::distance(frames.basis.view, looking(0.02).basis.view), 1e-9) << "no frame ahead is now";
     EXPECT_NEAR(glm::length(slow.basis.up), 1, 1e-12);
 }

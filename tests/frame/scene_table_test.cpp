@@ -251,7 +251,7 @@ std::string told(const plan::FramePlan& plan) {
 }
 
 /// Nothing of a shadow pass is paid for: no map, no texel, no query, no draw, no memory.
-void expectNoCost(const Frame& frame, const Frame& withoutShadows, executor::Executor& executor) {
+void expectNoCost(const Frame& frame, const Frame& withoutShadows, render::Backend& backend) {
     EXPECT_TRUE(frame.plan.passes.empty());
     EXPECT_EQ(frame.plan.textureWidth * frame.plan.textureHeight, 0);
     EXPECT_EQ(frame.plan.cost, 0U);
@@ -261,7 +261,7 @@ void expectNoCost(const Frame& frame, const Frame& withoutShadows, executor::Exe
     EXPECT_EQ(frame.row.shadowTriangles, 0);
     EXPECT_EQ(frame.row.castersTested, 0);
     EXPECT_EQ(frame.row.castersKept, 0);
-    EXPECT_TRUE(executor.shadowDepth().pixels.empty());
+    EXPECT_TRUE(backend.shadowDepth().pixels.empty());
     EXPECT_EQ(frame.row.drawCalls, withoutShadows.row.drawCalls);
     EXPECT_EQ(frame.row.gpuBytes, withoutShadows.row.gpuBytes);
 }
@@ -310,17 +310,17 @@ TEST(SceneTable, WhatIsDroppedCostsNothingAndIsNotMissed) {
         const Frame frame = model.draw(view, quality);
         if (!isDropped(frame.plan, Effect::ShadowMaps) || quality.shadows == plan::ShadowMode::Rays) continue;
         ++dropped;
-        const executor::Picture picture = model.executor().picture();
-        EXPECT_TRUE(model.executor().shadowDepth().pixels.empty());
+        const render::Picture picture = model.backend().picture();
+        EXPECT_TRUE(model.backend().shadowDepth().pixels.empty());
         const bool isOff = quality.shadows == plan::ShadowMode::Off;
         quality.shadows = plan::ShadowMode::Off;
         DrawnModel fresh(scene.model());
         const Frame off = fresh.draw(view, quality);
-        expectNoCost(frame, off, fresh.executor());
+        expectNoCost(frame, off, fresh.backend());
         quality.shadows = plan::ShadowMode::Rays;
         if (isOff) continue;
         model.draw(view, quality);
-        EXPECT_TRUE(model.executor().picture().pixels == picture.pixels) << "a shadow is missing";
+        EXPECT_TRUE(model.backend().picture().pixels == picture.pixels) << "a shadow is missing";
     }
     EXPECT_GE(dropped, 5);
 }

@@ -1,7 +1,7 @@
 #include "frame/shadow_edges.h"
 
 #include "core/check.h"
-#include "raycast/shadow_oracle.h"
+#include "raytrace/shadow_oracle.h"
 
 #include <cmath>
 
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> lightEnds(const ReachPicture& picture) {
 std::vector<float> edgeDistances(const ReachPicture& picture, const ReachPicture& other) {
     GNOMON_CHECK(picture.width == other.width && picture.samples.size() == other.samples.size());
     const std::vector<std::uint8_t> edges = shadowEdges(picture);
-    std::vector<float> distances = raycast::distanceTransform(lightEnds(other), other.width);
+    std::vector<float> distances = raytrace::distanceTransform(lightEnds(other), other.width);
     for (std::size_t i = 0; i < distances.size(); ++i)
         if (edges[i] == 0) distances[i] = -1;
     return distances;
@@ -71,12 +71,12 @@ DrawnReach drawReach(
     renderer.forget();
     DrawnReach drawn{renderer.prepare(view, quality, frame::Waiting::UntilComplete, nullptr), {}, {}};
     renderer.draw(drawn.frame, options);
-    drawn.surfaces = renderer.executor().surfaces();
-    const executor::FloatPicture depth = renderer.executor().viewDepth();
+    drawn.surfaces = renderer.backend().surfaces();
+    const render::FloatPicture depth = renderer.backend().viewDepth();
     const glm::vec3 light = drawn.frame.plan.light.unit();
     drawn.picture.width = static_cast<std::size_t>(view.width);
     for (std::size_t i = 0; i < drawn.surfaces.pixels.size(); ++i) {
-        const executor::SurfaceSample& surface = drawn.surfaces.pixels[i];
+        const render::SurfaceSample& surface = drawn.surfaces.pixels[i];
         ReachSample sample;
         if (surface.isSurface > 0) {
             sample.reach = !surface.isLitSide()            ? Reach::Turned

@@ -48,7 +48,7 @@ std::vector<float> edgeDistances(const ReachPicture& picture, const ReachPicture
 /// A view drawn with exact shadows, and its frame.
 struct DrawnReach {
     frame::PreparedFrame frame;
-    executor::Raster<executor::SurfaceSample> surfaces;
+    render::Raster<render::SurfaceSample> surfaces;
     ReachPicture picture;
 };
 

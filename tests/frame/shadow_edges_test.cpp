@@ -1,8 +1,8 @@
 // Edges of shadows: the measure against its twin by loops, and what the default error leaves of them on a statue.
 #include "core/random.h"
-#include "executor/software_executor.h"
 #include "frame/shadow_edges.h"
 #include "made_model.h"
+#include "render/software_backend.h"
 
 #include <gtest/gtest.h>
 
@@ -128,8 +128,8 @@ double percentile99(std::vector<float> distances) {
 double statueEdges(double errorPixels) {
     constexpr int kSamples = 4;
     static const BuiltFile statue("statue", 30'000);
-    const std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
-    frame::Renderer renderer(statue.file(), *executor, {});
+    const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
+    frame::Renderer renderer(statue.file(), *backend, {});
     const Box& bounds = statue.file().summary().bounds;
     plan::View view;
     view.width = view.height = 160;

@@ -1,11 +1,11 @@
 // A cap on triangles: the plan is told of what is drawn under it, and that is no more than it allows.
-#include "culling/receivers.h"
-#include "culling/survey.h"
-#include "executor/software_executor.h"
 #include "frame/frame_cuts.h"
 #include "frame/made_model.h"
 #include "frame/renderer.h"
 #include "frame/shadow_triples.h"
+#include "lod/receivers.h"
+#include "lod/visible_depths.h"
+#include "render/software_backend.h"
 
 #include <gtest/gtest.h>
 
@@ -18,16 +18,16 @@ bool areAlike(const shadow::SeenPart& a, const shadow::SeenPart& b) {
 
 /// Holds the facts of `frame` to a survey with the threshold that the frame is drawn with.
 void expectSurveyedAsDrawn(const PreparedFrame& frame, const Residency& residency) {
-    const selection::ErrorRule viewAlone(frame.rule->view());
-    const std::array volumes = {selection::viewPyramid(frame.rule->view())};
-    selection::CutQuery query = cutQuery(residency, frame);
+    const lod::ErrorRule viewAlone(frame.rule->view());
+    const std::array volumes = {lod::viewPyramid(frame.rule->view())};
+    lod::CutQuery query = cutQuery(residency, frame);
     query.rule = &viewAlone;
     query.volumes = volumes;
-    const selection::DrawList image = selection::cut(query).lists[0];
-    const std::optional<culling::VisibleDepths> visible = culling::visibleDepthRange(query, image);
+    const lod::DrawList image = lod::cut(query).lists[0];
+    const std::optional<lod::VisibleDepths> visible = lod::visibleDepthRange(query, image);
     ASSERT_TRUE(visible && frame.facts.visible && frame.facts.light);
     EXPECT_EQ(visible->span, (DepthSpan{frame.facts.visible->nearest, frame.facts.visible->farthest}));
-    const std::vector<shadow::SeenPart> seen = culling::seenParts(query, image, visible->span);
+    const std::vector<shadow::SeenPart> seen = lod::seenParts(query, image, visible->span);
     const std::vector<shadow::SeenPart>& told = frame.facts.light->seen;
     EXPECT_TRUE(std::equal(seen.begin(), seen.end(), told.begin(), told.end(), areAlike));
 }
@@ -36,8 +36,8 @@ void expectSurveyedAsDrawn(const PreparedFrame& frame, const Residency& residenc
 // them need not with them: triple 361 was surveyed at a finer threshold than it was drawn at.
 TEST(TriangleCap, HoldsForSurveyAndDrawingByOneThreshold) {
     const tests::BuiltFile model("plant", 40000);
-    const std::unique_ptr<executor::Executor> executor = executor::makeSoftwareExecutor();
-    Renderer renderer(model.file(), *executor, {});
+    const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
+    Renderer renderer(model.file(), *backend, {});
     int capped = 0;
     for (std::uint64_t i = 350; i < 370; ++i) {
         SCOPED_TRACE(i);

@@ -118,14 +118,14 @@ int expectNothingBehindJumps(const hierarchy::ModelFile& model, int walks, std::
     Random random(seed);
     const Box& bounds = model.summary().bounds;
     const double radius = glm::length(bounds.extent()) / 2;
-    const auto executor = executor::makeSoftwareExecutor();
-    const auto freshExecutor = executor::makeSoftwareExecutor();
-    const auto keepingExecutor = executor::makeSoftwareExecutor();
+    const auto backend = render::makeSoftwareBackend();
+    const auto freshBackend = render::makeSoftwareBackend();
+    const auto keepingBackend = render::makeSoftwareBackend();
     int others = 0;
     for (int walk = 0; walk < walks; ++walk) {
         SCOPED_TRACE("walk " + std::to_string(walk));
         const plan::Quality quality = anyQuality(random);
-        Renderer renderer(model, *executor, {});
+        Renderer renderer(model, *backend, {});
         plan::View view = anyView(random, bounds);
         std::optional<Frame> last;
         for (std::uint64_t frames = 1 + random.below(14); frames > 0; --frames) {
@@ -136,16 +136,16 @@ int expectNothingBehindJumps(const hierarchy::ModelFile& model, int walks, std::
         plan::View jump = view;
         while (!plan::hasJumped(last->plan.view, farthest, jump))
             jump = anyView(random, bounds);
-        Renderer fresh(model, *freshExecutor, {});
+        Renderer fresh(model, *freshBackend, {});
         const Frame asFirst = fresh.render(jump, quality, {});
         const Frame behind = renderer.render(jump, quality, {});
         EXPECT_EQ(behind.plan.quality.shadows, asFirst.plan.quality.shadows);
         EXPECT_EQ(behind.isSunless, asFirst.isSunless);
         EXPECT_EQ(behind.plan.near, asFirst.plan.near);
         EXPECT_EQ(behind.plan.promised.worst(), asFirst.plan.promised.worst());
-        EXPECT_TRUE(executor->picture().pixels == freshExecutor->picture().pixels);
+        EXPECT_TRUE(backend->picture().pixels == freshBackend->picture().pixels);
         const auto keeping = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{last->plan, last->memory});
-        Renderer keeps(model, *keepingExecutor, {});
+        Renderer keeps(model, *keepingBackend, {});
         const PreparedFrame kept = keeps.prepare(jump, quality, Waiting::UntilComplete, keeping);
         others += kept.plan.near != asFirst.plan.near || kept.plan.passes.size() != asFirst.plan.passes.size() ? 1 : 0;
     }
@@ -175,7 +175,7 @@ TEST(ViewJump, LeavesTheLightOfARoomBehind) {
     plan::View strip = down;
     const auto litShare = [&] {
         model.draw(strip, quality);
-        return static_cast<double>(model.executor().litPixels().value_or(0)) / (80 * 80);
+        return static_cast<double>(model.backend().litPixels().value_or(0)) / (80 * 80);
     };
     double height = -16; // at which it looks, where the ground in the sun begins: that is at the upper edge then
     do
@@ -183,10 +183,10 @@ TEST(ViewJump, LeavesTheLightOfARoomBehind) {
     while (height < -10 && (litShare() < 0.007 || litShare() > 0.018));
     ASSERT_LT(height, -10);
     EXPECT_FALSE(model.draw(strip, quality).isSunless);
-    const executor::Picture sunny = model.executor().picture();
+    const render::Picture sunny = model.backend().picture();
     EXPECT_TRUE(model.draw(down, quality).isSunless);
     EXPECT_FALSE(model.renderer().render(strip, quality, {}).isSunless);
-    EXPECT_TRUE(model.executor().picture().pixels == sunny.pixels);
+    EXPECT_TRUE(model.backend().picture().pixels == sunny.pixels);
 }
 
 } // namespace

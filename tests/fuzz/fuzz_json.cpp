@@ -1,8 +1,8 @@
 // JSON of users: the first byte says whether it is a camera, a path, saved views, a baseline or rows of the theory.
+#include "bench/baseline.h"
 #include "core/error.h"
 #include "core/json_file.h"
 #include "harness.h"
-#include "measure/baseline.h"
 #include "path/camera_path.h"
 #include "settings/table.h"
 #include "theory/rows.h"
@@ -23,7 +23,7 @@ void readPath(const std::string& file) {
 
 /// Holds a bench that drew the runs of the baseline, the first of them twice as slow, one with a page missing, against
 /// it.
-void compareWith(const measure::Baseline& baseline) {
+void compareWith(const bench::Baseline& baseline) {
     std::vector<report::RunSummary> runs;
     for (const auto& [name, p50Ms] : baseline.p50Ms) {
         report::RunSummary& run = runs.emplace_back();
@@ -31,22 +31,22 @@ void compareWith(const measure::Baseline& baseline) {
         run.p50Ms = runs.size() == 1 ? 2 * p50Ms : p50Ms;
         run.pagesMissing = runs.size() == 2 ? 1 : 0;
     }
-    static_cast<void>(measure::notCompared(baseline, runs));
+    static_cast<void>(bench::notCompared(baseline, runs));
     const auto attempt = [](const auto& compare) {
         try {
             compare();
         } catch (const Error&) { // refused in words
         }
     };
-    attempt([&] { measure::requireComplete(baseline, runs, true); });
-    if (!runs.empty()) attempt([&] { measure::requireNotSlower(baseline, runs, 10); });
+    attempt([&] { bench::requireComplete(baseline, runs, true); });
+    if (!runs.empty()) attempt([&] { bench::requireNotSlower(baseline, runs, 10); });
     std::map<std::string, std::string> now = baseline.context;
     for (const char* key : {"model_content_hash", "path_content_hash", "frames", "real_time", "backend", "threads"})
         now.try_emplace(key, "not given");
     for (const settings::Setting& setting : settings::table())
         if (!setting.description().statedAs.empty())
             now.try_emplace(std::string(setting.description().statedAs), "not given");
-    attempt([&] { measure::requireComparable(baseline, now); });
+    attempt([&] { bench::requireComparable(baseline, now); });
 }
 
 void readAs(unsigned kind, const std::string& file) {
@@ -61,7 +61,7 @@ void readAs(unsigned kind, const std::string& file) {
         static_cast<void>(path::toJson(path::readViews(file)));
         break;
     case 3:
-        compareWith(measure::readBaseline(file));
+        compareWith(bench::readBaseline(file));
         break;
     default:
         static_cast<void>(theory::evaluateRows(readJsonFile(file), file));

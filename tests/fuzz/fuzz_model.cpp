@@ -13,7 +13,7 @@ namespace gnomon::fuzz {
 namespace {
 
 /// Bytes in memory.
-class MemorySource final : public storage::Source {
+class MemorySource final : public hierarchy::Source {
 public:
     explicit MemorySource(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
 
@@ -28,7 +28,7 @@ public:
 
     bool readAnew(std::uint64_t /*offset*/, std::span<std::byte> /*out*/) const override { return false; }
 
-    storage::Fate fate() const override { return storage::Fate::Same; }
+    hierarchy::Fate fate() const override { return hierarchy::Fate::Same; }
 
     std::string stamp() const override { return {}; }
 

@@ -1,11 +1,11 @@
 // Walks: on a floor, clear of everything, through rooms and over stairs; and what is said where there is no floor.
 #include "core/error.h"
-#include "culling/triangle_clip.h"
+#include "lod/error_rule.h"
+#include "lod/triangle_clip.h"
 #include "path/building.h"
 #include "path/turbine_hall.h"
 #include "path/walk.h"
 #include "path/walk_facts.h"
-#include "selection/error_rule.h"
 
 #include <gtest/gtest.h>
 
@@ -189,12 +189,12 @@ TEST(Walk, TakesTheScaleFromTheEye) {
 
 /// The least and the largest view depth of anything within the view of `camera`, whose image is square.
 std::pair<double, double> depths(const MadeModel& model, const Camera& camera) {
-    selection::DetailView view;
+    lod::DetailView view;
     view.eye = camera.eye;
     view.basis = cameraBasis(camera);
     view.tanHalfX = view.tanHalfY = std::tan(camera.fovYRadians / 2);
-    const ConvexVolume pyramid = selection::viewPyramid(view);
-    culling::TriangleClipper clipper(pyramid);
+    const ConvexVolume pyramid = lod::viewPyramid(view);
+    lod::TriangleClipper clipper(pyramid);
     std::pair<double, double> result(std::numeric_limits<double>::infinity(), 0);
     for (const std::array<glm::dvec3, 3>& triangle : model.triangles())
         for (const glm::dvec3& point : clipper.clipped(triangle)) {

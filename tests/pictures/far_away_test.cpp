@@ -75,7 +75,7 @@ TEST_P(FarAway, ShowsTheSamePicture) {
         const std::vector<Drawn> nearby = pictures(model.path(), backend, views, glm::dvec3(0));
         const std::vector<Drawn> away = pictures(movedModel.path(), backend, views, glm::dvec3(kFar));
         for (std::size_t i = 0; i < nearby.size(); ++i)
-            EXPECT_LE(executor::difference(nearby[i].picture, away[i].picture).changedFraction, 0.001)
+            EXPECT_LE(render::difference(nearby[i].picture, away[i].picture).changedFraction, 0.001)
                 << (backend == Backend::Software ? "software" : "osmesa") << ", view " << i;
     }
 }

@@ -106,8 +106,8 @@ void expectLikeFullDetail(const std::string& model, const std::string& name, int
         EXPECT_LT(found.percentile99, bar.percentile99) << place;
         EXPECT_GE(found.overlap, bar.overlap) << place;
         if (!testing::Test::HasFailure()) continue;
-        executor::writePng(place + "_full.png", full.picture);
-        executor::writePng(place + "_coarse.png", coarse.picture);
+        render::writePng(place + "_full.png", full.picture);
+        render::writePng(place + "_coarse.png", coarse.picture);
     }
 }
 
@@ -147,7 +147,7 @@ struct PictureDifference {
     double off = 0;  // share of the pixels with a channel that differs by more than a quarter
 };
 
-PictureDifference pictureDifference(const executor::Picture& a, const executor::Picture& b) {
+PictureDifference pictureDifference(const render::Picture& a, const render::Picture& b) {
     std::uint64_t sum = 0;
     std::uint64_t off = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {

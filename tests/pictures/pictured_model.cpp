@@ -1,13 +1,13 @@
 #include "tests/pictures/pictured_model.h"
 
-#include "executor/gl/gl_executor.h"
-#include "executor/software_executor.h"
 #include "gl/shader_library.h"
 #include "path/suited_path.h"
 #include "preprocess/make/model_file.h"
 #include "preprocess/make/named_model.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "render/gl/gl_backend.h"
+#include "render/software_backend.h"
 #include "tests/gl/tested_platform.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@ namespace gnomon::tests {
 
 namespace {
 
-std::unique_ptr<executor::Executor> executorOf(Backend backend) {
-    if (backend == Backend::Software) return executor::makeSoftwareExecutor();
-    return executor::makeGlExecutor(gl::testedPlatform(), gl::ShaderLibrary(), gibibytes(1));
+std::unique_ptr<render::Backend> backendOf(Backend backend) {
+    if (backend == Backend::Software) return render::makeSoftwareBackend();
+    return render::makeGlBackend(gl::testedPlatform(), gl::ShaderLibrary(), gibibytes(1));
 }
 
 } // namespace
@@ -51,14 +51,14 @@ void build(const std::string& mesh, const std::string& model) {
 }
 
 PicturedModel::PicturedModel(const std::string& path, Backend backend)
-    : file_(path), executor_(executorOf(backend)), renderer_(file_, *executor_, {gibibytes(2), {}}) {}
+    : file_(path), backend_(backendOf(backend)), renderer_(file_, *backend_, {gibibytes(2), {}}) {}
 
 Drawn PicturedModel::draw(const plan::View& view, double errorPixels) {
     plan::Quality quality;
     quality.errorPixels = errorPixels;
     renderer_.forget();
     renderer_.render(view, quality, {});
-    return {executor_->picture(), executor_->viewDepth()};
+    return {backend_->picture(), backend_->viewDepth()};
 }
 
 std::vector<plan::View> threeViews(const hierarchy::ModelFile& model, int side) {

@@ -36,8 +36,8 @@ enum class Backend { Software, Osmesa };
 
 /// A picture and the depth of each pixel, which is infinite without a surface.
 struct Drawn {
-    executor::Picture picture;
-    executor::FloatPicture depth;
+    render::Picture picture;
+    render::FloatPicture depth;
 };
 
 /// An open model with a backend.
@@ -52,7 +52,7 @@ public:
 
 private:
     hierarchy::ModelFile file_;
-    std::unique_ptr<executor::Executor> executor_;
+    std::unique_ptr<render::Backend> backend_;
     frame::Renderer renderer_;
 };
 

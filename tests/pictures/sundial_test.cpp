@@ -28,7 +28,7 @@ std::vector<std::pair<std::string, glm::dvec3>> allLights() {
 }
 
 /// The brightness at the image of `point`.
-double brightnessAt(const executor::Picture& picture, const plan::View& view, const glm::dvec3& point) {
+double brightnessAt(const render::Picture& picture, const plan::View& view, const glm::dvec3& point) {
     const glm::dvec3 p = toCamera(cameraBasis(view.camera), point - view.camera.eye);
     const double u = p.x / (p.z * view.tanHalfX());
     const double v = p.y / (p.z * view.tanHalfY());
@@ -49,7 +49,7 @@ TEST(Sundial, CastsItsShadowWhereGeometrySaysUnderEveryLight) {
         PicturedModel sundial(model.path(), backend);
         for (const auto& [set, light] : lights) {
             view.towardsLight = light;
-            const executor::Picture picture = sundial.draw(view, 1).picture;
+            const render::Picture picture = sundial.draw(view, 1).picture;
             const glm::dvec3 perHeight = glm::dvec3(light.x, 0, light.z) / light.y;
             const double reach = 4 * glm::length(perHeight);
             if (reach < 0.5) continue; // all but overhead: the shadow hides under the gnomon

@@ -186,7 +186,7 @@ TEST(Contradictions, OfOutputs) {
          "--background",
          "--background transparent and -o - contradict each other: YUV4MPEG2 has no alpha"},
         {[](Request& r) {
-             r.output.overlay = executor::Overlay::Lod;
+             r.output.overlay = render::Overlay::Lod;
              r.settings.quality.look.background.kind = plan::Background::Kind::Transparent;
          },
          "--background",
@@ -221,14 +221,14 @@ TEST(Contradictions, NameOptionsOfTheTable) {
 TEST(Samples, AreOneBesideAnOutputOfOneFrame) {
     EXPECT_EQ(samplesOf({}), kUsualSamples);
     EXPECT_EQ(samplesOf({.samples = 3}), 3);
-    EXPECT_EQ(samplesOf({.overlay = executor::Overlay::Lod}), 1);
+    EXPECT_EQ(samplesOf({.overlay = render::Overlay::Lod}), 1);
     EXPECT_EQ(samplesOf({.colors = {.by = ColorBy::Slope}}), 1);
     EXPECT_EQ(samplesOf({.statistics = "a.json"}), 1);
     EXPECT_EQ(samplesOf({.reference = "a.png"}), 1);
     EXPECT_EQ(samplesOf({.samples = 5, .reference = "a.png"}), 5) << "pictures may be compared";
     EXPECT_EQ(samplesOf({.depth = "a.pfm"}), 1);
     EXPECT_EQ(samplesOf({.shadowDepth = "maps"}), 1);
-    EXPECT_EQ(samplesOf({.oracle = proof::Oracle::Exact}), 1);
+    EXPECT_EQ(samplesOf({.oracle = validation::Oracle::Exact}), 1);
 }
 
 } // namespace

@@ -257,7 +257,7 @@ TEST(EveryRow, ChangesThePictureButForThoseThatSayTheyDoNot) {
         if (!each.description().changesPicture) timeAlone.insert(each.name());
     EXPECT_EQ(
         timeAlone,
-        (std::set<std::string>{"cull-casters", "gpu-memory", "occlusion"})); // which are rendered in tests/measure
+        (std::set<std::string>{"cull-casters", "gpu-memory", "occlusion"})); // which are rendered in tests/task
     Settings a;
     Settings b;
     b.quality.cullCasters = plan::CasterCulling::Off;

@@ -41,7 +41,7 @@ TEST(TowardsSun, StandsWhereTheSkyHasItInEveryWorld) {
           World{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},
           World{{0, 0, 2}, {0, 1, 0}, {1, 0, 0}}})
         for (const double turned : {0.0, 90.0, -33.0}) {
-            const glm::dvec3 light = towardsSun(asked.position, turned, world.up);
+            const glm::dvec3 light = sun::towardsSun(asked.position, turned, world.up);
             EXPECT_NEAR(glm::length(light), 1, 1e-12);
             const double elevation = std::asin(glm::dot(light, glm::normalize(world.up))) / kDegree;
             EXPECT_NEAR(elevation, sky.elevationRefracted, 1e-9);

@@ -152,7 +152,7 @@ TEST(Float, TheImageIsTheMapToTheLastTexelOfItsRectangle) {
     }
 }
 
-/// What an executor reads in single precision has the bias of the one in double, to a part in a thousand.
+/// What an backend reads in single precision has the bias of the one in double, to a part in a thousand.
 TEST(Float, TheBiasIsThatOfTheMapInDouble) {
     Random random(10);
     int tested = 0;

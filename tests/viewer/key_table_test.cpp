@@ -41,7 +41,7 @@ TEST(KeyTable, EveryOverlaySideAndWayHasAKey) {
         if (binding.action == Action::LookFrom) sides.insert(binding.value);
         if (binding.action == Action::Fly) ways.insert(binding.value);
     }
-    const std::size_t withKeys = std::min<std::size_t>(executor::kOverlays.size(), 8); // F9 opens the model again
+    const std::size_t withKeys = std::min<std::size_t>(render::kOverlays.size(), 8); // F9 opens the model again
     EXPECT_EQ(overlays.size(), withKeys);
     EXPECT_EQ(*overlays.rbegin(), static_cast<int>(withKeys) - 1);
     EXPECT_EQ(sides.size(), static_cast<std::size_t>(path::ViewSide::Bottom) + 1);

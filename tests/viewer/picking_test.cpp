@@ -1,9 +1,9 @@
 // What is under the cursor, against rays that meet every triangle of the model.
 #include "core/random.h"
-#include "executor/software_executor.h"
 #include "frame/renderer.h"
 #include "hierarchy/model_file.h"
 #include "hierarchy/tiny_model.h"
+#include "render/software_backend.h"
 #include "viewer/input/picking.h"
 
 #include <gtest/gtest.h>
@@ -71,8 +71,8 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
     const std::string path = testing::TempDir() + "gnomon_picking.gnm";
     tests::writeModel(tiny, path);
     const hierarchy::ModelFile model(path);
-    const auto executor = executor::makeSoftwareExecutor();
-    frame::Renderer renderer(model, *executor, {});
+    const auto backend = render::makeSoftwareBackend();
+    frame::Renderer renderer(model, *backend, {});
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Off;
     quality.errorPixels = 1e-6; // the finest level
@@ -83,7 +83,7 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
         const plan::View view = viewAround(
             bounds.center(), random.uniform(0, 6.28), isParallel ? Projection::Orthographic : Projection::Perspective);
         renderer.render(view, quality, {});
-        const executor::FloatPicture depth = executor->viewDepth();
+        const render::FloatPicture depth = backend->viewDepth();
         const CameraBasis basis = cameraBasis(view.camera);
         // The rasteriser snaps corners to 1/256 pixel, which on grazing triangles moves depths along.
         constexpr double kAllowance = 0.02; // of edges one unit long
@@ -108,7 +108,7 @@ TEST(Picking, FindsThePointThatARayThroughThePixelMeets) {
 }
 
 TEST(Picking, ReachesForTheNearestDrawnPixel) {
-    executor::FloatPicture depth(20, 20, std::numeric_limits<float>::infinity());
+    render::FloatPicture depth(20, 20, std::numeric_limits<float>::infinity());
     depth.at(12, 10) = 3;
     depth.at(10, 15) = 4;
     const Camera camera;

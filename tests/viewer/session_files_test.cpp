@@ -53,9 +53,9 @@ private:
     fs::path folder_ = fs::temp_directory_path() / ("gnomon_session_" + std::to_string(::getpid()));
 };
 
-executor::Picture anyPicture(Random& random) {
-    executor::Picture picture(1 + static_cast<int>(random.below(9)), 1 + static_cast<int>(random.below(9)));
-    for (executor::Rgb& pixel : picture.pixels)
+render::Picture anyPicture(Random& random) {
+    render::Picture picture(1 + static_cast<int>(random.below(9)), 1 + static_cast<int>(random.below(9)));
+    for (render::Rgb& pixel : picture.pixels)
         for (std::uint8_t& channel : pixel)
             channel = static_cast<std::uint8_t>(random.below(256));
     return picture;
@@ -67,16 +67,16 @@ TEST_F(SessionFilesTest, PicturesAreNumberedOverNoneThatIsThere) {
     const std::string start = place("pictures") + "/Gnomon/scan.of.bunny_";
     fs::create_directories(place("pictures") + "/Gnomon");
     std::ofstream(start + "2.png") << "mine";
-    std::vector<executor::Picture> pictures;
+    std::vector<render::Picture> pictures;
     for (const std::string& name : {start + "1.png", start + "3.png", start + "4.png"}) {
         pictures.push_back(anyPicture(random));
         EXPECT_EQ(saved.savePicture(pictures.back()), name);
-        EXPECT_EQ(executor::readPng(name).pixels, pictures.back().pixels);
+        EXPECT_EQ(render::readPng(name).pixels, pictures.back().pixels);
     }
     EXPECT_EQ(read(start + "2.png"), "mine");
     fs::remove(start + "1.png");
     EXPECT_EQ(saved.savePicture(pictures[1]), start + "1.png") << "a free number is used again";
-    EXPECT_EQ(executor::readPng(start + "3.png").pixels, pictures[1].pixels);
+    EXPECT_EQ(render::readPng(start + "3.png").pixels, pictures[1].pixels);
     EXPECT_EQ(SavedFiles().savePicture(pictures[0]), place("pictures") + "/Gnomon/gnomon_1.png") << "before any model";
 }
 
@@ -109,14 +109,14 @@ TEST_F(SessionFilesTest, TwoWindowsThatSaveAtOnceLoseNothing) {
     const auto saveAll = [](int width) {
         const SavedFiles saved("bunny.gnm");
         for (int i = 0; i < kPictures; ++i)
-            saved.savePicture(executor::Picture(width, 1));
+            saved.savePicture(render::Picture(width, 1));
     };
     std::thread other([&] { saveAll(1); });
     saveAll(2);
     other.join();
     int wide = 0;
     for (int number = 1; number <= 2 * kPictures; ++number)
-        wide += executor::readPng(place("pictures/Gnomon/bunny_") + std::to_string(number) + ".png").width - 1;
+        wide += render::readPng(place("pictures/Gnomon/bunny_") + std::to_string(number) + ".png").width - 1;
     EXPECT_EQ(wide, kPictures);
 }
 
@@ -150,20 +150,20 @@ TEST_F(SessionFilesTest, PathsReadBackAndCountForThemselves) {
 TEST_F(SessionFilesTest, PlayedFramesAreNumberedInAFolderThatIsMade) {
     Random random(3);
     const SavedFiles saved("bunny.gnm");
-    const executor::Picture first = anyPicture(random);
-    const executor::Picture second = anyPicture(random);
+    const render::Picture first = anyPicture(random);
+    const render::Picture second = anyPicture(random);
     saved.savePlayed("out/of/play", 0, first);
     saved.savePlayed("out/of/play", 12345, second);
     saved.savePlayed("out/of/play", 7, first);
     saved.savePlayed("out/of/play", 7, second); // played again
-    EXPECT_EQ(executor::readPng("out/of/play/frame0000.png").pixels, first.pixels);
-    EXPECT_EQ(executor::readPng("out/of/play/frame0007.png").pixels, second.pixels);
-    EXPECT_EQ(executor::readPng("out/of/play/frame12345.png").pixels, second.pixels);
+    EXPECT_EQ(render::readPng("out/of/play/frame0000.png").pixels, first.pixels);
+    EXPECT_EQ(render::readPng("out/of/play/frame0007.png").pixels, second.pixels);
+    EXPECT_EQ(render::readPng("out/of/play/frame12345.png").pixels, second.pixels);
 }
 
 TEST_F(SessionFilesTest, WhatCannotBeWrittenIsToldAndLeavesNothing) {
     Random random(4);
-    const executor::Picture picture = anyPicture(random);
+    const render::Picture picture = anyPicture(random);
     std::ofstream("file") << "mine";
     EXPECT_THROW(SavedFiles("bunny.gnm").savePlayed("file", 0, picture), std::exception);
     EXPECT_THROW(FrameLog("no/such/folder/log.csv"), Error);

@@ -113,7 +113,7 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
     EXPECT_EQ(statusInWords(plan, row, {5, 64, 64, ""}).find("sample"), std::string::npos) << "it is done";
 }
 
-TEST(ColorChoices, AreWhatTheModelAndTheExecutorHave) {
+TEST(ColorChoices, AreWhatTheModelAndTheBackendHave) {
     using settings::ColorBy;
     hierarchy::ModelSummary model;
     EXPECT_EQ(colorChoices(model, plan::kOpenGlCapabilities).size(), 3U);   // none, height, slope

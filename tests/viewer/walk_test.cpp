@@ -279,7 +279,7 @@ TEST(KeptViews, AreOfTheLastModelsAndFailWhereNothingCanBeWritten) {
 }
 
 TEST(Measuring, TakesDropsAndEndsMeasures) {
-    survey::Surveyed of;
+    inspect::Surveyed of;
     of.grid.stepExponent = -3;
     Measuring measuring(of);
     EXPECT_FALSE(measuring.isOn());

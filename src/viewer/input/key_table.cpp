@@ -1,7 +1,7 @@
 #include "viewer/input/key_table.h"
 
-#include "executor/executor.h"
 #include "path/framing.h"
+#include "render/backend.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -24,7 +24,7 @@ constexpr int of(path::ViewSide side) {
 }
 
 /// The number of overlays with a key: F1 to F8. The list of overlays may be longer.
-constexpr std::size_t kOverlayKeys = std::min<std::size_t>(8, executor::kOverlays.size());
+constexpr std::size_t kOverlayKeys = std::min<std::size_t>(8, render::kOverlays.size());
 
 std::vector<Binding> cameraAndSettingKeys() {
     return {
@@ -69,8 +69,8 @@ std::vector<Binding> cameraAndSettingKeys() {
 std::vector<Binding> overlayKeys() {
     std::vector<Binding> keys;
     for (std::size_t i = 0; i < kOverlayKeys; ++i) {
-        const bool isNone = executor::kOverlays[i].value == executor::Overlay::None;
-        const std::string help = isNone ? "no overlay" : std::string("overlay: ") + executor::kOverlays[i].title;
+        const bool isNone = render::kOverlays[i].value == render::Overlay::None;
+        const std::string help = isNone ? "no overlay" : std::string("overlay: ") + render::kOverlays[i].title;
         const int index = static_cast<int>(i);
         keys.push_back({GLFW_KEY_F1 + index, false, Action::SetOverlay, index, "F" + std::to_string(i + 1), help});
     }

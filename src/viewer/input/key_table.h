@@ -19,7 +19,7 @@ enum class Action : std::uint8_t {
     StepSetting, // value is the number of steps; the binding names the setting
     ToggleTarget,
     StepColors, // value is the number of steps through the values that colour the model
-    SetOverlay, // value is an index of executor::kOverlays
+    SetOverlay, // value is an index of render::kOverlays
     Freeze,
     TogglePanel,
     ToggleFacts,

@@ -4,7 +4,7 @@
 
 namespace gnomon::viewer {
 
-std::optional<glm::ivec2> drawnPixel(const executor::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach) {
+std::optional<glm::ivec2> drawnPixel(const render::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach) {
     std::optional<glm::ivec2> best;
     int bestDistance2 = reach * reach + 1;
     for (int y = std::max(pixel.y - reach, 0); y <= std::min(pixel.y + reach, viewDepth.height - 1); ++y)
@@ -19,7 +19,7 @@ std::optional<glm::ivec2> drawnPixel(const executor::FloatPicture& viewDepth, co
 }
 
 std::optional<glm::dvec3> pointUnder(
-    const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach) {
+    const render::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach) {
     const std::optional<glm::ivec2> best = drawnPixel(viewDepth, pixel, reach);
     if (!best) return std::nullopt;
     const double depth = viewDepth.at(best->x, best->y);

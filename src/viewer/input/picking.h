@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/camera.h"
-#include "executor/picture.h"
+#include "render/picture.h"
 
 #include <optional>
 
@@ -10,10 +10,10 @@ namespace gnomon::viewer {
 
 /// Returns the pixel (column, row from the upper left) if something is drawn there. Otherwise returns the nearest drawn
 /// pixel within `reach` pixels, so that the user can hit wires and railings. Returns nothing if there is none.
-std::optional<glm::ivec2> drawnPixel(const executor::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach);
+std::optional<glm::ivec2> drawnPixel(const render::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach);
 
 /// Returns the world point that `camera` sees at this pixel.
 std::optional<glm::dvec3> pointUnder(
-    const executor::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach);
+    const render::FloatPicture& viewDepth, const Camera& camera, const glm::ivec2& pixel, int reach);
 
 } // namespace gnomon::viewer

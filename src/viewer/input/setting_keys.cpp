@@ -24,7 +24,7 @@ bool changeShown(const Binding& binding, ViewSettings& settings) {
         settings.showsFacts = !settings.showsFacts;
         return true;
     case Action::SetOverlay:
-        settings.overlay = executor::kOverlays[static_cast<std::size_t>(binding.value)].value;
+        settings.overlay = render::kOverlays[static_cast<std::size_t>(binding.value)].value;
         return true;
     default:
         return false;

@@ -1,7 +1,7 @@
 #include "viewer/panel/overlay.h"
 
 #include "core/formatted.h"
-#include "executor/overlay/overlay_colors.h"
+#include "render/overlay/overlay_colors.h"
 #include "viewer/panel/measure_note.h"
 #include "viewer/panel/notes.h"
 #include "viewer/panel/settings_panel.h"
@@ -94,8 +94,8 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
             drawLine(formatted("sample %d of %d", content.scene->samples(), content.mostSamples));
         std::snprintf(text.data(), text.size(), "speed %.3g a second   H help, Tab panel", content.flyingSpeed);
         drawLine(text.data(), kFaint);
-        if (settings.overlay != executor::Overlay::None)
-            drawLine(std::string("overlay: ") + executor::title(settings.overlay), kFaint);
+        if (settings.overlay != render::Overlay::None)
+            drawLine(std::string("overlay: ") + render::title(settings.overlay), kFaint);
     }
     ImGui::End();
 }
@@ -202,7 +202,7 @@ void drawBuild(const BuildStatus& status, const std::string& mesh) {
 
 /// Returns the colour of a partition in the partitions overlay.
 ImU32 indexColor(std::size_t index, float alpha) {
-    const glm::vec3 color = executor::indexColor(static_cast<int>(index % executor::kIndexColors));
+    const glm::vec3 color = render::indexColor(static_cast<int>(index % render::kIndexColors));
     return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, alpha});
 }
 

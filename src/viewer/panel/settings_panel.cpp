@@ -168,7 +168,7 @@ bool drawColors(const Scene& scene, ViewSettings& settings) {
     bool hasChanged = chooseFrom("colours", static_cast<int>(names.size()), chosen, shown);
     if (hasChanged) {
         stepColors(choices, chosen - current, settings.colors);
-        settings.overlay = executor::Overlay::None;
+        settings.overlay = render::Overlay::None;
     }
     using settings::ColorBy;
     if (settings.colors.by == ColorBy::None || settings.colors.by == ColorBy::Vertex) return hasChanged;
@@ -183,7 +183,7 @@ bool drawColors(const Scene& scene, ViewSettings& settings) {
 
 bool drawViewSettings(const OverlayContent& content, ViewSettings& settings, OverlayAnswer& answer) {
     bool hasChanged = false;
-    const auto& overlays = executor::kOverlays;
+    const auto& overlays = render::kOverlays;
     int overlay = 0;
     for (std::size_t i = 0; i < overlays.size(); ++i)
         if (overlays[i].value == settings.overlay) overlay = static_cast<int>(i);

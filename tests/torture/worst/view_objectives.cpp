@@ -158,21 +158,21 @@ Score jumpScore(Genes genes, Words words) {
     const plan::MadeScene scene(genes.below(64));
     plan::View view = plan::madeViewFrom(genes);
     const plan::Quality quality = openQuality(genes);
-    const plan::Capabilities executor{.unevenRows = genes.below(3) != 0};
+    const plan::Capabilities backend{.unevenRows = genes.below(3) != 0};
     const glm::dvec3 step = randomDirection(genes) * std::pow(10.0, genes.uniform(-9, -6));
     constexpr int kStill =
         14; // frames: near waits for less (plan/hysteresis.h), and a scheme goes at once or after more
-    plan::PlannedFrame now = plan::planFrame(view, quality, scene.facts(view), {}, executor);
+    plan::PlannedFrame now = plan::planFrame(view, quality, scene.facts(view), {}, backend);
     plan::FramePlan before = now.plan;
     for (int frame = 0; frame < kStill; ++frame) {
         before = now.plan;
-        now = plan::planFrame(view, quality, scene.facts(view), now.memory, executor);
+        now = plan::planFrame(view, quality, scene.facts(view), now.memory, backend);
     }
     Score score{jumpBetween(before, now.plan)}; // a plan of a view that stands still may not swing
     const bool isSwinging = score.value > 1.001;
     view.camera.eye += step;
     view.camera.target += step;
-    const plan::PlannedFrame beside = plan::planFrame(view, quality, scene.facts(view), now.memory, executor);
+    const plan::PlannedFrame beside = plan::planFrame(view, quality, scene.facts(view), now.memory, backend);
     score.value = std::max(score.value, jumpBetween(now.plan, beside.plan));
     if (words == Words::Yes) {
         std::ostringstream text;

@@ -1,0 +1,190 @@
+// The software backend against GL on OSMesa, or EGL with GNOMON_TEST_GL=egl, over seeded views, lights and settings of
+// a model: what differs, by scheme, and who is off where map depths do. usage: backend_parity MODEL.gnm TRIPLES [SIDE]
+// [TEXELS] [FIRST_SEED]
+#include "bench/exact_depth.h"
+#include "core/random.h"
+#include "frame/renderer.h"
+#include "gl/shader_library.h"
+#include "render/gl/gl_backend.h"
+#include "render/software_backend.h"
+#include "tests/gl/tested_platform.h"
+#include "tests/render/backend_comparison.h"
+#include "tests/render/field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+namespace gnomon::render {
+namespace {
+
+/// From outside or amid the model, towards it; the light from anywhere above.
+plan::View viewOf(const Box& bounds, int side, std::uint64_t seed) {
+    Random random(seed);
+    plan::View view;
+    view.width = view.height = side;
+    const double reach = 0.5 * glm::length(bounds.extent());
+    for (int axis = 0; axis < 3; ++axis) {
+        view.camera.target[axis] = bounds.center()[axis] + random.uniform(-0.3, 0.3) * bounds.extent()[axis];
+        view.camera.eye[axis] = bounds.center()[axis] + random.uniform(-1.3, 1.3) * reach;
+        view.towardsLight[axis] = axis == 1 ? random.uniform(0.1, 1) : random.uniform(-1, 1);
+    }
+    return view;
+}
+
+constexpr double kDepthBar = 1e-5;
+
+/// Texels whose depths differ by more than the bar, by whose is further than that from every caster's exact plane.
+struct Verdicts {
+    std::size_t oursOff = 0;
+    std::size_t theirsOff = 0;
+    double oursMost = 0;
+    double theirsMost = 0;
+
+    void operator+=(const Verdicts& other) {
+        oursOff += other.oursOff;
+        theirsOff += other.theirsOff;
+        oursMost = std::max(oursMost, other.oursMost);
+        theirsMost = std::max(theirsMost, other.theirsMost);
+    }
+};
+
+/// Sums of one scheme.
+struct Findings {
+    int triples = 0;
+    BackendDifference difference;
+    Verdicts verdicts;
+
+    void operator+=(const Findings& other) {
+        triples += other.triples;
+        difference += other.difference;
+        verdicts += other.verdicts;
+    }
+};
+
+/// The texels of `pass` on which the maps disagree.
+std::vector<DisputedTexel> disputed(
+    const plan::ShadowPass& pass, const FloatPicture& ours, const FloatPicture& theirs) {
+    std::vector<DisputedTexel> result;
+    const shadow::TexelRectangle& r = pass.map.rectangle;
+    for (int y = r.y; y < r.y + r.height; ++y)
+        for (int x = r.x; x < r.x + r.width; ++x) {
+            const float a = ours.at(x, y);
+            const float b = theirs.at(x, y);
+            if (a < 1 && b < 1 && std::abs(double{a} - double{b}) > kDepthBar) result.push_back({x, y, a, b});
+        }
+    return result;
+}
+
+Verdicts verdicts(
+    const frame::Frame& frame,
+    const hierarchy::ModelFile& model,
+    std::map<std::uint32_t, hierarchy::Page>& pages,
+    Backend& ours,
+    Backend& theirs) {
+    Verdicts result;
+    FrameDrawing drawing;
+    drawing.plan = &frame.plan;
+    drawing.space = frame.space;
+    drawing.grid = model.summary().grid;
+    drawing.pages = [&](std::uint32_t page) -> const hierarchy::Page& {
+        const auto found = pages.find(page);
+        return found != pages.end() ? found->second : pages.emplace(page, model.readPage(page)).first->second;
+    };
+    for (std::size_t pass = 0; pass < frame.plan.passes.size(); ++pass) {
+        drawing.casters.push_back(&frame.cut.lists[pass + 1]);
+        std::vector<DisputedTexel> texels = disputed(frame.plan.passes[pass], ours.shadowDepth(), theirs.shadowDepth());
+        if (texels.empty()) continue;
+        judge(drawing, pass, texels);
+        for (const DisputedTexel& texel : texels) {
+            result.oursOff += texel.oursOff > kDepthBar ? 1 : 0;
+            result.theirsOff += texel.theirsOff > kDepthBar ? 1 : 0;
+            result.oursMost = std::max(result.oursMost, texel.oursOff);
+            result.theirsMost = std::max(result.theirsMost, texel.theirsOff);
+        }
+    }
+    return result;
+}
+
+/// Percentages of the image's pixels and of the texels that both cover.
+void printRow(const std::string& name, const Findings& findings) {
+    const BackendDifference& found = findings.difference;
+    const auto percent = [](std::size_t part, std::size_t whole) {
+        return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+    };
+    std::printf(
+        "| %s | %d | %.5f | %.4f | %.5f | %.5f | %.1e | %.5f, %.1e | %.5f, %.1e |\n",
+        name.c_str(),
+        findings.triples,
+        percent(found.coverage, found.pixels),
+        percent(found.color, found.pixels),
+        percent(found.texelCover, found.texels),
+        percent(found.texelWrong, found.texels),
+        found.largestTexelDepth,
+        percent(findings.verdicts.oursOff, found.texels),
+        findings.verdicts.oursMost,
+        percent(findings.verdicts.theirsOff, found.texels),
+        findings.verdicts.theirsMost);
+}
+
+struct Options {
+    std::string model;
+    int triples = 0;
+    int side = 400;    // pixels
+    int texels = 1024; // a side
+    std::uint64_t firstSeed = 1;
+};
+
+void compareModel(const Options& options) {
+    const hierarchy::ModelFile model(options.model);
+    const std::unique_ptr<Backend> ours = makeSoftwareBackend();
+    const std::unique_ptr<Backend> gl = makeGlBackend(gl::testedPlatform(), gl::ShaderLibrary(), gibibytes(1));
+    frame::Renderer ourRenderer(model, *ours, {});
+    frame::Renderer glRenderer(model, *gl, {});
+    Findings all;
+    std::map<std::string, Findings> byScheme;
+    std::map<std::uint32_t, hierarchy::Page> pages;
+    for (int i = 0; i < options.triples; ++i) {
+        const std::uint64_t seed = options.firstSeed + static_cast<std::uint64_t>(i);
+        const plan::View view = viewOf(model.summary().bounds, options.side, seed);
+        plan::Quality quality = fieldQuality(seed);
+        quality.shadowTexelsWidth = quality.shadowTexelsHeight = options.texels;
+        frame::FrameOptions frameOptions;
+        frameOptions.overlay = static_cast<Overlay>(seed / 2 % 8);
+        frameOptions.wantsWholeMaps = true;
+        ourRenderer.forget();
+        glRenderer.forget();
+        const frame::Frame frame = ourRenderer.render(view, quality, frameOptions);
+        glRenderer.render(view, quality, frameOptions);
+        const Findings found{1, difference(*ours, *gl), verdicts(frame, model, pages, *ours, *gl)};
+        all += found;
+        byScheme[frame.row.scheme + " " + frame.row.warp] += found;
+    }
+    printRow("all", all);
+    for (const auto& [scheme, row] : byScheme)
+        printRow(scheme, row);
+}
+
+} // namespace
+} // namespace gnomon::render
+
+int main(int argc, char** argv) {
+    if (argc < 3) {
+        std::fprintf(stderr, "usage: backend_parity MODEL.gnm TRIPLES [SIDE] [TEXELS] [FIRST_SEED]\n");
+        return 2;
+    }
+    std::printf(
+        "| scheme | triples | coverage %% | colour %% | texel coverage %% | texels apart by over 1e-5 %% | most | "
+        "software off %%, most | OpenGL off %%, most |\n");
+    std::printf("|---|---|---|---|---|---|---|---|---|\n");
+    gnomon::render::Options options;
+    options.model = argv[1];
+    options.triples = std::atoi(argv[2]);
+    if (argc > 3) options.side = std::atoi(argv[3]);
+    if (argc > 4) options.texels = std::atoi(argv[4]);
+    if (argc > 5) options.firstSeed = std::strtoull(argv[5], nullptr, 10);
+    gnomon::render::compareModel(options);
+    return 0;
+}

@@ -1,0 +1,103 @@
+// Requests of byte ranges from a server, with strict checks of the answers.
+#pragma once
+
+#include "hierarchy/source/access.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon::hierarchy {
+
+/// The identity of the content at an address. If it is unchanged, the content is unchanged. Texts are empty if the
+/// server does not send them.
+struct Identity {
+    std::uint64_t size = 0;
+    std::string tag;      // the field ETag
+    std::string modified; // the field Last-Modified
+
+    bool operator==(const Identity&) const = default;
+};
+
+/// The reason why a request received fewer bytes than requested.
+enum class Refusal : std::uint8_t {
+    Passing,  // no answer, a broken answer, or a request to retry later
+    Lasting,  // a retry would have the same result
+    Changed,  // the content at the address has changed
+    Vanished, // the content no longer exists
+};
+
+struct RangeFailure {
+    Refusal refusal = Refusal::Passing;
+    std::string what;
+    std::string expected{}; // can be empty, as `found`
+    std::string found{};
+};
+
+struct RangeAnswer {
+    std::size_t received = 0; // valid bytes from the start of the range, also if an error followed
+    Identity identity;        // set when the whole header is valid
+    std::optional<RangeFailure> failure;
+};
+
+/// The header fields of a partial answer. If a field occurs twice, the last one counts.
+struct PartHeader {
+    std::string range;    // the field Content-Range
+    std::string encoding; // the field Content-Encoding
+    Identity identity;    // its size is the size of the whole content, from Content-Range
+
+    /// Parses one header line; names ignore case. A status line starts a new header and clears all fields.
+    void take(std::string_view line);
+};
+
+/// The position of a part from Content-Range: bytes `first` to `last` of `of` bytes. `partPlace` returns nullopt if the
+/// field is incomplete.
+struct PartPlace {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+    std::uint64_t of = 0;
+};
+
+std::optional<PartPlace> partPlace(const std::string& range);
+
+/// A pool of connections to a server. Many threads can use it, and each request has its own connection.
+class Connections {
+public:
+    /// Makes a pool for an http:// or https:// address. Throws Error if libcurl does not start.
+    Connections(std::string address, const Access& access);
+    ~Connections();
+    Connections(const Connections&) = delete;
+    Connections& operator=(const Connections&) = delete;
+    Connections(Connections&&) = delete;
+    Connections& operator=(Connections&&) = delete;
+
+    /// Fills `out` from `offset`, and checks that the content is still `known`. If `known` is null, the content may be
+    /// shorter than `out`. Ignores additional bytes from the server.
+    RangeAnswer get(std::uint64_t offset, std::span<std::byte> out, const Identity* known) const;
+
+    /// Ends all waiting requests and all later ones.
+    void stop() const { isStopped_ = true; }
+
+    bool isStopped() const { return isStopped_; }
+
+private:
+    class Handle;
+    struct Request;
+
+    std::unique_ptr<Handle> taken() const;
+
+    std::string address_;
+    std::string authorityFile_;
+    mutable std::mutex mutex_;
+    mutable std::vector<std::unique_ptr<Handle>> idle_;
+    mutable std::string redirectedTo_; // host of the last received part, if the address was redirected
+    mutable std::atomic<bool> isStopped_{false};
+};
+
+} // namespace gnomon::hierarchy

@@ -1,0 +1,24 @@
+// Positions as whole steps of a model's grid, so that measurements between them are exact.
+#pragma once
+
+#include "hierarchy/grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::inspect {
+
+/// Returns the cell of `grid` nearest to a world-space point. The distance is at most half a cell's diagonal. The cell
+/// can lie outside the grid, up to 2^60 steps.
+inline glm::i64vec3 cellOf(const hierarchy::Grid& grid, const glm::dvec3& point) {
+    constexpr double kMost = 0x1p60;
+    const glm::dvec3 cells = glm::clamp((point - grid.origin) / grid.step(), -kMost, kMost);
+    return {std::llround(cells.x), std::llround(cells.y), std::llround(cells.z)};
+}
+
+/// Returns the world-space position of `cell`, in the source's coordinates, rounded once to the nearest double.
+inline glm::dvec3 worldOf(const hierarchy::Grid& grid, const glm::i64vec3& cell) {
+    return grid.origin + glm::dvec3(cell) * grid.step();
+}
+
+} // namespace gnomon::inspect

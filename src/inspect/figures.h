@@ -1,0 +1,35 @@
+// Distances, heights, angles and areas of points, computed with integers up to the last root or quotient.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon::inspect {
+
+/// Max distance between two measured cells, in grid steps. Products then fit 128-bit integers.
+constexpr std::int64_t kMostSteps = std::int64_t{1} << 40;
+
+/// The figures of a sequence of points, in world units and degrees. A figure that needs more points is 0 or empty.
+struct Figures {
+    std::vector<double> legs;                         // from each point to the next
+    double along = 0;                                 // sum of the legs
+    double straight = 0;                              // from the first point to the last
+    double height = 0;                                // of the last point above the first; negative if below
+    double level = 0;                                 // horizontal length of `straight`
+    double slopeDegrees = 0;                          // slope of `straight`, from -90 to 90
+    std::vector<std::optional<double>> anglesDegrees; // at each inner point; nothing if a leg has no length
+    double perimeter = 0;                             // length of the closed polygon
+    double area = 0;     // length of the polygon's vector area (Newell); for a planar polygon the enclosed area
+    double planArea = 0; // horizontal area, seen from above
+    double offPlane = 0; // max distance of the points from their mean plane; 0 without a plane
+};
+
+/// Returns the figures of `cells`, at most kMostSteps apart, on a grid of `step`, a power of two. `up` has any length
+/// above 0. Squared distances and vector areas are integers, so derived values have the full precision of a double.
+Figures figuresOf(std::span<const glm::i64vec3> cells, double step, const glm::dvec3& up);
+
+} // namespace gnomon::inspect

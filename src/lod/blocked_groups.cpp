@@ -1,0 +1,51 @@
+// Blocked groups: groups above damaged pages that a cut must leave unrefined.
+#include "lod/page_store.h"
+
+#include <limits>
+
+namespace gnomon::lod {
+namespace {
+
+constexpr double kNoParent = std::numeric_limits<double>::infinity(); // error of a root group
+
+/// Returns true if `outer` may contain `inner`, with a tolerance of 1e-6.
+bool mayEnclose(const Sphere& outer, const Sphere& inner) {
+    return glm::distance(outer.center, inner.center) + inner.radius <= outer.radius * (1 + 1e-6);
+}
+
+} // namespace
+
+/// Blocks groups of `page`. A group may be refined only if each group that contains a part of its refinement is also
+/// refined. The groups that a damaged page refines are unknown, but its bounds contain theirs. Groups outside these
+/// bounds are not affected.
+void PageStore::blockGroups(std::uint32_t page) {
+    const hierarchy::Page& content = *entries_[page].content;
+    const auto block = [&](std::uint32_t group) {
+        if (content.groups[group].error < kNoParent) blocked_.insert({page, group}); // a root group has no parents
+    };
+    for (const std::uint32_t parent : entries_[page].parents) {
+        if (entries_[parent].state != State::Damaged) {
+            blockBelow(parent, page, block);
+            continue;
+        }
+        for (std::uint32_t group = 0; group < content.groups.size(); ++group)
+            if (mayEnclose(source_->pages()[parent].bounds, content.groups[group].bounds)) block(group);
+    }
+}
+
+/// Calls `block` for each group of `page` that is the refinement of a blocked group of `parent`.
+template <class Block>
+void PageStore::blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const {
+    const hierarchy::Page& above = *entries_[parent].content;
+    for (auto blocked = blocked_.lower_bound({parent, 0}); blocked != blocked_.end() && blocked->page == parent;
+         ++blocked) {
+        const hierarchy::Group& group = above.groups[blocked->group];
+        for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
+            if (above.clusters[c].refinement == hierarchy::kNone) continue;
+            const hierarchy::GroupRef& finer = above.refinements[above.clusters[c].refinement].group;
+            if (finer.page == page) block(finer.group);
+        }
+    }
+}
+
+} // namespace gnomon::lod

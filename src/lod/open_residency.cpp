@@ -1,0 +1,37 @@
+// Conversion of the resident pages of an open demand to an ancestor-complete set.
+#include "lod/page_store.h"
+
+#include <algorithm>
+
+namespace gnomon::lod {
+
+bool PageStore::close() {
+    if (!isOpen_) return false;
+    isOpen_ = false;
+    bool hasHidden = false;
+    for (std::uint32_t page = 0; page < entries_.size(); ++page) { // parents have lower ids
+        const Entry& entry = entries_[page];
+        const auto isThere = [this](std::uint32_t parent) { return entries_[parent].state == State::Resident; };
+        if (entry.state != State::Resident || std::all_of(entry.parents.begin(), entry.parents.end(), isThere))
+            continue;
+        hide(page);
+        hasHidden = true;
+    }
+    return hasHidden;
+}
+
+/// Hides `page`, as if it had been decoded before one of its parents.
+void PageStore::hide(std::uint32_t page) {
+    Entry& entry = entries_[page];
+    entry.state = State::Loading;
+    table_[page] = nullptr;
+    blocked_.erase(blocked_.lower_bound({page, 0}), blocked_.lower_bound({page + 1, 0}));
+    --statistics_.residentPages;
+    statistics_.resident.count -= decodedBytes(source_->pages()[page]).count;
+    LoadedPage& hidden = waiting_.emplace_back();
+    hidden.page = page;
+    hidden.content = std::move(entry.content);
+    if (options_.onEvicted) options_.onEvicted(page);
+}
+
+} // namespace gnomon::lod

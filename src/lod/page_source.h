@@ -1,0 +1,45 @@
+// The source of pages: a file or a server.
+#pragma once
+
+#include "hierarchy/model_file.h"
+
+#include <span>
+
+namespace gnomon::lod {
+
+/// A page table and its pages.
+class PageSource {
+public:
+    PageSource() = default;
+    virtual ~PageSource() = default;
+    PageSource(const PageSource&) = delete;
+    PageSource& operator=(const PageSource&) = delete;
+    PageSource(PageSource&&) = delete;
+    PageSource& operator=(PageSource&&) = delete;
+
+    /// Returns the name for messages.
+    virtual std::string name() const = 0;
+
+    virtual std::span<const hierarchy::PageInfo> pages() const = 0;
+
+    /// Returns one decoded page. Many threads may call it at once. Throws PageDamage if the page is damaged, and any
+    /// other exception if the page is not available at present.
+    virtual hierarchy::Page readPage(std::uint32_t page) const = 0;
+};
+
+/// The pages of an open model. The model must outlive this object.
+class FilePageSource final : public PageSource {
+public:
+    explicit FilePageSource(const hierarchy::ModelFile& model) : model_(&model) {}
+
+    std::string name() const override { return model_->path(); }
+
+    std::span<const hierarchy::PageInfo> pages() const override { return model_->pages(); }
+
+    hierarchy::Page readPage(std::uint32_t page) const override { return model_->readPage(page); }
+
+private:
+    const hierarchy::ModelFile* model_;
+};
+
+} // namespace gnomon::lod

@@ -1,0 +1,91 @@
+// Traversal of a tree with several convex volumes and an error rule at a time.
+#pragma once
+
+#include "core/convex_volume.h"
+#include "lod/tree.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace gnomon::lod {
+
+/// Max number of volumes in one traversal: one bit each.
+constexpr std::size_t kMaxVolumes = 64;
+
+/// The relation of a box to a set of volumes, one bit per volume. `inside` is a subset of `touching`. The bits are
+/// conservative, like `classify`.
+struct VolumeMask {
+    std::uint64_t touching = 0;
+    std::uint64_t inside = 0;
+
+    /// Returns the volumes against which a part of the box must still be tested.
+    std::uint64_t undecided() const { return touching & ~inside; }
+
+    bool operator==(const VolumeMask&) const = default;
+};
+
+/// Returns the mask of a box that intersects each of `count` volumes, without further knowledge.
+VolumeMask undecidedMask(std::size_t count);
+
+/// Returns the mask of `part`, a part of a box with the mask `mask`. Tests only undecided volumes.
+VolumeMask narrowed(VolumeMask mask, std::span<const ConvexVolume> volumes, const Box& part);
+
+namespace detail {
+
+/// The planes of the volumes in floats. A margin makes each float test conservative.
+class PreparedVolumes {
+public:
+    PreparedVolumes(std::span<const ConvexVolume> volumes, double reach);
+
+    /// Computes the masks of the eight children of `node` from the mask of the node.
+    void classify(const Node& node, VolumeMask mask, std::array<VolumeMask, kWidth>& result) const;
+
+private:
+    struct FloatPlane {
+        std::array<float, 3> normal{};
+        std::array<float, 3> size{}; // absolute components of `normal`
+        float offset = 0;
+        float margin = 0;
+    };
+
+    std::vector<FloatPlane> planes_;
+    std::vector<std::uint32_t> first_; // first plane of each volume, and the end
+};
+
+} // namespace detail
+
+/// Calls `visit(item, mask)` for each item whose box intersects one of `volumes` and for which `matters(bounds, error)`
+/// is true. `matters` must be monotone: if it is true for a sphere and an error, it is also true for a larger sphere
+/// around it and a larger error. The float tests can visit a few more items than exact tests, but never fewer.
+template <class Matters, class Visit>
+void traverse(const Tree& tree, std::span<const ConvexVolume> volumes, const Matters& matters, const Visit& visit) {
+    if (tree.isEmpty() || volumes.empty()) return;
+    const detail::PreparedVolumes prepared(volumes, tree.reach());
+
+    struct Entry {
+        std::uint32_t node = 0;
+        VolumeMask mask;
+    };
+
+    std::vector<Entry> stack{{0, undecidedMask(volumes.size())}};
+    std::array<VolumeMask, kWidth> masks{};
+    while (!stack.empty()) {
+        const Entry entry = stack.back();
+        stack.pop_back();
+        const Node& node = tree.nodes()[entry.node];
+        prepared.classify(node, entry.mask, masks);
+        for (std::size_t lane = node.count; lane-- > 0;) {
+            if (masks[lane].touching == 0) continue;
+            const Sphere bounds{
+                {node.bounds[0][lane], node.bounds[1][lane], node.bounds[2][lane]}, node.bounds[3][lane]};
+            if (!matters(bounds, static_cast<double>(node.error[lane]))) continue;
+            if ((node.leaves >> lane & 1U) != 0) {
+                visit(node.child[lane], masks[lane]);
+            } else {
+                stack.push_back({node.child[lane], masks[lane]});
+            }
+        }
+    }
+}
+
+} // namespace gnomon::lod

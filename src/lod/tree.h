@@ -1,0 +1,61 @@
+// A bounding volume tree over boxes with errors. Embree builds it once, with eight children per node. The traversal is
+// in traversal.h.
+#pragma once
+
+#include "core/box.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gnomon::lod {
+
+/// An item of the tree. `box` is tested against volumes, `bounds` and `error` against an error rule.
+struct Item {
+    Box box;
+    Sphere bounds;
+    double error = 0; // may be infinite
+};
+
+constexpr std::size_t kWidth = 8;
+
+/// A node with eight children in structure-of-arrays layout. Floats are rounded outwards: if a test fails here, it also
+/// fails for the child itself.
+struct Node {
+    std::array<std::array<float, kWidth>, 3> min{};
+    std::array<std::array<float, kWidth>, 3> max{};
+    std::array<std::array<float, kWidth>, 4> bounds{}; // sphere: x, y, z, radius
+    std::array<float, kWidth> error{};
+    std::array<std::uint32_t, kWidth> child{}; // a node, or an item if the child's bit in `leaves` is set
+    std::uint8_t count = 0;
+    std::uint8_t leaves = 0;
+};
+
+/// The tree. An item is identified by its index in the span that the tree was built from.
+class Tree {
+public:
+    Tree() = default;
+
+    /// Builds the tree over `items` with a surface area heuristic (rtcBuildBVH of Embree 3). The build uses one thread,
+    /// so equal items give equal trees. Throws Error if Embree fails.
+    explicit Tree(std::span<const Item> items);
+
+    bool isEmpty() const { return nodes_.empty(); }
+
+    /// Returns the nodes. The root is node 0; children follow their parents.
+    std::span<const Node> nodes() const { return nodes_; }
+
+    /// Returns the items in the order of the leaves. Adjacent items are near each other in space.
+    std::span<const std::uint32_t> order() const { return order_; }
+
+    /// Returns the largest absolute coordinate of all boxes. It scales the rounding margin of the traversal.
+    double reach() const { return reach_; }
+
+private:
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;
+    double reach_ = 0;
+};
+
+} // namespace gnomon::lod

@@ -1,0 +1,75 @@
+// A scene of given clusters for ray tracing, relative to the eye: first hits and occlusion.
+#pragma once
+
+#include "core/convex_volume.h"
+#include "core/units.h"
+#include "hierarchy/page.h"
+#include "raytrace/ray.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gnomon::raytrace {
+
+/// Adjacent clusters of one decoded page.
+struct ClusterSpan {
+    const hierarchy::Page* page = nullptr;
+    std::uint32_t firstCluster = 0;
+    std::uint32_t clusterCount = 0;
+};
+
+/// The first triangle on a ray.
+struct Hit {
+    float distance = 0;         // the parameter along the ray's direction
+    std::uint32_t span = 0;     // index of the ClusterSpan in the constructor
+    std::uint32_t cluster = 0;  // index in its page
+    std::uint32_t triangle = 0; // index in its page
+    float u = 0;                // barycentric: (1 - u - v) a + u b + v c
+    float v = 0;
+    glm::vec3 normal{0}; // geometric, unit length, towards the ray's origin
+};
+
+/// Returns the part of `ray` on the inner side of all `planes`, or nothing if there is none.
+std::optional<Ray> keptPart(Ray ray, std::span<const Plane> planes);
+
+/// Max memory of a scene during its construction, per triangle.
+inline constexpr Bytes kSceneBytesPerTriangle{83};
+
+/// An Embree scene of one mesh, for rays relative to the eye. Many threads may query it at once.
+class Scene final : public Occluders {
+public:
+    /// Builds a scene from copies of the triangles of `spans`, relative to `eye` (local space). Triangles are
+    /// two-sided. The cost is about 63 bytes and 0.25 microseconds per triangle. The pages may be evicted afterwards.
+    /// Throws Error if Embree fails.
+    Scene(std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& eye);
+    ~Scene() override;
+    Scene(Scene&& other) noexcept;
+    Scene& operator=(Scene&& other) noexcept;
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    std::uint64_t triangleCount() const;
+
+    /// Restricts later queries to the inner side of all `planes` (relative to the eye), as if the triangles had been
+    /// cut there. Occlusion queries still use whole triangles unless `cutsOccluders` is true.
+    void cutBy(std::vector<Plane> planes, bool cutsOccluders);
+
+    std::optional<Hit> firstHit(const Ray& ray) const;
+
+    bool isOccluded(const Ray& ray) const override;
+
+    /// Returns the first hit of each ray. Runs on all cores.
+    std::vector<std::optional<Hit>> firstHits(std::span<const Ray> rays) const;
+
+    /// Returns 1 for each ray that hits a triangle, else 0. Runs on all cores.
+    std::vector<std::uint8_t> occlusion(std::span<const Ray> rays) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace gnomon::raytrace

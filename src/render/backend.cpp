@@ -1,0 +1,19 @@
+#include "render/backend.h"
+
+#include "core/error.h"
+
+namespace gnomon::render {
+
+DrawStatistics Backend::draw(const FrameDrawing& frame) {
+    DrawStatistics statistics;
+    statistics.shadows = drawShadowMaps(frame);
+    statistics.image = drawImage(frame);
+    statistics.deviceMemory = deviceMemory();
+    return statistics;
+}
+
+DrawStatistics Backend::drawExactly(const FrameDrawing&) {
+    throw Error("exact shadows", "this backend has none", "the software rasteriser", name());
+}
+
+} // namespace gnomon::render

@@ -1,0 +1,239 @@
+#include "render/exact_pass.h"
+
+#include "exact/plain_shadows.h"
+#include "render/frame_block.h"
+#include "render/view/section_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace gnomon::render {
+
+namespace {
+
+/// The clusters of the image, for lookups by page and cluster.
+class ClusterSet {
+public:
+    ClusterSet(std::span<const DrawnCluster> clusters, bool withPieces) {
+        for (const DrawnCluster& drawn : clusters) {
+            if (drawn.isPiece && !withPieces) continue;
+            std::vector<bool>& page = pages_[drawn.pageId];
+            if (page.empty()) page.resize(drawn.page->clusters.size());
+            page[drawn.cluster] = true;
+        }
+    }
+
+    bool contains(std::uint32_t page, std::uint32_t cluster) const {
+        const auto found = pages_.find(page);
+        return found != pages_.end() && found->second[cluster];
+    }
+
+private:
+    std::unordered_map<std::uint32_t, std::vector<bool>> pages_;
+};
+
+exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
+    const hierarchy::Cluster& cluster = page.clusters[index];
+    const hierarchy::GridPoint origin = frame.space.originCell;
+    // Differences in 32 bits are also correct for positions outside the grid.
+    const auto fromOrigin = [&](const hierarchy::GridPoint& p) {
+        return glm::i64vec3(glm::ivec3(glm::uvec3(p.x, p.y, p.z) - glm::uvec3(origin.x, origin.y, origin.z)));
+    };
+    exact::Caster caster;
+    caster.geometry = {
+        &page.vertices[cluster.firstVertex].position.x,
+        sizeof(hierarchy::Vertex),
+        cluster.vertexCount,
+        {page.triangles.data() + cluster.firstTriangle, cluster.triangleCount},
+        static_cast<std::uint32_t>(place) << kTriangleBits};
+    caster.least = fromOrigin(cluster.box.min);
+    caster.most = fromOrigin(cluster.box.max);
+    return caster;
+}
+
+/// Returns the caster of a piece of a cluster, with the piece's own corners.
+exact::Caster casterOfPiece(const FrameDrawing& frame, const raster::Cluster& piece) {
+    const hierarchy::GridPoint origin = frame.space.originCell;
+    exact::Caster caster;
+    caster.geometry = piece;
+    caster.least = glm::i64vec3(std::numeric_limits<std::int64_t>::max());
+    caster.most = glm::i64vec3(std::numeric_limits<std::int64_t>::min());
+    const std::size_t stride = piece.positionStride / sizeof(std::uint32_t);
+    for (std::size_t v = 0; v < piece.vertexCount; ++v) {
+        const std::uint32_t* p = piece.positions + v * stride;
+        const glm::i64vec3 cell = glm::i64vec3(p[0], p[1], p[2]) - glm::i64vec3(origin.x, origin.y, origin.z);
+        caster.least = glm::min(caster.least, cell);
+        caster.most = glm::max(caster.most, cell);
+    }
+    return caster;
+}
+
+/// Returns the eye in cells. A distant orthographic eye can exceed the range of fixed-point coordinates with 2^-24
+/// precision. It is then moved along the view, which does not change its parallel rays.
+glm::dvec3 eyeCell(const FrameDrawing& frame) {
+    constexpr double kFarthest = 0x1p36;
+    const glm::dvec3 eye = frame.space.eye / frame.space.step;
+    const double beyond = glm::length(eye) - kFarthest;
+    return frame.plan->view.camera.isParallel() && beyond > 0 ? eye + frame.plan->basis.view * beyond : eye;
+}
+
+} // namespace
+
+exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
+    if (const auto& light = frame.plan->view.pointLight) {
+        const glm::dvec3 cell = (light->at - frame.grid.origin) / frame.space.step;
+        const hierarchy::GridPoint origin = frame.space.originCell;
+        const glm::i64vec3 whole(std::llround(cell.x), std::llround(cell.y), std::llround(cell.z));
+        return exact::pointSpace(whole - glm::i64vec3(origin.x, origin.y, origin.z), eyeCell(frame));
+    }
+    exact::SampleSpace space;
+    space.light = frame.plan->light;
+    space.shear = exact::shearAlong(space.light);
+    space.eye = eyeCell(frame);
+    // 0 maps when shadow maps are compared with the ground truth
+    space.maps = std::max(static_cast<int>(frame.plan->cellMaps.size()), 1);
+    return space;
+}
+
+std::uint32_t tolerance(const IntegerLight& light) {
+    return exact::twoSteps(light);
+}
+
+std::optional<raster::OcclusionCounts> drawUndecided(
+    const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided) {
+    const auto occlusion = drawVisible(frame, buffers);
+    const exact::SampleSpace space = sampleSpace(frame);
+    samples.reset(space, buffers.picture->pixels.size());
+    undecided.samples = &samples;
+    undecided.tolerance = tolerance(space.light);
+    undecided.sliceEnds.clear();
+    for (const shadow::ShadowMap& map : frame.plan->cellMaps)
+        undecided.sliceEnds.push_back(static_cast<float>(map.region.frustum.far));
+    const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
+    const FloatPicture noMaps;
+    const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Undecided);
+    ShadingTarget target;
+    target.picture = buffers.picture;
+    target.undecided = &undecided;
+    target.light = buffers.light;
+    target.undecidedLight = buffers.undecidedLight;
+    target.tiles = frame.tiles;
+    shadeVisible(shading, *buffers.words, target);
+    return occlusion;
+}
+
+void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::VisiblePoints& points) {
+    drawVisible(frame, buffers);
+    points.reset(buffers.picture->pixels.size());
+    UndecidedPixels undecided;
+    undecided.points = &points;
+    const FloatPicture noMaps;
+    const Shading shading(frame, imageClipFromDraw(frame), noMaps, buffers.pass->drawn(), Verdict::Undecided);
+    shadeVisible(shading, *buffers.words, {buffers.picture, nullptr, &undecided});
+}
+
+namespace {
+
+/// Adds the clusters of the image's pass at their indices. The ground and pieces get no vertices, so they throw no
+/// shadow, but samples can still refer to their triangles.
+void addDrawnCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
+    for (std::size_t place = 0; place < image.drawn().size(); ++place) {
+        const DrawnCluster& cluster = image.drawn()[place];
+        casters.push_back(casterOf(frame, *cluster.page, cluster.cluster, place));
+        if (!cluster.isGround && !cluster.isPiece) continue;
+        raster::Cluster& geometry = casters.back().geometry;
+        geometry.vertexCount = 0;
+        geometry.triangles = {cluster.triangles, image.clusters()[place].triangles.size()};
+    }
+}
+
+/// Adds the pieces in the pass from index `first` on. Their ids are those of the triangles that they belong to.
+void addPieceCasters(
+    const FrameDrawing& frame, const SoftwarePass& image, std::size_t first, std::vector<exact::Caster>& casters) {
+    for (std::size_t place = first; place < image.drawn().size(); ++place)
+        if (image.drawn()[place].isPiece) casters.push_back(casterOfPiece(frame, image.clusters()[place]));
+}
+
+/// Adds the parts of a cluster that the sections keep.
+void addCutCaster(
+    const FrameDrawing& frame,
+    SoftwarePass& image,
+    std::uint32_t page,
+    std::uint32_t cluster,
+    std::vector<exact::Caster>& casters) {
+    const std::size_t first = image.drawn().size();
+    image.addCut(frame, {page, cluster, 1});
+    const bool isWhole = image.drawn().size() == first + 1 && !image.drawn().back().isPiece;
+    if (isWhole)
+        casters.push_back(casterOf(frame, frame.pages(page), cluster, casters.size()));
+    else
+        addPieceCasters(frame, image, first, casters);
+}
+
+} // namespace
+
+void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vector<exact::Caster>& casters) {
+    casters.clear();
+    const bool isCut = frame.plan->view.cutsCasters && !frame.plan->view.sections.empty();
+    if (isCut) frame.sectionMemory->cut.cut(frame, frame.exactCasters->ranges);
+    const ClusterSet drawn(image.drawn(), isCut);
+    addDrawnCasters(frame, image, casters);
+    if (isCut) addPieceCasters(frame, image, 0, casters);
+    for (const lod::ClusterRange& range : frame.exactCasters->ranges) {
+        const hierarchy::Page& page = frame.pages(range.page);
+        for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
+            if (drawn.contains(range.page, c)) continue;
+            if (isCut)
+                addCutCaster(frame, image, range.page, c, casters);
+            else
+                casters.push_back(casterOf(frame, page, c, casters.size()));
+        }
+    }
+}
+
+std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear) {
+    std::vector<glm::dmat3> planes;
+    if (frame.plan->view.pointLight) return planes; // its maps are the faces of a cube around the light
+    for (const shadow::ShadowMap& map : frame.plan->cellMaps) {
+        const glm::dmat4 clip = map.lightClipFromCamera() * frame.space.cameraFromDraw;
+        const auto column = [&](const glm::dvec4& p) {
+            const glm::dvec4 c = clip * p;
+            return glm::dvec3(c.x, c.y, c.w);
+        };
+        glm::dvec4 u(0);
+        glm::dvec4 v(0);
+        u[shear.first] = frame.space.step;
+        v[shear.second] = frame.space.step;
+        planes.emplace_back(column(u), column(v), column({0, 0, 0, 1}));
+    }
+    return planes;
+}
+
+Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
+    const plan::View& view = frame.plan->view;
+    raster::Rasterizer rasterizer;
+    SoftwarePass pass;
+    Picture picture(view.width, view.height);
+    std::vector<std::uint64_t> words(picture.pixels.size());
+    exact::SampleList samples;
+    UndecidedPixels undecided;
+    plan::FramePlan whole = *frame.plan;
+    whole.skipsHidden = false; // the ground truth does not rely on occlusion culling
+    FrameDrawing drawing = frame;
+    drawing.plan = &whole;
+    drawing.wantsLight = false;
+    drawing.ground = nullptr; // the ground is not part of the model
+    drawUndecided(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
+    const hierarchy::GridPoint origin = frame.space.originCell;
+    std::vector<exact::Caster> casters;
+    gatherExactCasters(frame, pass, casters);
+    const std::vector<std::uint8_t> statuses = exact::plainStatuses(samples, casters, {origin.x, origin.y, origin.z});
+    Raster<std::uint8_t> lit(view.width, view.height);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (!exact::isDark(statuses[i])) lit.pixels[samples.pixel[i]] = 255;
+    return lit;
+}
+
+} // namespace gnomon::render

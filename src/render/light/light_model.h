@@ -1,0 +1,46 @@
+// The light of a surface and its displayed colour: linear light, tone mapping and the transfer function of sRGB. All
+// functions use only sums, products, quotients and square roots, so each compiler gives the same result.
+#pragma once
+
+#include "plan/frame_plan.h"
+#include "shaders/shared/frame_block.h"
+
+#include <array>
+
+namespace gnomon::render {
+
+/// Polynomial approximations of the sRGB transfer function (IEC 61966-2-1). The error is less than a third of a level
+/// of 255, so a byte survives the conversion to linear and back. `kFromDisplay` are coefficients of the displayed
+/// value, `kToDisplay` of the square root of the linear value, lowest order first. Below the limits both functions are
+/// linear.
+namespace srgb {
+constexpr float kLinearSlope = 12.92F;
+constexpr float kDisplayLimit = 0.04045F;
+constexpr float kLinearLimit = 0.0031308F;
+constexpr std::array<float, 5> kFromDisplay = {0.00106078186F, 0.0279601052F, 0.563798591F, 0.518328812F, -0.11114829F};
+constexpr std::array<float, 5> kToDisplay = {-0.0367864106F, 1.44343967F, -0.92177175F, 0.801877223F, -0.286758735F};
+} // namespace srgb
+
+/// Converts a linear value in [0, 1] to a displayed value in [0, 1].
+float displayFromLinear(float linear);
+
+/// Converts a displayed value in [0, 1] to a linear value in [0, 1].
+float linearFromDisplay(float display);
+
+/// Returns the tone-mapped value of linear `light`, in [0, 1], by Reinhard's operator (Reinhard et al. 2002, Eq 3). It
+/// keeps dark values almost unchanged and preserves differences between bright values. With `--shading unlit` there is
+/// no tone mapping.
+float shoulder(const block::Frame& block, float light);
+
+/// Fills the light parameters of `block`. `shading` is never Auto.
+void setLight(const plan::View& view, const plan::Look& look, plan::Shading shading, block::Frame& block);
+
+/// Removes the sky light from the values of setLight, so that it can be added direction by direction.
+void takeSkyOut(const plan::Look& look, block::Frame& block);
+
+/// Replaces the light in `block` by the sky light from the direction of the frame's light. The whole sky light is the
+/// mean of many such directions over the hemisphere around up. `weight` is twice the relative brightness of this
+/// direction, because the mean of twice the cosine over the hemisphere is 1.
+void leaveSkyDirection(const plan::Look& look, double weight, block::Frame& block);
+
+} // namespace gnomon::render

@@ -1,0 +1,26 @@
+// The clusters of an image that are coarser than the error limit requires, because finer pages are not in memory.
+#pragma once
+
+#include "render/backend.h"
+
+#include <functional>
+#include <span>
+
+namespace gnomon::render {
+
+/// Returns the clusters of `image`, a draw list of `query`, whose refinement should have been drawn. They are sorted by
+/// page and cluster. `isDamaged` returns true for a page that could not be read.
+std::vector<LodSubstitute> lodSubstitutes(
+    const lod::CutQuery& query, const lod::DrawList& image, const std::function<bool(std::uint32_t page)>& isDamaged);
+
+/// Returns the reason why `cluster` of `page` is drawn.
+Residence residenceOf(std::span<const LodSubstitute> substitutes, std::uint32_t page, std::uint32_t cluster);
+
+/// Returns the clusters of `image` that are drawn for the reason `residence`.
+lod::DrawList drawnAs(
+    const lod::DrawList& image,
+    std::span<const LodSubstitute> substitutes,
+    Residence residence,
+    const PageLookup& pages);
+
+} // namespace gnomon::render

@@ -1,0 +1,77 @@
+// Pictures in memory and on disk: PNG for viewing, PFM for measurements.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon::render {
+
+/// A pixel with 8 bits per channel, display-referred.
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// A 2D array of pixels, with rows from top to bottom.
+template <class Pixel>
+struct Raster {
+    int width = 0;
+    int height = 0;
+    std::vector<Pixel> pixels;
+
+    Raster() = default;
+
+    Raster(int w, int h, const Pixel& fill = {})
+        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+
+    const Pixel& at(int x, int y) const { return pixels[index(x, y)]; }
+
+    Pixel& at(int x, int y) { return pixels[index(x, y)]; }
+};
+
+using Picture = Raster<Rgb>;
+using FloatPicture = Raster<float>;
+
+/// The coverage of each pixel, where 255 is full coverage. A picture without coverage is opaque.
+using Coverage = Raster<std::uint8_t>;
+
+/// Encodes `picture` as a PNG file, with `coverage` as alpha. Throws Error if that fails.
+std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
+
+/// Writes an 8-bit RGB PNG, or RGBA with `coverage`. The file appears under `path` only when it is complete. Throws
+/// Error if that fails.
+void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
+
+/// Returns full coverage for pixels with a finite `depth`, otherwise none.
+Coverage coverageOf(const FloatPicture& depth);
+
+/// Reads a PNG as 8-bit RGB without transparency. Throws Error if the file is not a valid PNG.
+Picture readPng(const std::string& path);
+
+/// Writes a one-channel little-endian PFM, whose rows go from bottom to top. Throws Error if that fails.
+void writePfm(const std::string& path, const FloatPicture& picture);
+
+/// The difference of two pictures, in fractions of full scale.
+struct PictureDifference {
+    double mean = 0;            // mean absolute difference over all pixels and channels
+    double largest = 0;         // largest difference of a channel
+    double changedFraction = 0; // share of pixels with a channel that differs by more than 2 of 255 levels
+};
+
+/// Computes the difference of two pictures. Throws Error if their sizes differ.
+PictureDifference difference(const Picture& a, const Picture& b);
+
+/// A picture and the path of its file.
+struct NamedPicture {
+    std::string path;
+    Picture picture;
+};
+
+/// Throws Error if the mean difference between `picture` and `reference` exceeds `threshold`, a fraction of full scale.
+void requireAlike(const NamedPicture& reference, const Picture& picture, double threshold);
+
+} // namespace gnomon::render

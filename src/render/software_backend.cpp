@@ -1,0 +1,366 @@
+#include "render/software_backend.h"
+
+#include "core/check.h"
+#include "core/stopwatch.h"
+#include "plan/cell_maps.h"
+#include "render/exact_pass.h"
+#include "render/frame_block.h"
+#include "render/light/background.h"
+#include "render/ray_pass.h"
+#include "render/software/receiver_pass.h"
+#include "render/view/lens.h"
+#include "render/view/section_caps.h"
+#include "render/view/seen_triangles.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace gnomon::render {
+
+namespace {
+
+class SoftwareBackend final : public Backend {
+public:
+    std::string name() const override { return "software"; }
+
+    PassStatistics drawShadowMaps(const FrameDrawing& frame) override;
+
+    PassStatistics drawImage(const FrameDrawing& frame) override;
+
+    DrawStatistics draw(const FrameDrawing& frame) override;
+
+    plan::Capabilities capabilities() const override { return plan::kSoftwareCapabilities; }
+
+    DrawStatistics drawExactly(const FrameDrawing& frame) override;
+
+    Bytes deviceMemory() const override {
+        return {
+            shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) + exact_.bytes() +
+            receivers_.bytes() + (light_.pixels.size() + undecidedLight_.pixels.size()) * sizeof(light_.pixels[0])};
+    }
+
+    Picture picture() override;
+
+    Coverage coverage() override;
+
+    LightPicture light() override { return light_; }
+
+    std::optional<std::uint64_t> litPixels() override { return litPixels_; }
+
+    FloatPicture viewDepth() override;
+
+    FloatPicture shadowDepth() override;
+
+    Raster<SurfaceSample> surfaces() override { return surfaces_; }
+
+    Raster<SeenTriangle> seenTriangles() const override {
+        return render::seenTriangles(picture_.width, picture_.height, words_, pass_.drawn());
+    }
+
+private:
+    void sizeShadowDepth(const plan::FramePlan& plan);
+    void clearBetweenMaps(const plan::FramePlan& plan);
+    void drawMap(
+        const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics);
+    raster::OcclusionCounts drawWantedMap(
+        const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics);
+
+    raster::DepthTarget depthTarget() { return {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height}; }
+
+    CulledCasters drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics);
+    void sizeTargets(const FrameDrawing& frame);
+    ImageBuffers imageBuffers(const FrameDrawing& frame);
+    void shade(const FrameDrawing& frame);
+    void lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses);
+
+    raster::Rasterizer rasterizer_;
+    SoftwarePass mapPass_;             // pass of the map that is drawn
+    SoftwarePass pass_;                // pass of the image
+    std::vector<std::uint64_t> words_; // visibility buffer, rows from bottom to top
+    FloatPicture shadowDepth_;         // the pixel array only grows, so it can be larger than the texture
+    Picture picture_;
+    LightPicture light_, undecidedLight_; // empty unless a frame requests its light
+    Raster<SurfaceSample> surfaces_;
+    bool isOnGround(std::size_t wordAt) const;
+
+    ImageDepth depth_;
+    bool isTransparent_ = false;
+    std::atomic<std::uint64_t> litPixels_{0};
+    exact::ExactShadows exact_;
+    std::vector<exact::Caster> casters_; // casters of exact shadows
+    UndecidedPixels undecided_;
+    ReceiverPass receivers_;
+};
+
+Cutting castersCutting(const FrameDrawing& frame) {
+    return frame.plan->view.cutsCasters ? Cutting::BySections : Cutting::Whole;
+}
+
+/// Sets the texels outside all maps to 1. Each map clears its own texels when it is drawn.
+void SoftwareBackend::clearBetweenMaps(const plan::FramePlan& plan) {
+    std::vector<shadow::TexelRectangle> row;
+    for (int y = 0; y < shadowDepth_.height; ++y) {
+        row.clear();
+        for (const plan::ShadowPass& pass : plan.passes) {
+            const shadow::TexelRectangle& r = pass.map.rectangle;
+            if (r.y <= y && y < r.y + r.height) row.push_back(r);
+        }
+        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+        row.push_back({shadowDepth_.width, 0, 0, 0, false});
+        int end = 0;
+        for (const shadow::TexelRectangle& r : row) {
+            std::fill(&shadowDepth_.at(0, y) + end, &shadowDepth_.at(0, y) + std::max(end, r.x), 1.0F);
+            end = std::max(end, r.x + r.width);
+        }
+    }
+}
+
+/// Gives the depth texture the size of the plan's. If the size changes, its content is undefined.
+void SoftwareBackend::sizeShadowDepth(const plan::FramePlan& plan) {
+    shadowDepth_.width = plan.textureWidth;
+    shadowDepth_.height = plan.textureHeight;
+    const std::size_t texels =
+        static_cast<std::size_t>(plan.textureWidth) * static_cast<std::size_t>(plan.textureHeight);
+    if (shadowDepth_.pixels.size() < texels) shadowDepth_.pixels.resize(texels);
+}
+
+void SoftwareBackend::drawMap(
+    const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
+    mapPass_.gather(frame, casters, castersCutting(frame));
+    statistics.drawCalls += casters.ranges.size();
+    *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, depthTarget());
+}
+
+/// Draws a map without texels that no receiver looks up and without casters behind other casters. Returns the counts of
+/// skipped casters.
+raster::OcclusionCounts SoftwareBackend::drawWantedMap(
+    const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
+    mapPass_.gather(frame, casters, castersCutting(frame));
+    statistics.drawCalls += casters.ranges.size();
+    raster::DepthTarget target = depthTarget();
+    target.isWanted = [this](const raster::PixelBox& box) { return !receivers_.isUnseen(box); };
+    const raster::NearestDepths drawn =
+        rasterizer_.drawNearestDepth(mapPass_.clusters(), mapPass_.boxes(), view, target);
+    *statistics.fragments += drawn.fragments;
+    return drawn.hidden;
+}
+
+PassStatistics SoftwareBackend::drawShadowMaps(const FrameDrawing& frame) {
+    const Stopwatch watch;
+    const plan::FramePlan& plan = *frame.plan;
+    PassStatistics statistics{{}, 0, 0};
+    if (plan.passes.empty()) {
+        if (plan.quality.shadows != plan::ShadowMode::Maps) shadowDepth_ = {};
+        shadowDepth_.width = shadowDepth_.height = 0;
+        return statistics;
+    }
+    sizeShadowDepth(plan);
+    clearBetweenMaps(plan);
+    for (std::size_t p = 0; p < plan.passes.size(); ++p)
+        if (!plan.passes[p].isReused)
+            drawMap(frame, *frame.casters[p], MapView(frame, plan.passes[p].map).view, statistics);
+    statistics.time = watch.elapsed();
+    return statistics;
+}
+
+/// Draws the parts of each map that receivers look up.
+CulledCasters SoftwareBackend::drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics) {
+    CulledCasters culled;
+    for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
+        if (frame.plan->passes[p].isReused) continue;
+        const MapView map(frame, frame.plan->passes[p].map);
+        const raster::View& view = map.view;
+        if (receivers_.isUnseen(view.viewport)) continue;
+        const lod::DrawList& casters = receivers_.casters(frame, p, view);
+        const raster::OcclusionCounts hidden = drawWantedMap(frame, casters, view, statistics);
+        culled.clustersKept += casters.clusters - hidden.clustersHidden;
+        culled.triangles += casters.triangles - hidden.trianglesHidden;
+        ++culled.mapsDrawn;
+    }
+    culled.clustersTested = receivers_.clustersTested();
+    return culled;
+}
+
+DrawStatistics SoftwareBackend::draw(const FrameDrawing& frame) {
+    if (!frame.cullsByReceivers || frame.plan->passes.empty()) return Backend::draw(frame);
+    Stopwatch watch;
+    DrawStatistics statistics;
+    sizeTargets(frame);
+    sizeShadowDepth(*frame.plan);
+    GNOMON_CHECK(!frame.wantsLight); // light needs maps that are drawn before the image
+    const ImageBuffers buffers = imageBuffers(frame);
+    const auto occlusion = drawVisible(frame, buffers);
+    litPixels_ = receivers_.collect(frame, buffers, shadowDepth_);
+    const Milliseconds before = watch.elapsed();
+    statistics.shadows = {{}, 0, 0};
+    statistics.culled = drawCulledMaps(frame, statistics.shadows);
+    statistics.shadows.time = {watch.elapsed().count - before.count};
+    if (receivers_.canLight())
+        litPixels_ += receivers_.light(shadowDepth_, picture_);
+    else
+        shade(frame);
+    statistics.image = {
+        {watch.elapsed().count - statistics.shadows.time.count}, frame.image->ranges.size(), std::nullopt, occlusion};
+    statistics.deviceMemory = deviceMemory();
+    return statistics;
+}
+
+void SoftwareBackend::sizeTargets(const FrameDrawing& frame) {
+    depth_ = lensOf(frame).depth;
+    isTransparent_ = isTransparent(frame);
+    const int width = frame.plan->view.width;
+    const int height = rowsOf(frame).count;
+    const auto fit = [&](auto& raster) {
+        if (raster.width != width || raster.height != height) raster = {width, height};
+    };
+    fit(picture_);
+    if (frame.wantsSurfaces)
+        fit(surfaces_);
+    else
+        surfaces_ = {};
+    words_.resize(picture_.pixels.size());
+    if (frame.wantsLight) {
+        fit(light_);
+        fit(undecidedLight_);
+    } else {
+        light_ = undecidedLight_ = {};
+    }
+}
+
+ImageBuffers SoftwareBackend::imageBuffers(const FrameDrawing& frame) {
+    ImageBuffers buffers = {&rasterizer_, &pass_, &words_, &picture_};
+    if (!frame.wantsLight) return buffers;
+    buffers.light = &light_;
+    buffers.undecidedLight = &undecidedLight_;
+    return buffers;
+}
+
+/// Computes the colours of the image from its words, and the surfaces if requested.
+void SoftwareBackend::shade(const FrameDrawing& frame) {
+    const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
+    litPixels_ = 0;
+    ShadingTarget target;
+    target.picture = &picture_;
+    target.surfaces = frame.wantsSurfaces ? &surfaces_ : nullptr;
+    target.litPixels = &litPixels_;
+    target.light = frame.wantsLight ? &light_ : nullptr;
+    target.tiles = frame.tiles;
+    shadeVisible(shading, words_, target);
+}
+
+PassStatistics SoftwareBackend::drawImage(const FrameDrawing& frame) {
+    const Stopwatch watch;
+    sizeTargets(frame);
+    const auto occlusion = drawVisible(frame, imageBuffers(frame));
+    shade(frame);
+    return {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
+}
+
+/// Lights the samples that are lit by their `statuses`. If an overlay or surfaces are requested, shades the image again
+/// instead.
+void SoftwareBackend::lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses) {
+    const exact::SampleList& samples = exact_.samples();
+    litPixels_ = 0;
+    const bool isShadedAgain = frame.overlay != Overlay::None || frame.wantsSurfaces;
+    if (!isShadedAgain) {
+        constexpr std::size_t kGrain = 16384;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), kGrain), [&](const auto& range) {
+            std::uint64_t lit = 0;
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                if (exact::isDark(statuses[i])) continue;
+                picture_.pixels[samples.pixel[i]] = unpacked(samples.color[i]);
+                if (frame.wantsLight) light_.pixels[samples.pixel[i]] = undecidedLight_.pixels[samples.pixel[i]];
+                ++lit;
+            }
+            litPixels_.fetch_add(lit, std::memory_order_relaxed);
+        });
+        return;
+    }
+    Raster<std::uint8_t> mask(picture_.width, picture_.height);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (!exact::isDark(statuses[i])) mask.pixels[samples.pixel[i]] = 255;
+    FrameDrawing lit = frame;
+    lit.litMask = &mask;
+    shade(lit);
+}
+
+DrawStatistics SoftwareBackend::drawExactly(const FrameDrawing& frame) {
+    const Stopwatch watch;
+    DrawStatistics statistics;
+    shadowDepth_ = {};
+    sizeTargets(frame);
+    const auto occlusion = drawUndecided(frame, imageBuffers(frame), exact_.samples(), undecided_);
+    statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
+    const Stopwatch shadowWatch;
+    if (frame.rays != nullptr) {
+        lightDecided(frame, tracedStatuses(frame, *frame.rays, exact_.samples(), pass_.drawn()));
+    } else {
+        gatherExactCasters(frame, pass_, casters_);
+        const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
+        const hierarchy::GridPoint origin = frame.space.originCell;
+        statistics.exact =
+            exact_.decide({casters_, {origin.x, origin.y, origin.z}, planes, plan::cellSide(*frame.plan)});
+        lightDecided(frame, exact_.statuses());
+    }
+    statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};
+    statistics.deviceMemory = deviceMemory();
+    return statistics;
+}
+
+FloatPicture SoftwareBackend::shadowDepth() {
+    FloatPicture result = shadowDepth_;
+    result.pixels.resize(result.index(0, result.height));
+    return result;
+}
+
+/// Returns true if the pixel of this word of the visibility buffer shows the ground.
+bool SoftwareBackend::isOnGround(std::size_t wordAt) const {
+    const std::uint64_t word = words_[wordAt];
+    if (word == 0 || isCapName(raster::visibleTriangle(word))) return false;
+    return pass_.drawn()[raster::visibleTriangle(word) >> kTriangleBits].isGround;
+}
+
+/// A transparent ground is drawn as a shadow on white. The shadow determines its coverage, and the colour becomes
+/// black.
+Picture SoftwareBackend::picture() {
+    Picture result = picture_;
+    if (!isTransparent_ || !pass_.hasGround()) return result;
+    for (int row = 0; row < result.height; ++row)
+        for (int column = 0; column < result.width; ++column)
+            if (isOnGround(result.index(column, result.height - 1 - row))) result.at(column, row) = {};
+    return result;
+}
+
+Coverage SoftwareBackend::coverage() {
+    Coverage result = coverageOf(viewDepth());
+    if (!pass_.hasGround()) return result;
+    for (int row = 0; row < result.height; ++row)
+        for (int column = 0; column < result.width; ++column)
+            if (isOnGround(result.index(column, result.height - 1 - row)))
+                result.at(column, row) = static_cast<std::uint8_t>(255 - picture_.at(column, row)[0]);
+    return result;
+}
+
+FloatPicture SoftwareBackend::viewDepth() {
+    FloatPicture result(picture_.width, picture_.height);
+    for (int row = 0; row < result.height; ++row)
+        for (int column = 0; column < result.width; ++column) {
+            const std::size_t at = result.index(column, result.height - 1 - row);
+            // The depth is infinite if no surface of the model is visible.
+            const bool isShown = !pass_.hasGround() || !isOnGround(at);
+            result.at(column, row) =
+                static_cast<float>(depth_.asked(isShown ? raster::visibleDepth(words_[at]) : 0.0F));
+        }
+    return result;
+}
+
+} // namespace
+
+std::unique_ptr<Backend> makeSoftwareBackend() {
+    return std::make_unique<SoftwareBackend>();
+}
+
+} // namespace gnomon::render

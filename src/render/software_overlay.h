@@ -1,0 +1,64 @@
+// The CPU version of shaders/image/overlay.glsl, with the same operations and names.
+#pragma once
+
+#include "render/software_pass.h"
+#include "shaders/shared/frame_block.h"
+
+#include <unordered_map>
+
+namespace gnomon::render {
+
+/// A shaded pixel below an overlay.
+struct PaintedPixel {
+    glm::vec3 shaded{0};
+    glm::vec3 position{0};   // draw space
+    float depth = 0;         // along the view
+    int pass = -1;           // index of the looked-up map; -1: none
+    glm::dvec3 rayOrigin{0}; // origin of the ray through the pixel's centre, and its change per pixel
+    glm::dvec3 originPerX{0};
+    glm::dvec3 originPerY{0};
+    glm::vec3 ray{0}; // direction of this ray, and its change per pixel
+    glm::vec3 rayPerX{0};
+    glm::vec3 rayPerY{0};
+    glm::vec3 normal{0}; // normal of the triangle
+    int x = 0;
+    int y = 0; // from the bottom
+    const DrawnCluster* cluster = nullptr;
+};
+
+/// A painter for the overlay of one frame. All threads can use it.
+class SoftwareOverlay {
+public:
+    /// Prepares the painting. The blocks and `frame` must outlive this object. `clusters` are the clusters of the
+    /// image.
+    SoftwareOverlay(
+        const FrameDrawing& frame,
+        const block::Frame& block,
+        const block::Shadows& shadows,
+        std::span<const DrawnCluster> clusters);
+
+    glm::vec3 painted(const PaintedPixel& pixel) const;
+
+private:
+    float aliasing(int pass, const glm::vec3& position, float depth) const;
+    glm::vec3 residence(const DrawnCluster& cluster) const;
+    float texelGrid(const PaintedPixel& pixel) const;
+
+    /// The error (world units) and colour index of a cluster, decoded as in the shaders.
+    struct ClusterMark {
+        float error = 0;
+        int tint = 0;
+    };
+
+    ClusterMark mark(const PaintedPixel& pixel) const {
+        return marks_.at(pixel.cluster->pageId)[pixel.cluster->cluster];
+    }
+
+    const FrameDrawing* frame_;
+    const block::Frame* block_;
+    const block::Shadows* shadows_;
+    // The marks of all clusters, per page. Only overlays of clusters fill them.
+    std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_;
+};
+
+} // namespace gnomon::render

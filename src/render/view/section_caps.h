@@ -1,0 +1,26 @@
+// The caps of section planes: filled cuts through solid parts, and the outlines of open surfaces.
+#pragma once
+
+#include "render/backend.h"
+#include "render/view/cap_buffers.h"
+
+#include <span>
+
+namespace gnomon::render {
+
+/// First id of caps in the visibility buffer. Ids from here on are caps and not triangles.
+constexpr std::uint32_t kFirstCapName = 0xFFFFFF00U;
+
+constexpr bool isCapName(std::uint32_t name) {
+    return name >= kFirstCapName;
+}
+
+/// Writes the caps of `frame`'s section planes into the words of its image, over the geometry behind them. A cap fills
+/// the inside of closed surfaces, whose intersection lines with the plane are closed. Surfaces can overlap, because
+/// each pixel computes its winding number. Open surfaces show only their lines.
+void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words);
+
+/// Returns the colour of the cap with the id `name`.
+Rgb capColor(const FrameDrawing& frame, std::uint32_t name);
+
+} // namespace gnomon::render

@@ -1,0 +1,17 @@
+// The cached sections of a model.
+#pragma once
+
+#include "render/view/cap_buffers.h"
+#include "render/view/section_cut.h"
+#include "render/view/section_lines.h"
+
+namespace gnomon::render {
+
+/// The cached sections of one model. The owner passes it with each frame that has sections.
+struct SectionMemory {
+    SectionCut cut;
+    SectionLines lines;
+    CapBuffers caps;
+};
+
+} // namespace gnomon::render

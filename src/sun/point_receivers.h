@@ -1,0 +1,50 @@
+// Arbitrary points of a model as receivers, tested against one uniform cut.
+#pragma once
+
+#include "core/convex_volume.h"
+#include "hierarchy/grid.h"
+#include "preprocess/exporter/export.h"
+#include "sun/receivers.h"
+
+#include <vector>
+
+namespace gnomon::sun {
+
+/// Points as receivers. A point is lit unless a triangle of the cut is ahead of it, farther than the tolerance
+/// (docs/exact_shadows.md). The point belongs to no surface, so no surface must face the light. A triangle that
+/// contains the point, for example around a vertex, is at distance 0 and casts no shadow on it. The near side of a body
+/// therefore darkens the far side.
+class PointReceivers final : public Receivers {
+public:
+    /// Creates receivers at `points`, in cells of the model's grid (rounded by cellsOf). The casters are the parts of
+    /// `cut` on the inner side of all `sections`, which are also in cells. Throws Error if a point is farther than 2^30
+    /// cells from the centre of the cut.
+    PointReceivers(
+        const exporter::UniformCut& cut, std::vector<glm::i64vec3> points, std::span<const Plane> sections = {});
+
+    std::size_t count() const override { return points_.size(); }
+
+    exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
+
+    /// Computes the same result as `decide` with the plain integer loops, as ground truth for tests. Only points with a
+    /// non-zero entry in `isAsked` are tested; the others get 0.
+    void decidePlainly(const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit);
+
+private:
+    glm::uvec3 originCell() const;
+    void addCasters(const exporter::UniformCut& cut);
+    void addHolders();
+    void collect(const IntegerLight& light);
+
+    using Position = std::array<std::uint32_t, 3>;
+
+    std::vector<glm::i64vec3> points_; // relative to origin_
+    glm::i64vec3 origin_{0};
+    std::vector<Position> positions_; // positions of the cut, followed by the points
+    std::vector<hierarchy::Triangle> triangles_;
+    std::vector<exact::Caster> casters_; // clusters of the cut, followed by receiver-only clusters with the points
+    std::size_t castersOfCut_ = 0;
+    exact::ExactShadows exact_;
+};
+
+} // namespace gnomon::sun

@@ -1,0 +1,17 @@
+// The part of a uniform cut on the inner side of section planes.
+#pragma once
+
+#include "core/convex_volume.h"
+#include "preprocess/exporter/export.h"
+
+#include <span>
+
+namespace gnomon::sun {
+
+/// Returns the triangles of `cut` on the inner side of all `planes` (in cells of the grid). A triangle that intersects
+/// a plane is replaced by its inner piece. The corners of pieces are rounded to the grid, identically for both
+/// triangles at an edge. Clusters that no plane intersects are unchanged. Vertices of the other clusters have only
+/// positions.
+exporter::UniformCut sectionedCut(const exporter::UniformCut& cut, std::span<const Plane> planes);
+
+} // namespace gnomon::sun

@@ -1,0 +1,33 @@
+// The period of an analysis of sun hours.
+#pragma once
+
+#include "sun/sun_position.h"
+
+#include <glm/glm.hpp>
+
+namespace gnomon::sun {
+
+/// The period [from, to) at a place, in steps of `stepSeconds`. `up` is the up direction of the world. True north is
+/// `northDegrees` clockwise of the model's north, seen from above (see `towardsSun`).
+struct SunPeriod {
+    Place place;
+    CivilTime from;
+    CivilTime to;
+    double stepSeconds = 900;
+    double northDegrees = 0;
+    glm::dvec3 up{0, 1, 0};
+};
+
+/// Returns the time from `from` to `to` in seconds. It is negative if `to` is earlier.
+double secondsOf(const SunPeriod& period);
+
+/// Returns the number of steps whose middle is in the period. It is a whole number of any size, or below 1 if there are
+/// none.
+double stepCount(const SunPeriod& period);
+
+/// Returns the unit vector towards a Sun at that position, above the horizon or below it, in a world in which `up` is
+/// up. True north is `north` degrees clockwise, seen from above, of the world's own north. The world's north is
+/// opposite its front: -z if y is up, y if z is up.
+glm::dvec3 towardsSun(const SunPosition& sun, double north, const glm::dvec3& up);
+
+} // namespace gnomon::sun

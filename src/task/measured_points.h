@@ -1,0 +1,34 @@
+// Measures of points without a window. The points are given by coordinates or by pixels of a view.
+#pragma once
+
+#include "inspect/measures.h"
+#include "settings/settings.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gnomon::task {
+
+/// The points to measure. If `pixels` is empty, they are `points`. Otherwise they are the surface points at the centres
+/// of `pixels` in the view of `settings`.
+struct PointTask {
+    std::string model;
+    settings::Settings settings;
+    std::function<void(const std::string&)> warn;
+    std::vector<glm::dvec3> points; // in the coordinates of the source
+    std::vector<glm::ivec2> pixels; // column and row from the upper left
+    bool takesVertices = false;     // uses the nearest vertex of the drawn triangle instead of the surface point
+};
+
+/// A measure and the model that it refers to.
+struct MeasuredPoints {
+    inspect::Surveyed of;
+    inspect::Measure measure;
+};
+
+/// Measures the points of `task`. Throws Error if a pixel shows the background, or if a point is too far from the model
+/// for its grid (more than 2^39 steps).
+MeasuredPoints measurePoints(const PointTask& task);
+
+} // namespace gnomon::task

@@ -1,0 +1,174 @@
+#include "task/render.h"
+
+#include "core/angle.h"
+#include "core/file.h"
+#include "core/prepared_output.h"
+#include "inspect/value_picture.h"
+#include "render/picture_series.h"
+#include "render/shadow_maps.h"
+#include "settings/resolve.h"
+#include "settings/table.h"
+#include "task/finished_picture.h"
+#include "telemetry/process_clock.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace gnomon::task {
+
+namespace {
+
+using settings::Output;
+
+constexpr int kUsualFrames = 60;
+constexpr double kUsualRate = 25; // frames per second, if no path gives the rate
+
+/// Returns the row of a picture's frame as JSON.
+std::string renderRow(telemetry::FrameRow row) {
+    row.run = "render";
+    row.sinceStartMs = telemetry::sinceProcessStart().count;
+    return telemetry::jsonObject(row) + "\n";
+}
+
+/// Returns the depths that `output` wants of a frame, each with its file.
+std::vector<render::NamedDepths> depthsOf(const Output& output, const plan::FramePlan& plan, render::Backend& backend) {
+    std::vector<render::NamedDepths> depths;
+    if (!output.shadowDepth.empty()) depths = render::shadowMaps(plan, backend);
+    for (render::NamedDepths& map : depths)
+        map.path = (std::filesystem::path(output.shadowDepth) / map.path).string();
+    if (!output.depth.empty()) depths.push_back({output.depth, backend.viewDepth()});
+    return depths;
+}
+
+/// Returns the shading of all pictures of a series, so that it does not switch between them. If `quality` leaves it
+/// open, looks at small pictures of up to 16 of its `cameras`: headlight if more than half of them show next to no sun.
+plan::Shading commonShading(
+    Session& session, plan::View view, const plan::Quality& quality, const std::vector<Camera>& cameras) {
+    constexpr std::size_t kMaxLooks = 16;
+    constexpr int kReduction = 4; // of the picture's sides
+    if (quality.look.shading != plan::Shading::Auto) return quality.look.shading;
+    view.width = std::max(view.width / kReduction, 1);
+    view.height = std::max(view.height / kReduction, 1);
+    const std::size_t looks = std::min(cameras.size(), kMaxLooks);
+    std::size_t sunless = 0;
+    for (std::size_t i = 0; i < looks; ++i) {
+        view.camera = cameras[i * cameras.size() / looks];
+        session.renderer().forget();
+        sunless += session.renderer().render(view, quality, {}).isSunless ? 1 : 0;
+    }
+    session.renderer().forget();
+    session.renderer().takeShortfall();
+    return 2 * sunless > looks ? plan::Shading::Headlight : plan::Shading::Lit;
+}
+
+std::vector<Camera> camerasOf(const std::optional<path::CameraPath>& path, const plan::View& first, int frames) {
+    std::vector<Camera> cameras;
+    for (int i = 0; i < frames; ++i)
+        cameras.push_back(
+            path ? path::cameraAt(*path, path::frameTime(*path, i, frames))
+                 : path::turnedAround(first.camera, first.up, 2 * kPi * i / frames));
+    return cameras;
+}
+
+void drawSeries(const RenderTask& task, plan::View view, Session& session, Progress& progress) {
+    const std::vector<Camera> cameras = camerasOf(task.path, view, task.pictures);
+    const bool isStream = task.output.picture == "-";
+    const bool takesTime = task.path && task.path->duration() > 0 && task.pictures > 1;
+    const auto nameOf = [&](int number) {
+        return render::numberedName(task.output.picture, number).value_or(task.output.picture);
+    };
+    if (isStream)
+        task.stream(render::y4mHeader(
+            view.width,
+            view.height,
+            takesTime ? path::frameSteps(*task.path, task.pictures) / task.path->duration() : kUsualRate));
+    else
+        requireWritable(nameOf(0));
+    frame::FrameOptions frameOptions;
+    frameOptions.overlay = task.output.overlay;
+    progress.stage(
+        "render", "frames", static_cast<std::uint64_t>(task.pictures) * static_cast<std::uint64_t>(task.samples));
+    // The small pictures that decide the shading must not fill the room of the large ones.
+    plan::Quality quality = task.quality;
+    frame::FrameOptions whole = frameOptions;
+    whole.isAccumulated = task.samples > 1;
+    whole.rows = bandsOf(session, view, quality, frameOptions, task.samples).front();
+    session.renderer().reservePicture(view, quality, whole);
+    quality.look.shading = commonShading(session, view, quality, cameras);
+    for (int i = 0; i < task.pictures; ++i) {
+        view.camera = cameras[static_cast<std::size_t>(i)];
+        const FinishedPicture drawn = drawFinished(session, view, quality, frameOptions, task.samples, progress);
+        if (isStream)
+            task.stream(render::y4mFrame(drawn.picture));
+        else
+            render::writePng(nameOf(i), drawn.picture, drawn.coverage);
+    }
+    session.tellShortfall();
+}
+
+void drawStill(const RenderTask& task, const plan::View& view, Session& session, Progress& progress) {
+    const Output& output = task.output;
+    const bool hasValues = output.colors.by != settings::ColorBy::None;
+    for (const std::string& path : {output.picture, output.statistics, output.depth})
+        requireWritable(path); // drawing may take long
+    const PreparedFolder shadowDepth(output.shadowDepth);
+    frame::FrameOptions options;
+    options.overlay = output.overlay;
+    options.wantsSurfaces = hasValues;
+    options.wantsWholeMaps = !output.shadowDepth.empty();
+    options.wantsWholeImage = !(output.depth + output.statistics).empty() || output.oracle != validation::Oracle::None;
+    validation::ProofOptions proofs;
+    proofs.measuresAliasing = !output.statistics.empty();
+    proofs.oracle = output.oracle;
+    proofs.comparesWithFinest = output.oracle != validation::Oracle::None;
+    progress.stage("render", task.samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(task.samples));
+    FinishedPicture drawn = drawFinished(session, view, task.quality, options, task.samples, progress);
+    session.tellShortfall();
+    const std::vector<render::NamedDepths> depths = depthsOf(output, drawn.frame.plan, session.backend());
+    if (hasValues) inspect::colorByValues(output.colors, session.renderer(), drawn.frame, drawn.picture);
+    if (task.samples == 1)
+        validation::setAccuracy(validation::prove(session.renderer(), drawn.frame, proofs), drawn.frame.row);
+    render::writePng(output.picture, drawn.picture, drawn.coverage);
+    for (const auto& [path, picture] : depths)
+        render::writePfm(path, picture);
+    if (!output.statistics.empty()) writeTextFile(output.statistics, renderRow(drawn.frame.row));
+    if (task.reference)
+        render::requireAlike({output.reference, *task.reference}, drawn.picture, output.referenceThreshold);
+}
+
+} // namespace
+
+RenderTask renderTask(settings::Request request) {
+    if (settings::needsMaps(request.output)) settings::askForMaps(request.settings);
+    settings::requireSound(request);
+    settings::readCamera(request.settings, request.output.time);
+    RenderTask task;
+    task.model = request.model;
+    task.settings = request.settings;
+    task.quality = settings::qualityOf(request.settings);
+    task.output = request.output;
+    task.samples = settings::samplesOf(request.output);
+    if (!request.output.path.empty())
+        task.path = path::projected(path::readCameraPath(request.output.path), request.settings.projection);
+    if (!request.output.reference.empty()) task.reference = render::readPng(request.output.reference);
+    if (request.output.isSeries())
+        task.pictures = task.path ? request.output.frames.value_or(kUsualFrames) : request.output.turntable;
+    task.backend = backendFor(task.settings, settings::DrawingCommand::Render, task.pictures).backend;
+    return task;
+}
+
+void render(const RenderTask& task, Progress& progress) {
+    Session session(task.model, task.settings, task.warn, task.backend);
+    const settings::Framing framing = task.path                ? settings::Framing::Path
+                                      : task.output.isSeries() ? settings::Framing::EveryTurn
+                                                               : settings::Framing::OnePicture;
+    const plan::View view = settings::viewOf(task.settings, session.model(), framing);
+    if (task.output.isSeries())
+        drawSeries(task, view, session, progress);
+    else
+        drawStill(task, view, session, progress);
+}
+
+} // namespace gnomon::task

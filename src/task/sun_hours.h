@@ -1,0 +1,24 @@
+// The computation of sun hours, from the task to the output files.
+#pragma once
+
+#include "core/progress.h"
+#include "task/sun_hours_task.h"
+
+#include <optional>
+#include <string>
+
+namespace gnomon::task {
+
+/// Computes the sun hours of `task` and writes its files. Each file appears when it is complete. Throws Error,
+/// UsageError for options that contradict each other, and Interrupted. After an exception, a log beside the first
+/// output contains the finished steps, and a task with `isResumed` continues from it. Returns nullopt in all ranks
+/// except rank 0.
+std::optional<SunHoursSummary> computeSunHours(const SunHoursTask& task, Progress& progress);
+
+/// Returns the summary as one line of text. `stepSeconds` is the length of a step, for the error of the times.
+std::string summaryText(const SunHoursSummary& summary, double stepSeconds);
+
+/// Returns the summary as JSON.
+std::string summaryJson(const SunHoursSummary& summary);
+
+} // namespace gnomon::task

@@ -1,0 +1,48 @@
+// The output files for the sun hours of a view: picture, PFM, CSV and page.
+#pragma once
+
+#include "render/overlay/legend.h"
+#include "sun/sun_view.h"
+#include "task/sun_hours_run.h"
+
+#include <string>
+
+namespace gnomon::task {
+
+/// A writer of the output files. All arguments of the constructor must outlive it. Each file appears when it is
+/// complete. All functions that write throw Error.
+class SunHoursFiles {
+public:
+    SunHoursFiles(
+        const sun::SunView& view, const sun::LitSteps& lit, const SunHoursRun& run, const sun::SunPeriod& period);
+
+    /// Writes a PNG with hours as colours and a legend. The colour scale goes from 0 to the hours in which the Sun is
+    /// up.
+    void writePicture(const std::string& path) const;
+
+    /// Writes the hours per pixel as a PFM. The background is -1.
+    void writePfm(const std::string& path) const;
+
+    /// Writes a CSV with one row per pixel that shows the model: column and row from the upper left, the point in the
+    /// coordinates of the source, the number of steps and the hours with sun, and the times of the first and the last
+    /// step with sun (the middle of the step).
+    void writeCsv(const std::string& path) const;
+
+    /// Writes index.html: hours as colours, with a slider over the times. Surfaces in shadow at the chosen time are
+    /// darker. The slider has at most 400 of the steps in which the Sun is up, evenly chosen. `errors` are sentences
+    /// about the errors of the hours.
+    void writePage(const std::string& folder, const std::string& model, const std::vector<std::string>& errors) const;
+
+private:
+    render::ValueScale scale() const;
+    render::Picture coloured() const;
+    std::string periodText() const;
+
+    const sun::SunView* view_;
+    const sun::LitSteps* lit_;
+    const SunHoursRun* run_;
+    const sun::SunPeriod* period_;
+    std::vector<std::uint32_t> pointOf_; // receiver of each pixel; kNever for the background
+};
+
+} // namespace gnomon::task

@@ -1,0 +1,13 @@
+// Sun hours of points from a file, or of the vertices of a model.
+#pragma once
+
+#include "core/progress.h"
+#include "task/sun_hours_task.h"
+
+namespace gnomon::task {
+
+/// Computes the sun hours of the points or vertices of `task` and writes its file. Returns nullopt in all ranks except
+/// rank 0. Throws Error and UsageError.
+std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progress& progress);
+
+} // namespace gnomon::task

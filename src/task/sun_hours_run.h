@@ -1,0 +1,61 @@
+// The steps and the run of a sun hours task, for the pixels of a view as well as for points. A log makes it resumable.
+#pragma once
+
+#include "plan/frame_plan.h"
+#include "sun/sun_hours.h"
+#include "task/sun_hours_task.h"
+
+namespace gnomon::task {
+
+/// Returns "x,y,z" with the shortest text of each number that reads back as the same value.
+std::string textOf(const glm::dvec3& point);
+
+/// Returns the steps of the task's period, with the direction of the Sun in a world with this up direction. Throws
+/// Error if the Sun is down in all steps.
+std::vector<sun::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec3& up);
+
+/// Returns a text that identifies the sections of a view. It is empty for a view without sections.
+std::string keyOfSections(const plan::View& view);
+
+/// A run that tests receivers against the Sun in all steps.
+class SunHoursRun {
+public:
+    /// `key` identifies the receivers within the model. The logs are beside the first output of the task. Throws Error.
+    SunHoursRun(const SunHoursTask& task, std::vector<sun::SunStep> steps, const std::string& key);
+
+    const std::vector<sun::SunStep>& steps() const { return steps_; }
+
+    /// Tests `receivers` in all steps, together with all ranks of the task's team. Uses the results of the logs if they
+    /// contain the step. Returns nullptr in all ranks except rank 0. The result is valid while this object exists.
+    const sun::LitSteps* decide(sun::Receivers& receivers, Progress& progress);
+
+    /// Reads from the logs which receivers light `light` reaches, and sets `isLit` to 0 or 1 per receiver. Call this
+    /// after `decide`. Throws Error if no log contains the light.
+    void readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const;
+
+    double hours(std::uint32_t steps) const { return steps * stepSeconds_ / 3600; }
+
+    /// Returns the columns kSunHoursColumns of a receiver.
+    std::string row(std::size_t receiver) const;
+
+    /// Removes the logs and returns the summary. Call this after all output files are complete. `detail` is
+    /// SunHoursSummary::detail.
+    SunHoursSummary finish(std::size_t receivers, std::string detail);
+
+private:
+    std::string time(std::uint32_t step) const;
+
+    SunHoursTeam& team_;
+    std::string logStem_;
+    std::string key_;
+    bool isResumed_;
+    double stepSeconds_;
+    std::vector<sun::SunStep> steps_;
+    std::optional<sun::LitLogs> logs_;
+    sun::LitSteps lit_;
+};
+
+/// The header of the columns that `row` returns.
+inline constexpr const char* kSunHoursColumns = "steps,hours,first_sun,last_sun";
+
+} // namespace gnomon::task

@@ -1,0 +1,38 @@
+// The processes that compute sun hours together: only this process, or all ranks of an MPI job (src/mpi).
+#pragma once
+
+#include "core/progress.h"
+#include "sun/sun_hours.h"
+
+#include <string>
+
+namespace gnomon::task {
+
+/// A team of this process only. The team of an MPI job overrides all virtual functions.
+class SunHoursTeam {
+public:
+    SunHoursTeam() = default;
+    virtual ~SunHoursTeam() = default;
+    SunHoursTeam(const SunHoursTeam&) = delete;
+    SunHoursTeam& operator=(const SunHoursTeam&) = delete;
+    SunHoursTeam(SunHoursTeam&&) = delete;
+    SunHoursTeam& operator=(SunHoursTeam&&) = delete;
+
+    /// Returns the share of lights that this process computes. Only rank 0 writes files and messages.
+    virtual sun::LightShare share() const { return {}; }
+
+    /// Returns true in rank 0.
+    bool leads() const { return share().rank == 0; }
+
+    /// Waits until all ranks are ready to compute. Throws Error if a rank has another `key`, which identifies the
+    /// model, the lights and the receivers.
+    virtual void begin(const std::string& /*key*/, Progress& /*progress*/) {}
+
+    /// Throws Error if another rank failed, and Interrupted if rank 0 ended the job. Called after each light.
+    virtual void poll() {}
+
+    /// Waits for all ranks and adds their results to `lit`. The result is complete in rank 0 only.
+    virtual void combine(sun::LitSteps& /*lit*/, Progress& /*progress*/) {}
+};
+
+} // namespace gnomon::task

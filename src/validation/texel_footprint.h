@@ -1,0 +1,51 @@
+// The footprint of a shadow-map texel at a point, by finite differences of the uploaded matrix. This code is
+// independent of the functions that plan maps and bound their aliasing.
+#pragma once
+
+#include "render/backend.h"
+
+namespace gnomon::validation {
+
+/// Step of the finite differences relative to a pixel's width. It is far smaller than a texel, and far larger than the
+/// rounding error of doubles.
+constexpr double kStepOverPixel = 1e-3;
+
+/// The widths of a texel at a point, perpendicular to the light, in world units. They do not include the receiver's
+/// slope.
+struct TexelWidths {
+    double x = 0; // along the light frame's x axis
+    double z = 0; // along its z axis, without shear
+};
+
+/// The footprint of a texel at a point, as two displacements perpendicular to the light in draw space, including shear.
+struct TexelFootprint {
+    glm::dvec3 column{0}; // displacement to the same position in the next column
+    glm::dvec3 row{0};
+};
+
+/// Measures the texels of one map of a frame.
+class TexelProbe {
+public:
+    TexelProbe(const render::FrameDrawing& frame, const shadow::ShadowMap& map);
+
+    /// Returns the widths at `p` (draw space). `step` is the world length of the finite differences, and must be much
+    /// smaller than a texel.
+    TexelWidths widths(const glm::dvec3& p, double step) const;
+
+    TexelFootprint footprint(const glm::dvec3& p, double step) const;
+
+private:
+    struct Derivatives {
+        glm::dvec2 byX{0}; // derivative of (column, row)
+        glm::dvec2 byZ{0};
+    };
+
+    glm::dvec2 texel(const glm::dvec3& p) const;
+    Derivatives derivatives(const glm::dvec3& p, double step) const;
+
+    shadow::FloatMapImage image_; // the uploaded floats
+    glm::dvec3 x_;                // axes of the light frame in draw space
+    glm::dvec3 z_;
+};
+
+} // namespace gnomon::validation

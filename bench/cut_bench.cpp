@@ -1,11 +1,11 @@
 // What finding a frame's triangles costs: the cut with all caster lists, one and all cores, depth range, cap, demand.
 // cut_bench [MODEL.gnm] [benchmark options]; without a model, a height field of 524,288 triangles.
-#include "hierarchy/tiny_model.h"
 #include "lod/caster_detail.h"
 #include "lod/frame_cut.h"
 #include "lod/page_store.h"
 #include "lod/receivers.h"
 #include "shadow/setup.h"
+#include "tests/support/tiny_model.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // Exact shadows against the plain integer loops, pixel by pixel, over seeded views and lights of any models.
 #include "frame/renderer.h"
-#include "frame/shadow_triples.h"
 #include "render/exact_pass.h"
 #include "render/software_backend.h"
+#include "tests/support/shadow_triples.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,11 +3,11 @@
 #include "core/angle.h"
 #include "core/stopwatch.h"
 #include "frame/accumulation.h"
-#include "frame/shadow_triples.h"
 #include "path/framing.h"
 #include "path/outline.h"
 #include "plan/light_directions.h"
 #include "render/software_backend.h"
+#include "tests/support/shadow_triples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // meet a triangle at random, right on an edge, or in a corner.
 #include "core/error.h"
 #include "frame/renderer.h"
-#include "frame/shadow_triples.h"
 #include "render/exact_pass.h"
 #include "render/software_backend.h"
 #include "tests/exact/random.h"
+#include "tests/support/shadow_triples.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Shadow maps against ray-traced shadows and against their promise, over seeded triples of pose, light and scheme.
 #include "core/error.h"
-#include "frame/shadow_triples.h"
 #include "render/software_backend.h"
+#include "tests/support/shadow_triples.h"
 #include "validation/frame_proof.h"
 
 #include <algorithm>

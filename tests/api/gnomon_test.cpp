@@ -1,6 +1,6 @@
 // The library as who links it sees it: the public header alone.
 #include "api/gnomon.h"
-#include "tests/rounding.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Frames from anywhere: inside the model, outside, far away, far from the world's origin, of one pixel, of nothing.
 #include "core/error.h"
 #include "core/random.h"
-#include "hierarchy/temporary_model.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 #include "task/session.h"
+#include "tests/support/temporary_model.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/levels/smooth_normals.h"
-#include "tests/chunk/shared_borders.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
+#include "tests/support/shared_borders.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_writer.h"
 #include "preprocess/chunk/vertex_table.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <gtest/gtest.h>
 

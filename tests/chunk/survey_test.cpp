@@ -3,7 +3,7 @@
 #include "core/random.h"
 #include "preprocess/chunk/survey.h"
 #include "preprocess/chunk/vertex_lookup.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <gtest/gtest.h>
 

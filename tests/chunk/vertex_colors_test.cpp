@@ -3,7 +3,7 @@
 #include "core/random.h"
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_mesh.h"
-#include "tests/chunk/shared_borders.h"
+#include "tests/support/shared_borders.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,12 @@
 // Boxes and balls against their points.
 #include "core/box.h"
 #include "core/random.h"
+#include "tests/support/random_point.h"
 
 #include <gtest/gtest.h>
 
 namespace gnomon {
 namespace {
-
-glm::dvec3 randomPoint(Random& random) {
-    return {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
-}
 
 TEST(Box, IsEmptyUntilSomethingIsAdded) {
     Box box;
@@ -36,8 +33,8 @@ TEST(Box, HoldsWhatWasAddedAndNoMore) {
         glm::dvec3 least(9);
         glm::dvec3 most(-9);
         for (int i = 0; i < 5; ++i) {
-            const glm::dvec3 a = randomPoint(random);
-            const glm::dvec3 b = randomPoint(random);
+            const glm::dvec3 a = randomPoint(random, 2);
+            const glm::dvec3 b = randomPoint(random, 2);
             box.add(a);
             box.add(b);
             united.add(Box{glm::min(a, b), glm::max(a, b)});
@@ -58,10 +55,10 @@ TEST(Box, TheDistanceOfAPointIsThatOfItsNearestPoint) {
     Random random(2);
     constexpr int kSteps = 24;
     for (int trial = 0; trial < 50; ++trial) {
-        const glm::dvec3 a = randomPoint(random);
-        const glm::dvec3 b = randomPoint(random);
+        const glm::dvec3 a = randomPoint(random, 2);
+        const glm::dvec3 b = randomPoint(random, 2);
         const Box box{glm::min(a, b), glm::max(a, b)};
-        const glm::dvec3 point = 2.0 * randomPoint(random);
+        const glm::dvec3 point = 2.0 * randomPoint(random, 2);
         double nearest = 1e9;
         for (int x = 0; x <= kSteps; ++x)
             for (int y = 0; y <= kSteps; ++y)

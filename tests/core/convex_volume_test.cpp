@@ -1,6 +1,6 @@
 #include "core/convex_volume.h"
 #include "core/random.h"
-#include "tests/rounding.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A process whose floating point was changed is refused, whichever way.
 #include "core/error.h"
 #include "core/process/floating_point.h"
-#include "tests/rounding.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

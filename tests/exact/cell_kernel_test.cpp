@@ -1,8 +1,8 @@
 // Cells and extents of samples by lanes against a look at each, and the arrays that samples lie in.
 #include "exact/cell_kernel.h"
 #include "exact/frame_array.h"
-#include "tests/each_target.h"
 #include "tests/exact/random.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "exact/caster_kernel.h"
 #include "exact/exact_shadows.h"
 #include "tests/exact/scenes.h"
-#include "tests/rounding.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The hard cases of exact shadows, one check each; docs/hard_cases.md shows this table.
 #include "tests/exact/scenes.h"
-#include "tests/hard_cases.h"
+#include "tests/support/hard_cases.h"
 
 #include <gtest/gtest.h>
 

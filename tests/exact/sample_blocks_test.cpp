@@ -1,7 +1,7 @@
 // Boxes of samples against a look at each.
 #include "exact/blocks/sample_blocks.h"
-#include "tests/each_target.h"
 #include "tests/exact/random.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 

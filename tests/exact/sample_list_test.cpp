@@ -1,7 +1,7 @@
 // The samples that a list keeps of a batch: which, where, and with what weights.
 #include "exact/sample_list.h"
-#include "tests/each_target.h"
 #include "tests/exact/scenes.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>

@@ -2,7 +2,7 @@
 
 #include "exact/plain_shadows.h"
 #include "exact/point_predicate.h"
-#include "tests/each_target.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

@@ -3,9 +3,9 @@
 #include "core/formatted.h"
 #include "core/random.h"
 #include "hierarchy/octahedral.h"
-#include "hierarchy/tiny_model.h"
 #include "preprocess/exporter/export.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The mesh of a tile against clipping every triangle by itself.
 #include "hierarchy/octahedral.h"
-#include "hierarchy/tiny_model.h"
 #include "preprocess/exporter/tiles/tile_mesh.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

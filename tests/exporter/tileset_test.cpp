@@ -4,12 +4,12 @@
 #include "core/file.h"
 #include "core/heap.h"
 #include "hierarchy/cut_rule.h"
-#include "hierarchy/tiny_model.h"
 #include "preprocess/exporter/export.h"
 #include "preprocess/exporter/tiles/tile_levels.h"
 #include "preprocess/exporter/tiles/tile_mesh.h"
 #include "preprocess/exporter/tiles/tileset.h"
 #include "preprocess/read/open_mesh_sources.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

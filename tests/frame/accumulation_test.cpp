@@ -1,11 +1,11 @@
 // Pictures of several frames against the plain mean, in doubles, of frames that are rendered one by one.
 #include "core/random.h"
 #include "frame/accumulation.h"
-#include "frame/drawn_model.h"
 #include "render/gl/gl_backend.h"
 #include "render/light/background.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Frames whose kind of shadows is `auto`: which of them are exact, which use maps, and which have none.
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Casters off screen are as coarse as their texels: what that changes in a picture.
 #include "frame/full_casters.h"
-#include "frame/made_model.h"
-#include "frame/shadow_triples.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Where a closed convex solid is all that is seen, nothing of it hides the sky: its far sides are hidden themselves.
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The point of a triangle that is seen at a pixel: against every triangle that was drawn, and against the source.
 #include "core/random.h"
-#include "frame/drawn_model.h"
 #include "frame/drawn_point.h"
-#include "hierarchy/scene_mesh.h"
 #include "inspect/cells.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

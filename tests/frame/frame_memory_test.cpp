@@ -2,9 +2,9 @@
 // counted.
 #include "core/error.h"
 #include "frame/accumulation.h"
-#include "frame/made_model.h"
 #include "frame/renderer.h"
 #include "render/software_backend.h"
+#include "tests/support/made_model.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

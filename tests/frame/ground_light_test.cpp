@@ -1,8 +1,8 @@
 // The light of the sky on the ground that nothing but its shadows shows, against the directions that a box hides.
 #include "frame/accumulation.h"
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
 #include "plan/light_directions.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

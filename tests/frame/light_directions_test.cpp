@@ -1,8 +1,8 @@
 // Penumbrae and the light of the sky, as pictures hold them, against closed forms and frames that are drawn one by one.
 #include "frame/accumulation.h"
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
 #include "plan/light_directions.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
 
 #include <gtest/gtest.h>
 

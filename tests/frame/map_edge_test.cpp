@@ -1,7 +1,7 @@
 // The edge of a map's shadow in the mean of frames: as straight as what casts it, however coarse the texels.
 #include "frame/accumulation.h"
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

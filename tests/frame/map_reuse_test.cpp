@@ -1,10 +1,10 @@
 // Maps that are not drawn again: only where nothing changed, and with the very bytes of drawing them all.
 #include "core/random.h"
 #include "frame/renderer.h"
-#include "hierarchy/tiny_model.h"
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/tested_platform.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

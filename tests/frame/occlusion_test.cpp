@@ -1,7 +1,7 @@
 // Frames drawn without what is hidden, against the same frames with all of it: to the last bit, whatever the view.
 #include "core/random.h"
-#include "drawn_model.h"
-#include "made_model.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/made_model.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

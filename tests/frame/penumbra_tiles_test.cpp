@@ -1,8 +1,8 @@
 // Frames of the light's disc that are drawn in the tiles of its penumbrae alone, against frames drawn whole.
 #include "frame/accumulation.h"
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
 #include "plan/light_directions.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
 
 #include <gtest/gtest.h>
 

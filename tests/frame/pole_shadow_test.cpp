@@ -1,10 +1,10 @@
 // A pole's shadow on a plane through a year: its tip as exact shadows show it lies where the sun says, within a pixel,
 // and a sun 0.02 degrees beside it would not do.
 #include "core/angle.h"
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
 #include "settings/sun_settings.h"
 #include "sun/civil_time.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

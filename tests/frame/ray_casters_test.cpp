@@ -1,9 +1,9 @@
 // What rays from a frame's surfaces to the light can meet lies in one volume; and which frames have such rays.
 #include "core/random.h"
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
 #include "frame/prepared_frame.h"
 #include "frame/ray_casters.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
 
 #include <gtest/gtest.h>
 

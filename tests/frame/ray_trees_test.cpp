@@ -1,9 +1,9 @@
 // Trees of rays beside resident pages: within the same memory, gone with their pages, and the past leaves no mark.
 #include "core/error.h"
-#include "frame/made_model.h"
 #include "frame/renderer.h"
-#include "frame/shadow_triples.h"
 #include "render/software_backend.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Casters culled by receivers against all casters: every picture is the same to the bit, whatever is looked up.
 #include "core/random.h"
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
-#include "frame/made_model.h"
-#include "frame/shadow_triples.h"
 #include "render/image_pass.h"
 #include "render/software/receiver_pass.h"
 #include "render/software_backend.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A picture depends on its view and its settings alone: on no frame before, and on no optimisation.
 #include "core/random.h"
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

@@ -1,10 +1,10 @@
 // The overlay of residency: what waits for pages is yellow, what stands in for damaged ones dark red, all else blue.
 #include "frame/renderer.h"
-#include "hierarchy/tiny_model.h"
 #include "render/gl/gl_backend.h"
 #include "render/overlay/overlay_colors.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/tested_platform.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

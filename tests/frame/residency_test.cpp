@@ -1,7 +1,7 @@
 // What of a model is in memory for a frame: what tables take, what is asked for, and where a motion leads.
 #include "core/error.h"
 #include "frame/residency.h"
-#include "hierarchy/tiny_model.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Scenes in words, and the effects that a frame's plan keeps and drops in each.
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
 #include "settings/plan_sentences.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Edges of shadows: the measure against its twin by loops, and what the default error leaves of them on a statue.
 #include "core/random.h"
 #include "frame/shadow_edges.h"
-#include "made_model.h"
 #include "render/software_backend.h"
+#include "tests/support/made_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // A cap on triangles: the plan is told of what is drawn under it, and that is no more than it allows.
 #include "frame/frame_cuts.h"
-#include "frame/made_model.h"
 #include "frame/renderer.h"
-#include "frame/shadow_triples.h"
 #include "lod/receivers.h"
 #include "lod/visible_depths.h"
 #include "render/software_backend.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 
 #include <gtest/gtest.h>
 

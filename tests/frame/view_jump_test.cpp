@@ -1,9 +1,9 @@
 // What is left of the frames before: nothing behind a jump of the camera, and all of it from step to step of a motion.
 #include "core/random.h"
-#include "frame/drawn_model.h"
-#include "frame/made_model.h"
-#include "hierarchy/scene_mesh.h"
 #include "plan/view_jump.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/made_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

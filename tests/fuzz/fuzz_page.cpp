@@ -6,7 +6,7 @@
 #include "hierarchy/file_layout.h"
 #include "hierarchy/page_codec.h"
 #include "hierarchy/validation.h"
-#include "tests/each_target.h"
+#include "tests/support/each_target.h"
 
 #include <cstdlib>
 

@@ -6,9 +6,9 @@
 #include "hierarchy/file_layout.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/page_codec.h"
-#include "hierarchy/tiny_model.h"
 #include "resealed.h"
-#include "tests/read/gltf_maker.h"
+#include "tests/support/gltf_maker.h"
+#include "tests/support/tiny_model.h"
 
 #include <cstdio>
 #include <filesystem>

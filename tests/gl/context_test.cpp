@@ -3,7 +3,7 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/window.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "gl/context.h"
 #include "gl/gpu_timer.h"
 #include "gl/mapped_ring.h"
-#include "tests/gl/counted_calls.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/counted_calls.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "gl/native_context.h"
 #include "gl/objects.h"
 #include "gl/picture_fill.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // What decodes clusters fast beside what decodes them plainly: the same page, or both refuse, on every instruction set.
 #include "hierarchy/codec/cluster_codec.h"
 #include "hierarchy/codec/cluster_order.h"
-#include "hierarchy/tiny_model.h"
 #include "page_equality.h"
 #include "plain_codec.h"
 #include "random_page.h"
-#include "tests/each_target.h"
+#include "tests/support/each_target.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "hierarchy/codec/edge_window.h"
 #include "hierarchy/codec/plane_kernel.h"
 #include "hierarchy/codec/vertex_numbers.h"
-#include "tests/each_target.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "hierarchy/model_file.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/page_codec.h"
-#include "hierarchy/tiny_model.h"
 #include "hierarchy/validation.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include "hierarchy/model_writer.h"
 #include "hierarchy/page_codec.h"
 #include "hierarchy/page_fields.h"
-#include "hierarchy/tiny_model.h"
 #include "hierarchy/validation.h"
 #include "page_equality.h"
 #include "random_page.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

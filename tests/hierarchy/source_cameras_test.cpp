@@ -4,7 +4,7 @@
 #include "hierarchy/model_file.h"
 #include "hierarchy/model_text.h"
 #include "hierarchy/source_cameras.h"
-#include "hierarchy/temporary_model.h"
+#include "tests/support/temporary_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The model that other tests rest on keeps the rules of a hierarchy.
-#include "hierarchy/tiny_model.h"
 #include "hierarchy/validation.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

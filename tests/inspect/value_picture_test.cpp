@@ -2,9 +2,7 @@
 // find what is seen there.
 #include "core/error.h"
 #include "core/random.h"
-#include "frame/drawn_model.h"
 #include "frame/drawn_point.h"
-#include "hierarchy/scene_mesh.h"
 #include "inspect/seen_values.h"
 #include "inspect/value_picture.h"
 #include "render/overlay/color_map.h"
@@ -12,6 +10,8 @@
 #include "settings/backend_choice.h"
 #include "settings/usage_error.h"
 #include "settings/value_colors.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Clusters hold every triangle once, within their limits, and leave small parts whole.
 #include "core/random.h"
 #include "preprocess/levels/cluster.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "preprocess/levels/level.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "preprocess/levels/simplified_surface.h"
 #include "preprocess/proximity/triangle_distance.h"
 #include "preprocess/simplify/simplify.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <gtest/gtest.h>
 

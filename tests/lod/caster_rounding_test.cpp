@@ -2,9 +2,9 @@
 #include "lod/caster_detail.h"
 #include "lod/frame_cut.h"
 #include "lod/receivers.h"
-#include "model_views.h"
-#include "tests/rounding.h"
 #include "tests/shadow/rounding_cases.h"
+#include "tests/support/model_views.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // What the rule charges a caster, against marching along its ray of light; no less and no more.
-#include "model_views.h"
+#include "tests/support/model_views.h"
+#include "tests/support/random_point.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +10,6 @@ namespace gnomon::lod {
 namespace {
 
 const Box kSpace{{-10, -3, -10}, {10, 5, 10}};
-
-glm::dvec3 randomPoint(Random& random, double reach) {
-    return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
-}
 
 /// The least view depth of a receiver on the ray of light through `point`, by small steps; infinite if there is none.
 double leastReceiverDepth(const CasterDetail& caster, const DetailView& view, const glm::dvec3& point, double step) {

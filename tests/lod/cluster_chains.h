@@ -2,7 +2,7 @@
 // chain.
 #pragma once
 
-#include "model_views.h"
+#include "tests/support/model_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The hard cases of choosing a cut; docs/hard_cases.md shows this table.
 #include "lod/error_rule.h"
-#include "tests/hard_cases.h"
+#include "tests/support/hard_cases.h"
 
 #include <array>
 #include <cmath>

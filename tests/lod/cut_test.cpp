@@ -1,6 +1,6 @@
 // The cut that the trees find against the one that looking at every group finds, and what every cut must keep.
 #include "cluster_chains.h"
-#include "tests/rounding.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

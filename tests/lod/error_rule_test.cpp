@@ -1,6 +1,6 @@
 // The rule is monotone under nesting and reports no less than what a displaced point moves on the screen.
 #include "exact_rule.h"
-#include "model_views.h"
+#include "tests/support/model_views.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lod/error_rule.h"
-#include "tests/theory/real.h"
+#include "tests/support/real.h"
 
 namespace gnomon::tests {
 

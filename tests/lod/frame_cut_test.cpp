@@ -1,7 +1,7 @@
 // All cores make the cut that one makes, and camera space is turned into local space rightly.
 #include "lod/caster_detail.h"
 #include "lod/frame_cut.h"
-#include "model_views.h"
+#include "tests/support/model_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The loader threads: order, withdrawal, damage, and that nothing is lost or read twice.
 #include "core/error.h"
-#include "hierarchy/tiny_model.h"
 #include "lod/loaders.h"
 #include "lod/page_source.h"
 #include "lod/page_store.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

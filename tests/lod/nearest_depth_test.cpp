@@ -1,6 +1,6 @@
 // The least depth in view from the tree, against every page and every vertex looked at.
 #include "lod/nearest_depth.h"
-#include "model_views.h"
+#include "tests/support/model_views.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 #include "core/random.h"
 #include "lod/traversal.h"
 #include "lod/tree.h"
+#include "tests/support/random_point.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +11,6 @@
 
 namespace gnomon::lod {
 namespace {
-
-glm::dvec3 randomPoint(Random& random, double reach) {
-    return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
-}
 
 std::vector<Item> randomItems(Random& random, std::size_t count) {
     std::vector<Item> items(count);

@@ -1,7 +1,7 @@
 // A random view of the shared model, its cut, and iteration over all drawn clusters and triangles.
 #pragma once
 
-#include "model_views.h"
+#include "tests/support/model_views.h"
 
 #include <array>
 #include <cmath>

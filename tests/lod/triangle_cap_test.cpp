@@ -1,5 +1,5 @@
 // The error that keeps a frame within its triangles, against counting what every threshold draws.
-#include "model_views.h"
+#include "tests/support/model_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The paths that `gnomon path` finds, but for walks: where they lead.
-#include "hierarchy/temporary_model.h"
 #include "hierarchy/upright_frame.h"
 #include "path/boxes.h"
 #include "path/made_model.h"
 #include "path/suited_path.h"
+#include "tests/support/temporary_model.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "path/solid_spans.h"
 #include "path/walkable_floor.h"
 #include "path/way_smoothing.h"
+#include "tests/support/random_point.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +11,6 @@
 
 namespace gnomon::path {
 namespace {
-
-glm::dvec3 randomPoint(Random& random, double size) {
-    const double x = random.uniform(0, size);
-    const double y = random.uniform(0, size);
-    return {x, y, random.uniform(0, size)};
-}
 
 /// The heights of a triangle's points within `margin` of a column, by points on a fine grid of it.
 std::pair<double, double> sampledHeights(
@@ -41,7 +36,9 @@ TEST(SolidSpans, HoldATrianglesHeightsOverEachColumn) {
     const ColumnGrid grid({glm::dvec3(0), glm::dvec3(5.9, 6, 5.9)}, 1, 0.25);
     for (int trial = 0; trial < 40; ++trial) {
         const std::array<glm::dvec3, 3> triangle{
-            randomPoint(random, 6), randomPoint(random, 6), randomPoint(random, 6)};
+            randomPoint(random, Box{glm::dvec3(0), glm::dvec3(6)}),
+            randomPoint(random, Box{glm::dvec3(0), glm::dvec3(6)}),
+            randomPoint(random, Box{glm::dvec3(0), glm::dvec3(6)})};
         const double margin = trial % 2 == 0 ? 0 : 0.3;
         SolidSpans solid(grid, 1, margin);
         solid.add(triangle);

@@ -8,7 +8,7 @@
 #include "preprocess/read/open_mesh_sources.h"
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "preprocess/levels/page_layout.h"
 #include "preprocess/pipeline/assemble.h"
 #include "preprocess/pipeline/counted_memory.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <gtest/gtest.h>
 

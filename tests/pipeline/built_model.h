@@ -3,7 +3,7 @@
 
 #include "hierarchy/model_file.h"
 #include "preprocess/pipeline/build_model.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <filesystem>
 #include <memory>

@@ -4,9 +4,9 @@
 #include "preprocess/chunk/binning.h"
 #include "preprocess/chunk/chunk_mesh.h"
 #include "preprocess/pipeline/memory_plan.h"
-#include "tests/chunk/shared_borders.h"
 #include "tests/pipeline/test_folder.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
+#include "tests/support/shared_borders.h"
 
 #include <gtest/gtest.h>
 

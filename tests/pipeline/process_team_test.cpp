@@ -5,7 +5,7 @@
 #include "preprocess/pipeline/tasks/process_team.h"
 #include "preprocess/pipeline/tasks/task_work.h"
 #include "tests/pipeline/test_folder.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <gtest/gtest.h>
 

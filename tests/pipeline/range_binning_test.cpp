@@ -8,8 +8,8 @@
 #include "preprocess/pipeline/tasks/task_work.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "tests/pipeline/test_folder.h"
-#include "tests/read/code_mesh.h"
-#include "tests/read/ply_writer.h"
+#include "tests/support/code_mesh.h"
+#include "tests/support/ply_writer.h"
 
 #include <gtest/gtest.h>
 

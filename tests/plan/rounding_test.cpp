@@ -1,7 +1,7 @@
 // Whole plans in every rounding mode: the same scheme, maps and reasons, but for choices between what is as good.
 #include "made_scene.h"
 #include "plan/scheme_choice.h"
-#include "tests/rounding.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "core/random.h"
 #include "preprocess/proximity/triangle_batch.h"
 #include "preprocess/proximity/triangle_distance.h"
-#include "tests/proximity/each_processor.h"
+#include "tests/support/each_processor.h"
 
 #include <gtest/gtest.h>
 

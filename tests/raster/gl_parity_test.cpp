@@ -1,7 +1,7 @@
 // The rasteriser against llvmpipe: the same coverage but for a few pixels in a million, and the same depth.
-#include "tests/gl/tested_platform.h"
 #include "tests/raster/gl_depth.h"
 #include "tests/raster/scenes.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The hard cases of rasterising, one check each; docs/hard_cases.md shows this table.
-#include "tests/hard_cases.h"
 #include "tests/raster/flat_depths.h"
 #include "tests/raster/homogeneous_triangle.h"
 #include "tests/raster/scenes.h"
+#include "tests/support/hard_cases.h"
 
 #include <gtest/gtest.h>
 

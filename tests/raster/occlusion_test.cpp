@@ -5,9 +5,9 @@
 #include "raster/occlusion_pass.h"
 #include "raster/raster.h"
 #include "raster/snapped_clusters.h"
-#include "tests/each_target.h"
 #include "tests/raster/plain_raster.h"
 #include "tests/raster/scenes.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -4,9 +4,9 @@
 #include "raster/tile_kernel.h"
 #include "raster/tile_work.h"
 #include "raster/vertex_kernel.h"
-#include "tests/each_target.h"
 #include "tests/raster/plain_raster.h"
 #include "tests/raster/scenes.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // double, depths of the plane.
 #include "raster/raster.h"
 #include "raster/uneven/row_bands.h"
-#include "tests/each_target.h"
 #include "tests/raster/scenes.h"
 #include "tests/raster/uneven_scenes.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The vertex stage of whole clusters against one vertex at a time, on every instruction set.
 #include "raster/vertex_kernel.h"
-#include "tests/each_target.h"
 #include "tests/raster/scenes.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 

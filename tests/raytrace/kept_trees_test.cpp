@@ -1,7 +1,7 @@
 // Trees that are kept by page against one scene of the same triangles, made anew.
 #include "core/random.h"
-#include "hierarchy/tiny_model.h"
 #include "raytrace/kept_trees.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

@@ -1,8 +1,8 @@
 // Rays against testing every triangle in doubles.
 #include "core/random.h"
-#include "hierarchy/tiny_model.h"
 #include "raytrace/ray.h"
 #include "raytrace/scene.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "preprocess/read/gltf/uri.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "tests/read/collect.h"
-#include "tests/read/gltf_maker.h"
+#include "tests/support/gltf_maker.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "preprocess/read/gltf/memory_room.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "tests/read/collect.h"
-#include "tests/read/gltf_maker.h"
+#include "tests/support/gltf_maker.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "preprocess/read/gltf/gltf_source.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "tests/read/collect.h"
-#include "tests/read/gltf_maker.h"
+#include "tests/support/gltf_maker.h"
 
 #include <gtest/gtest.h>
 

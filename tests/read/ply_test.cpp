@@ -2,7 +2,7 @@
 #include "preprocess/read/block_buffers.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/read/ply/ply_source.h"
-#include "tests/read/ply_writer.h"
+#include "tests/support/ply_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "core/random.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/read/ply/ply_fast.h"
-#include "tests/read/ply_writer.h"
 #include "tests/read/scratch_input.h"
+#include "tests/support/ply_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Several files as one model: what is joined, what is shifted, and who is named where one is bad.
 #include "preprocess/read/open_mesh_sources.h"
-#include "tests/read/ply_writer.h"
+#include "tests/support/ply_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A mesh with a large gap in its vertex numbers, as a replacement for a source that is too large for a test.
 #pragma once
 
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include <algorithm>
 #include <utility>

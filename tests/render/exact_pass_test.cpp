@@ -4,8 +4,8 @@
 #include "render/exact_pass.h"
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
-#include "tests/render/field.h"
+#include "tests/support/field.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

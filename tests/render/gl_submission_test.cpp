@@ -3,9 +3,9 @@
 #include "gl/context.h"
 #include "gl/shader_library.h"
 #include "render/gl/gl_backend.h"
-#include "tests/gl/counted_calls.h"
-#include "tests/gl/tested_platform.h"
-#include "tests/render/field.h"
+#include "tests/support/counted_calls.h"
+#include "tests/support/field.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "render/light/eye_dome.h"
 #include "render/light/light_model.h"
 #include "render/light/light_sum.h"
-#include "tests/render/field.h"
+#include "tests/support/field.h"
 
 #include <gtest/gtest.h>
 

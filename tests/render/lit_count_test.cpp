@@ -2,8 +2,8 @@
 #include "gl/context.h"
 #include "render/gl/gl_backend.h"
 #include "render/gl/lit_count.h"
-#include "tests/gl/tested_platform.h"
-#include "tests/render/field.h"
+#include "tests/support/field.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

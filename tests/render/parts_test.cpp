@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
-#include "hierarchy/tiny_model.h"
 #include "render/backend.h"
 #include "render/gl/free_list.h"
 #include "render/gl/geometry_pool.h"
@@ -11,6 +10,7 @@
 #include "render/picture.h"
 #include "render/shading_kernel.h"
 #include "render/software_pass.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "render/ray_pass.h"
 #include "render/ray_shadows.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
-#include "tests/render/field.h"
+#include "tests/support/field.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "render/frame_block.h"
 #include "render/software_backend.h"
 #include "render/software_shading.h"
-#include "tests/render/field.h"
-#include "tests/render/plain_shading.h"
+#include "tests/support/field.h"
+#include "tests/support/plain_shading.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

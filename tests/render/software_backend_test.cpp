@@ -3,9 +3,9 @@
 #include "gl/shader_library.h"
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
-#include "tests/render/backend_comparison.h"
-#include "tests/render/field.h"
+#include "tests/support/backend_comparison.h"
+#include "tests/support/field.h"
+#include "tests/support/tested_platform.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

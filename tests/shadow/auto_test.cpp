@@ -1,9 +1,9 @@
 // `auto`: never worse than no warp nor than minimax, and continuous as the light turns, orientation included.
 #include "core/angle.h"
-#include "random_views.h"
 #include "shadow/setup.h"
 #include "shadow/warp/orientation.h"
 #include "shadow/warp/warp.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The depth bias: enough for the receiver's own plane, no more than that and its uneven neighbours ask for, and with
 // room in the map's depth.
 #include "measured_map.h"
-#include "random_views.h"
 #include "shadow/depth_bias.h"
 #include "shadow/map_image.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The split of a texel budget and the packing of its maps.
 #include "core/error.h"
-#include "random_views.h"
 #include "shadow/texels/packing.h"
 #include "shadow/texels/texel_budget.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Caster volumes: nothing outside shadows the region, everything inside can, and no plane can be moved in.
-#include "random_views.h"
 #include "shadow/caster_volume.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

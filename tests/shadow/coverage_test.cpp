@@ -1,7 +1,7 @@
 // Every point of the frustum lies in exactly one partition, and inside that partition's map with its kernel.
 #include "measured_map.h"
-#include "random_views.h"
 #include "shadow/partition/region.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

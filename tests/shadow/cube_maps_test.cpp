@@ -1,20 +1,14 @@
 // Maps of a point light: a point that is seen lies in the map of its face of the cube, no texel is wider there than
 // promised, whatever stands before it can cast into the map, and no plane shadows itself.
-#include "random_views.h"
 #include "shadow/cube/cube_face.h"
 #include "shadow/cube/cube_maps.h"
+#include "tests/support/random_point.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 
 namespace gnomon::shadow {
 namespace {
-
-glm::dvec3 randomPoint(Random& random, const Box& box) {
-    glm::dvec3 point(0);
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        point[axis] = box.min[axis] + random.unit() * (box.max[axis] - box.min[axis]);
-    return point;
-}
 
 /// Boxes that a view between two depths sees, a lamp among them or far beyond, and its maps.
 struct LampScene {

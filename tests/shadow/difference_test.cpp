@@ -1,6 +1,6 @@
 // Finite differences of the real matrices against the beam widths, the aliasing and the Jacobian.
-#include "random_views.h"
 #include "shadow/warp/warped_map.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // What maps are fitted with: the view frustum, the light's frame, and the extents and errors over a fitted region, each
 // held from both sides.
 #include "core/error.h"
-#include "random_views.h"
 #include "shadow/fit/light_fit.h"
 #include "shadow/fit/light_frame.h"
 #include "shadow/fit/view_frustum.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The error of shadow lookups due to positions in single precision.
 #pragma once
 
-#include "random_views.h"
+#include "tests/support/random_views.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The single-precision path, as a GPU takes it, against double: how many texels of 4096 it is off.
-#include "random_views.h"
 #include "shadow/map_image.h"
 #include "shadow/shadow_map.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The hard cases of the shadow theory; docs/hard_cases.md shows this table.
 #include "core/error.h"
 #include "float_error.h"
-#include "random_views.h"
 #include "shadow/quantized_near.h"
-#include "tests/hard_cases.h"
+#include "tests/support/hard_cases.h"
+#include "tests/support/random_views.h"
 
 namespace gnomon::shadow {
 namespace {

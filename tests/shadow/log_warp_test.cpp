@@ -1,11 +1,11 @@
 // Logarithmic rows: the closed forms against the maps, against an integral and against finite differences; what a light
 // that turns does to them.
-#include "random_views.h"
 #include "shadow/partition/grazing.h"
 #include "shadow/scheme.h"
 #include "shadow/setup.h"
 #include "shadow/warp/warped_map.h"
-#include "tests/theory/log_forms.h"
+#include "tests/support/log_forms.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Slices, faces and regions: where they are cut, which faces bear maps, and regions that are no larger than they own.
-#include "random_views.h"
 #include "shadow/partition/faces.h"
 #include "shadow/partition/region.h"
 #include "shadow/partition/splits.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

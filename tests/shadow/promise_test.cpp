@@ -1,7 +1,7 @@
 // The promise: the largest aliasing lies at the vertices, and what a setup promises holds at every point of its maps.
 #include "measured_map.h"
-#include "random_views.h"
 #include "shadow/setup.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // sets a rounding mode drawn from a seeded sequence where it begins and where it ends. An addition of vectors is a
 // function.
 #include "rounding_cases.h"
-#include "tests/chance_rounding.h"
+#include "tests/support/chance_rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // rounding error marks them as undecided. Aliasing bounds must agree in 24 bits.
 #pragma once
 
-#include "random_views.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Theory and set-up under every rounding mode, and what no build may take away from floating point.
 #include "rounding_cases.h"
-#include "tests/rounding.h"
+#include "tests/support/rounding.h"
 
 #include <gtest/gtest.h>
 

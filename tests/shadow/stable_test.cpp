@@ -1,7 +1,7 @@
 // Stable slices, and the quantised near.
-#include "random_views.h"
 #include "shadow/quantized_near.h"
 #include "shadow/stable_slice.h"
+#include "tests/support/random_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The bounds of one collapse after the other: they hold for points strewn on the star, and are not much more than they
 // need be.
 #include "preprocess/simplify/collapse_error_bound.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The tests that forbid a collapse against the mesh as it would be, and what a collapse does to seams.
 #include "preprocess/simplify/collapse_star.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The simplifiers that ours is compared with: that each is given what it needs and gets its due.
 #include "preprocess/simplify/deviation.h"
 #include "preprocess/simplify/simplify.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "preprocess/simplify/cost_estimate.h"
 #include "preprocess/simplify/cost_kernel.h"
 #include "preprocess/simplify/mesh.h"
-#include "tests/proximity/each_processor.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/each_processor.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // that is too large is as wrong as one that is too small.
 #include "preprocess/simplify/deviation.h"
 #include "preprocess/simplify/simplify.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "preprocess/simplify/color_charge.h"
 #include "preprocess/simplify/layer_gaps.h"
 #include "preprocess/simplify/simplify.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

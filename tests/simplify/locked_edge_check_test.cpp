@@ -1,6 +1,6 @@
 // Locked edges against a count of the faces at every pair of positions.
 #include "preprocess/simplify/locked_edge_check.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

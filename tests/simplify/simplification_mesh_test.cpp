@@ -2,7 +2,7 @@
 #include "core/random.h"
 #include "preprocess/simplify/collapse_star.h"
 #include "preprocess/simplify/simplification_mesh.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

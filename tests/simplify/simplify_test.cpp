@@ -4,7 +4,7 @@
 #include "preprocess/simplify/deviation.h"
 #include "preprocess/simplify/locked_edge_check.h"
 #include "preprocess/simplify/simplify.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

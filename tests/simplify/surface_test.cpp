@@ -2,7 +2,7 @@
 #include "core/random.h"
 #include "preprocess/simplify/surface.h"
 #include "preprocess/simplify/triangle_adjacency.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Vertex pairs against every position compared with every other.
 #include "preprocess/simplify/union_find.h"
 #include "preprocess/simplify/vertex_pairs.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include <gtest/gtest.h>
 

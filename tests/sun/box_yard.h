@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/random.h"
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 
 #include <cmath>
 #include <memory>

@@ -2,7 +2,7 @@
 #include "frame/picture_memory.h"
 #include "settings/resolve.h"
 #include "task/finished_picture.h"
-#include "tests/frame/crate_scene.h"
+#include "tests/support/crate_scene.h"
 
 #include <gtest/gtest.h>
 

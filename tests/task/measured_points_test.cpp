@@ -1,9 +1,9 @@
 // Points that are measured without a window: by pixels and by coordinates, on a quad that is known.
 #include "core/error.h"
-#include "hierarchy/scene_mesh.h"
-#include "hierarchy/tiny_model.h"
 #include "inspect/cells.h"
 #include "task/measured_points.h"
+#include "tests/support/scene_mesh.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

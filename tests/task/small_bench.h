@@ -4,9 +4,9 @@
 #include "bench/bench_runs.h"
 #include "core/units.h"
 #include "frame/picture_memory.h"
-#include "hierarchy/temporary_model.h"
 #include "lod/page_store.h"
 #include "settings/resolve.h"
+#include "tests/support/temporary_model.h"
 
 #include <gtest/gtest.h>
 

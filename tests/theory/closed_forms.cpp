@@ -4,9 +4,9 @@
 #include "shadow/scheme.h"
 #include "shadow/stable_slice.h"
 #include "shadow/warp/warped_map.h"
-#include "tests/shadow/random_views.h"
+#include "tests/support/log_forms.h"
+#include "tests/support/random_views.h"
 #include "tests/theory/exact_theory.h"
-#include "tests/theory/log_forms.h"
 
 #include <algorithm>
 #include <array>

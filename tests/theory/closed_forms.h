@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/random.h"
-#include "tests/theory/real.h"
+#include "tests/support/real.h"
 
 #include <vector>
 

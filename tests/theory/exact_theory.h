@@ -2,7 +2,7 @@
 // vertices, a root of two equations), the code uses the definition and not the formula of src/shadow.
 #pragma once
 
-#include "tests/theory/real.h"
+#include "tests/support/real.h"
 
 #include <array>
 #include <optional>

@@ -1,7 +1,7 @@
 // Frames in exact shadows against the plain integer oracle, against rays, and against themselves: with surfaces, with
 // other threads, after other frames.
-#include "frame/made_model.h"
-#include "frame/shadow_triples.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 #include "validation/exact_stage.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Exact shadows of views, lights and sizes that break what is naive: each pixel as the plain integer loops have it.
-#include "frame/made_model.h"
+#include "tests/support/made_model.h"
 #include "validation/exact_stage.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // What proofs find, by themselves: shares, crawl of frames that are known, aliasing against its promise, truth of
 // shadows.
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
 #include "validation/crawl.h"
 #include "validation/measured_aliasing.h"
 #include "validation/shadow_truth.h"

@@ -1,9 +1,9 @@
 // What is drawn for a frame and for its proofs, counted: a frame draws once, and a proof what it says.
 #include "core/random.h"
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
-#include "hierarchy/scene_mesh.h"
 #include "render/software_backend.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/scene_mesh.h"
 #include "validation/frame_proof.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Maps of a lamp against their promise, against rays and against themselves with all there is drawn into them.
-#include "frame/made_model.h"
 #include "frame/renderer.h"
-#include "frame/shadow_triples.h"
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
+#include "tests/support/tested_platform.h"
 #include "validation/frame_proof.h"
 
 #include <gtest/gtest.h>

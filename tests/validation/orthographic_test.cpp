@@ -1,14 +1,14 @@
 // Orthographic views: the image against plain parallel lines, its shadows against rays and integers, and all that
 // leaves something out against what leaves out nothing.
 #include "core/random.h"
-#include "frame/made_model.h"
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
-#include "frame/shadow_triples.h"
 #include "lod/error_rule.h"
 #include "plan/distant_view.h"
 #include "render/software_backend.h"
 #include "render/view/lens.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 #include "validation/frame_proof.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // The shadow passes: casters culled per partition against all casters, and lights and cameras that break what is naive.
 #include "core/random.h"
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
-#include "frame/made_model.h"
-#include "frame/shadow_triples.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 #include "validation/frame_proof.h"
 #include "validation/texel_footprint.h"
 

@@ -1,8 +1,8 @@
 // Rays against the finest level: whole or refused, and counted in the memory that there is.
 #include "core/error.h"
-#include "frame/made_model.h"
-#include "frame/shadow_triples.h"
 #include "render/software_backend.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
 #include "validation/frame_proof.h"
 #include "validation/ray_memory.h"
 

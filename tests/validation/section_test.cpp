@@ -2,7 +2,6 @@
 // line comes out of what is solid, shadows against rays.
 #include "core/random.h"
 #include "frame/ground.h"
-#include "frame/made_model.h"
 #include "frame/renderer.h"
 #include "render/exact_pass.h"
 #include "render/ray_shadows.h"
@@ -14,6 +13,7 @@
 #include "render/view/section_cut.h"
 #include "render/view/section_lines.h"
 #include "render/view/section_memory.h"
+#include "tests/support/made_model.h"
 #include "validation/frame_proof.h"
 
 #include <gtest/gtest.h>

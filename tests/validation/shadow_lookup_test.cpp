@@ -1,14 +1,14 @@
 // The shadow test on its own: OpenGL's against plain code over the same maps, and stabilised maps asked at fixed points
 // of the world while the camera moves, and the share of them that the log gives as `crawl`.
 #include "gl/shader_library.h"
-#include "hierarchy/scene_mesh.h"
 #include "render/frame_block.h"
 #include "render/gl/gl_backend.h"
 #include "render/software_shading.h"
-#include "tests/frame/drawn_model.h"
-#include "tests/gl/tested_platform.h"
-#include "tests/render/field.h"
-#include "tests/render/plain_shading.h"
+#include "tests/support/drawn_model.h"
+#include "tests/support/field.h"
+#include "tests/support/plain_shading.h"
+#include "tests/support/scene_mesh.h"
+#include "tests/support/tested_platform.h"
 #include "validation/frame_proof.h"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // Shadow maps against rays and against their own promise, on models that were made and built on the spot.
-#include "frame/made_model.h"
 #include "frame/renderer.h"
-#include "frame/shadow_triples.h"
 #include "gl/shader_library.h"
-#include "hierarchy/tiny_model.h"
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/made_model.h"
+#include "tests/support/shadow_triples.h"
+#include "tests/support/tested_platform.h"
+#include "tests/support/tiny_model.h"
 #include "validation/frame_proof.h"
 
 #include <gtest/gtest.h>

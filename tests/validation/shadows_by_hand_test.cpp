@@ -1,6 +1,6 @@
 // Shadows that are known by hand, from maps and from rays; and what is too fine for a map, counted apart.
-#include "frame/crate_scene.h"
-#include "frame/drawn_model.h"
+#include "tests/support/crate_scene.h"
+#include "tests/support/drawn_model.h"
 #include "validation/frame_proof.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/verify/verify.h"
-#include "tests/hard_cases.h"
+#include "tests/support/hard_cases.h"
 
 #include <array>
 #include <cmath>

@@ -1,11 +1,11 @@
 // What is locked at each level, against sets, with deferred clusters too, and that cracks beside these are found.
 #include "core/random.h"
-#include "hierarchy/tiny_model.h"
 #include "preprocess/pipeline/build_model.h"
 #include "preprocess/verify/cracks.h"
 #include "preprocess/verify/loaded_model.h"
 #include "preprocess/verify/locked_edges.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

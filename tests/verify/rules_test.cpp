@@ -1,6 +1,5 @@
 // The parts of verify by themselves: cuts and bounds against chains, each rule's own words.
 #include "core/random.h"
-#include "hierarchy/tiny_model.h"
 #include "preprocess/read/memory_source.h"
 #include "preprocess/verify/check.h"
 #include "preprocess/verify/crack_cells.h"
@@ -11,6 +10,7 @@
 #include "preprocess/verify/rules.h"
 #include "preprocess/verify/source_soup.h"
 #include "preprocess/verify/uniform_cut.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The tree's nearest triangle against a look at every triangle, and the distance against a search over the triangle.
 #include "core/random.h"
 #include "preprocess/verify/triangle_tree.h"
+#include "tests/support/random_point.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +9,6 @@
 
 namespace gnomon::verify {
 namespace {
-
-glm::dvec3 randomPoint(Random& random, double span) {
-    return {random.uniform(-span, span), random.uniform(-span, span), random.uniform(-span, span)};
-}
 
 TriangleSoup randomSoup(Random& random, std::uint32_t count, double size) {
     TriangleSoup soup;

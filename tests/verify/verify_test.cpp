@@ -3,9 +3,9 @@
 #include "core/file.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/model_file.h"
-#include "hierarchy/tiny_model.h"
 #include "preprocess/exporter/export.h"
 #include "preprocess/verify/verify.h"
+#include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Moving the camera: what must hold from any pose, for models of any size.
 #include "core/random.h"
 #include "path/framing.h"
+#include "tests/support/random_point.h"
 #include "viewer/input/camera_control.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +11,6 @@
 
 namespace gnomon::viewer {
 namespace {
-
-glm::dvec3 randomPoint(Random& random, double size) {
-    const double x = random.uniform(-size, size);
-    const double y = random.uniform(-size, size);
-    const double z = random.uniform(-size, size);
-    return {x, y, z};
-}
 
 /// A control over a box of a random size somewhere, in a random pose.
 CameraControl randomControl(Random& random) {

@@ -2,8 +2,8 @@
 #include "core/random.h"
 #include "frame/renderer.h"
 #include "hierarchy/model_file.h"
-#include "hierarchy/tiny_model.h"
 #include "render/software_backend.h"
+#include "tests/support/tiny_model.h"
 #include "viewer/input/picking.h"
 
 #include <gtest/gtest.h>

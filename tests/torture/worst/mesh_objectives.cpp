@@ -9,8 +9,8 @@
 #include "preprocess/verify/error_bound.h"
 #include "preprocess/verify/loaded_model.h"
 #include "preprocess/verify/source_soup.h"
-#include "tests/read/code_mesh.h"
-#include "tests/simplify/patches.h"
+#include "tests/support/code_mesh.h"
+#include "tests/support/patches.h"
 
 #include <cmath>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "plan/scheme_choice.h"
 #include "tests/plan/made_scene.h"
 #include "tests/shadow/measured_map.h"
-#include "tests/shadow/random_views.h"
+#include "tests/support/random_views.h"
 
 #include <array>
 #include <cmath>

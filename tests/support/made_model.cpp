@@ -1,4 +1,4 @@
-#include "frame/made_model.h"
+#include "tests/support/made_model.h"
 
 #include "core/error.h"
 #include "preprocess/make/model_file.h"

@@ -1,4 +1,4 @@
-#include "tests/chance_rounding.h"
+#include "tests/support/chance_rounding.h"
 
 #include "core/random.h"
 

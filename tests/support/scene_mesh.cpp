@@ -1,4 +1,4 @@
-#include "hierarchy/scene_mesh.h"
+#include "tests/support/scene_mesh.h"
 
 #include "hierarchy/codec/cluster_order.h"
 

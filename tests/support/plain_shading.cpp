@@ -1,4 +1,4 @@
-#include "tests/render/plain_shading.h"
+#include "tests/support/plain_shading.h"
 
 #include "render/light/light_model.h"
 

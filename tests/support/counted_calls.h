@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/native_context.h"
-#include "tests/gl/tested_platform.h"
+#include "tests/support/tested_platform.h"
 
 #include <array>
 #include <cstddef>

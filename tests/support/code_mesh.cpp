@@ -1,4 +1,4 @@
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 #include "core/random.h"
 

@@ -1,8 +1,8 @@
 // A crate on a plain, with a view and settings for its maps.
 #pragma once
 
-#include "hierarchy/scene_mesh.h"
 #include "plan/frame_plan.h"
+#include "tests/support/scene_mesh.h"
 
 namespace gnomon::frame {
 

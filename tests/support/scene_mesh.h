@@ -1,7 +1,7 @@
 // Scenes of quads and boxes as a hierarchy with one level, so that a test can place objects at known positions.
 #pragma once
 
-#include "hierarchy/tiny_model.h"
+#include "tests/support/tiny_model.h"
 
 namespace gnomon::tests {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "frame/renderer.h"
-#include "hierarchy/tiny_model.h"
 #include "render/software_backend.h"
+#include "tests/support/tiny_model.h"
 
 #include <filesystem>
 #include <memory>

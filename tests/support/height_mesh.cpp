@@ -1,4 +1,4 @@
-#include "hierarchy/height_mesh.h"
+#include "tests/support/height_mesh.h"
 
 #include <algorithm>
 #include <cmath>

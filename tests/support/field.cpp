@@ -1,4 +1,4 @@
-#include "tests/render/field.h"
+#include "tests/support/field.h"
 
 #include "core/random.h"
 #include "plan/distant_view.h"

@@ -1,4 +1,4 @@
-#include "tests/render/backend_comparison.h"
+#include "tests/support/backend_comparison.h"
 
 #include "core/check.h"
 

@@ -1,4 +1,4 @@
-#include "tests/theory/log_forms.h"
+#include "tests/support/log_forms.h"
 
 #include "shadow/partition/faces.h"
 

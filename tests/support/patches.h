@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "preprocess/simplify/patch.h"
-#include "tests/read/code_mesh.h"
+#include "tests/support/code_mesh.h"
 
 namespace gnomon::simplify {
 

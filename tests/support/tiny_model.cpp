@@ -1,11 +1,11 @@
-#include "hierarchy/tiny_model.h"
+#include "tests/support/tiny_model.h"
 
 #include "core/random.h"
 #include "hierarchy/codec/cluster_order.h"
-#include "hierarchy/height_mesh.h"
 #include "hierarchy/model_writer.h"
 #include "hierarchy/octahedral.h"
 #include "hierarchy/validation.h"
+#include "tests/support/height_mesh.h"
 
 #include <algorithm>
 #include <cmath>

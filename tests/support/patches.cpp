@@ -1,4 +1,4 @@
-#include "tests/simplify/patches.h"
+#include "tests/support/patches.h"
 
 #include "preprocess/proximity/triangle_distance.h"
 

@@ -1,4 +1,4 @@
-#include "model_views.h"
+#include "tests/support/model_views.h"
 
 #include "hierarchy/validation.h"
 

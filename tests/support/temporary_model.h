@@ -1,7 +1,7 @@
 // A tiny model in its own file, for tests of subcommands.
 #pragma once
 
-#include "hierarchy/tiny_model.h"
+#include "tests/support/tiny_model.h"
 
 #include <filesystem>
 #include <string>

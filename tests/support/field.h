@@ -1,8 +1,8 @@
 // A hilly field with seeded views and qualities, for the comparison of backends.
 #pragma once
 
-#include "hierarchy/tiny_model.h"
 #include "render/backend.h"
+#include "tests/support/tiny_model.h"
 
 namespace gnomon::render {
 

@@ -1,4 +1,4 @@
-#include "frame/shadow_triples.h"
+#include "tests/support/shadow_triples.h"
 
 #include "core/random.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/random.h"
-#include "hierarchy/tiny_model.h"
 #include "lod/cut.h"
+#include "tests/support/tiny_model.h"
 
 #include <vector>
 

@@ -59,25 +59,27 @@ function(gnomon_compile_as_test target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# gnomon_tests(<layer> SOURCES <file>... [NEEDS <target>...] [LABEL <label>])
-# One test program per layer; every TEST in it is a ctest entry that carries the label (unit unless said otherwise;
-# `threads` is what `scripts/test --all` also runs under the thread sanitizer; the target threaded_tests builds it).
-# A suite whose name starts with "Slow" (behind the prefix of an instantiation) carries the label `slow` instead.
+# gnomon_tests(<layer> SOURCES <file>... [NEEDS <target>...] [LABELS <label>...])
+# One test program per layer; every TEST in it is a ctest entry with the label `unit` and those given. A suite whose name
+# starts with "Slow" (behind the prefix of an instantiation) has the label `slow` instead. `scripts/test --all` builds
+# the targets address_tests and thread_tests, and runs the entries with these labels, with a sanitizer. A test that takes
+# too long there says so (tests/support/sanitizers.h). Entries with the label `after_return` run with the address
+# sanitizer as well, and there it also finds the use of a stack after its function has returned.
 function(gnomon_tests name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;NEEDS")
-    if(NOT arg_LABEL)
-        set(arg_LABEL unit)
-    endif()
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;NEEDS;LABELS")
     add_executable(${name}_tests ${arg_SOURCES} $<TARGET_OBJECTS:gnomon_test_support>)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name}_tests PRIVATE ${arg_NEEDS} gnomon_options GTest::gtest_main)
     gnomon_compile_as_test(${name}_tests)
     gnomon_prepare_unity(${name}_tests)
     gnomon_reuse_headers(${name}_tests gnomon_test_support)
-    if(arg_LABEL STREQUAL threads)
-        add_dependencies(threaded_tests ${name}_tests)
-    endif()
-    gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*:*/Slow*" PROPERTIES LABELS ${arg_LABEL} DISCOVERY_TIMEOUT 60)
+    foreach(label IN LISTS arg_LABELS)
+        if(TARGET ${label}_tests)
+            add_dependencies(${label}_tests ${name}_tests)
+        endif()
+    endforeach()
+    list(JOIN arg_LABELS "\\;" labels)
+    gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*:*/Slow*" PROPERTIES LABELS "unit\\;${labels}" DISCOVERY_TIMEOUT 60)
     gtest_discover_tests(${name}_tests TEST_FILTER "Slow*:*/Slow*" TEST_LIST ${name}_slow
         PROPERTIES LABELS slow DISCOVERY_TIMEOUT 60)
 endfunction()

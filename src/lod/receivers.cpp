@@ -8,8 +8,6 @@
 namespace gnomon::lod {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 /// Calls `visit(page id, page, cluster index)` for each cluster of `list`.
 template <class Visit>
 void forEachCluster(const lod::CutQuery& query, const lod::DrawList& list, const Visit& visit) {
@@ -102,6 +100,7 @@ std::optional<VisibleDepths> visibleDepthRange(
     findCandidates(query, image, scratch);
     std::vector<DepthCandidate>& heap = scratch;
     DepthSearch search(query);
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     double least = kInfinite;
     double greatest = -kInfinite;
     const auto further = [](const DepthCandidate& a, const DepthCandidate& b) { return a.least > b.least; };

@@ -5,6 +5,7 @@
 #include "exact/exact_shadows.h"
 #include "tests/exact/scenes.h"
 #include "tests/support/rounding.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -163,6 +164,7 @@ Scene sceneOfCornersOnRays(RandomWholes& random, const IntegerLight& light, std:
 }
 
 TEST(ExactShadows, CellsAreNeverSmallerThanARounding) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     std::uint64_t touching = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         SCOPED_TRACE(seed);

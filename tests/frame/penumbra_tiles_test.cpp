@@ -3,6 +3,7 @@
 #include "plan/light_directions.h"
 #include "tests/support/crate_scene.h"
 #include "tests/support/drawn_model.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -95,6 +96,7 @@ std::size_t pixelsApart(const Mean& found, const Mean& soft, const Mean& hard) {
 
 // The tiles that are drawn get what they would get anyway, the others what they had after the first frames.
 TEST(PenumbraTiles, AreThoseOfWholeFramesAndTheOthersThoseOfTheFirstFrames) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const tests::SceneMesh scene = crateBesideEmptyGround();
     constexpr int kSamples = 5;
     for (const plan::ShadowMode shadows : {plan::ShadowMode::Exact, plan::ShadowMode::Rays, plan::ShadowMode::Maps}) {
@@ -116,6 +118,7 @@ TEST(PenumbraTiles, AreThoseOfWholeFramesAndTheOthersThoseOfTheFirstFrames) {
 }
 
 TEST(PenumbraTiles, LeaveNothingOutWhereThereAreAsManyFramesAsDirections) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     DrawnModel model(crateBesideEmptyGround().model());
     const plan::Quality quality = softQuality(plan::ShadowMode::Exact, 0.1);
     const plan::View view = overEmptyGround();
@@ -127,6 +130,7 @@ TEST(PenumbraTiles, LeaveNothingOutWhereThereAreAsManyFramesAsDirections) {
 // A tile that is left out after 64 frames is as near to all 160 as the places of so many frames let any be, which are
 // off by 0.13 and by 0.08 beside an edge, of which two meet at a corner: its penumbrae are narrower than half a pixel.
 TEST(PenumbraTiles, LeftOutAreWithinTheErrorOfAllDirections) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     tests::SceneMesh scene = crateBesideEmptyGround();
     for (int i = 0; i < 5; ++i)
         scene.addBox({i - 1, 0, -1 + i}, {i - 0.2, 0.3, -0.2 + i});

@@ -3,6 +3,7 @@
 #include "frame/shadow_edges.h"
 #include "render/software_backend.h"
 #include "tests/support/made_model.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,7 @@ double statueEdges(double errorPixels) {
 }
 
 TEST(ShadowEdges, OfAStatueKeepTheirPlaceAtOnePixelOfError) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const double one = statueEdges(1);
     EXPECT_GT(one, 0) << "some moved";
     EXPECT_LE(one, 1.5);

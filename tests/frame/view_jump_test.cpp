@@ -4,6 +4,7 @@
 #include "tests/support/drawn_model.h"
 #include "tests/support/made_model.h"
 #include "tests/support/scene_mesh.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -153,6 +154,7 @@ int expectNothingBehindJumps(const hierarchy::ModelFile& model, int walks, std::
 }
 
 TEST(ViewJump, LeavesNothingOfTheFramesBefore) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const tests::BuiltFile plant("plant", 20000);
     const tests::BuiltFile statue("statue", 8000);
     EXPECT_GT(expectNothingBehindJumps(plant.file(), 30, 1), 8) << "there was nothing to forget";

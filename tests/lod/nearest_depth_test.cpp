@@ -1,6 +1,7 @@
 // The least depth in view from the tree, against every page and every vertex looked at.
 #include "lod/nearest_depth.h"
 #include "tests/support/model_views.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,7 @@ double leastOfBoxes(const ModelInMemory& model, const DetailView& view) {
 }
 
 TEST(NearestDepth, NothingInViewIsNearerAndNoBoxIsForgotten) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Random random(77);
     const ModelInMemory& model = sharedModel();
     int known = 0;

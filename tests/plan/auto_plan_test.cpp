@@ -3,6 +3,7 @@
 #include "made_scene.h"
 #include "plan/hysteresis.h"
 #include "plan/scheme_choice.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -152,6 +153,7 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
 }
 
 TEST(AutoPlan, IsTheBestOfAllPlans) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Outcome outcome;
     expectTheBest(0, 40, outcome);
     EXPECT_GT(outcome.planned, 30);
@@ -169,6 +171,7 @@ TEST(SlowAutoPlan, IsTheBestOfAllPlansOnAThousandViews) {
 }
 
 TEST(AutoPlan, TexelsThatWouldDoDo) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     int tried = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         const MadeScene scene(seed % 20);
@@ -228,6 +231,7 @@ Changes changesInASlowTurn(std::uint64_t seed) {
 }
 
 TEST(AutoPlan, HoldsTheNumberOfMapsInASlowTurn) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     for (const std::uint64_t seed : {3U, 33U, 101U, 206U})
         EXPECT_LE(changesInASlowTurn(seed).all, 2) << seed;
 }
@@ -322,6 +326,7 @@ TEST(FramePlan, AReceiverThatComesAndGoesKeepsItsMap) {
 }
 
 TEST(AutoPlan, AStillCameraComesToAPlanAsGoodAsAFirstFrames) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     for (std::uint64_t seed = 1; seed < 6; ++seed) {
         const MadeScene scene(seed);
         View view = madeView(seed);

@@ -2,6 +2,7 @@
 #include "made_scene.h"
 #include "plan/hysteresis.h"
 #include "plan/scheme_choice.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@ namespace gnomon::plan {
 namespace {
 
 TEST(SchemeChoice, OpensWhatTheQualityLeavesOpen) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const auto open = [](std::optional<int> slices, Choice faces, bool stabilize, bool drawsLogRows = false) {
         SchemeContext context;
         context.backend.unevenRows = drawsLogRows;
@@ -46,6 +48,8 @@ SchemeCandidate candidate(bool keepsPromise, double promise, std::uint64_t cost,
 }
 
 TEST(SchemeChoice, PrefersKeptPromisesThenCostsThenLowerPromises) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
+
     struct Row {
         SchemeCandidate better;
         SchemeCandidate worse;
@@ -70,6 +74,7 @@ TEST(SchemeChoice, PrefersKeptPromisesThenCostsThenLowerPromises) {
 }
 
 TEST(SchemeChoice, CountsTheTrianglesOfBlocksThatTouchAVolume) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const CameraBasis basis = cameraBasis({{0, 0, 0}, {1, 2, 3}, {0, 1, 0}, 1});
     ConvexVolume volume; // depths of 1 and more
     volume.planes.push_back({{0, 0, 1}, -1});
@@ -98,6 +103,7 @@ SchemeContext contextOf(const MadeScene& scene, const View& view, const SceneFac
 }
 
 TEST(SchemeChoice, WithoutFactsOfTheLightTheTexelsAloneCost) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const MadeScene scene(2);
     const View view = madeView(2);
     SceneFacts facts = scene.facts(view);
@@ -110,6 +116,7 @@ TEST(SchemeChoice, WithoutFactsOfTheLightTheTexelsAloneCost) {
 }
 
 TEST(SchemeChoice, TakesNoMoreTexelsThanItsPromiseAsksForAndHardlyMore) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     int tested = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const MadeScene scene(seed);
@@ -135,6 +142,7 @@ TEST(SchemeChoice, TakesNoMoreTexelsThanItsPromiseAsksForAndHardlyMore) {
 }
 
 TEST(SchemeChoice, RollsTheMapsAboutTheLightOnlyWhereThatIsWorthIt) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     int rolled = 0;
     int plain = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -154,6 +162,7 @@ TEST(SchemeChoice, RollsTheMapsAboutTheLightOnlyWhereThatIsWorthIt) {
 }
 
 TEST(SchemeChoice, FacesThatAreThereStayWhereNewOnesWouldNotCome) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     int stay = 0;
     int come = 0;
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -204,6 +213,7 @@ SchemeCandidate successor(const SchemeContext& context) {
 }
 
 TEST(SchemeChoice, WhatFollowsADominatedSchemeChangesTheNumberOfMapsTheLeast) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     int differs = 0;
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const MadeScene scene(seed);

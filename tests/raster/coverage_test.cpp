@@ -2,6 +2,7 @@
 #include "raster/wide_triangle.h"
 #include "tests/raster/homogeneous_triangle.h"
 #include "tests/raster/scenes.h"
+#include "tests/support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -136,6 +137,7 @@ int coveredNearby(const std::vector<HomogeneousTriangle>& triangles, int x, int 
 /// A flat fan stays a fan in perspective: cut by the near plane and by the eye's own plane, it has neither hole nor
 /// seam.
 TEST(Coverage, EachPixelOfACutFanIsCoveredOnce) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Random random(12);
     int inside = 0;
     for (std::uint64_t fan = 0; fan < 120; ++fan) {

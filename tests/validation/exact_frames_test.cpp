@@ -1,6 +1,7 @@
 // Frames in exact shadows against the plain integer oracle, against rays, and against themselves: with surfaces, with
 // other threads, after other frames.
 #include "tests/support/made_model.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
 #include "validation/exact_stage.h"
 
@@ -44,6 +45,7 @@ tests::ShadowTriple exactTriple(const Box& bounds, std::uint64_t index) {
 }
 
 TEST_P(ExactFrames, AreTrueAtEveryPixel) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage(GetParam()());
     std::uint64_t dark = 0;
     std::uint64_t lit = 0;
@@ -64,6 +66,7 @@ TEST_P(ExactFrames, AreTrueAtEveryPixel) {
 
 // Surfaces call for shading once more, by what was decided; threads share samples and casters out in any order.
 TEST_P(ExactFrames, AreTheSameWithSurfacesAndWithAnyThreads) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage(GetParam()());
     for (std::uint64_t i = 16; i < 28; ++i) {
         SCOPED_TRACE(i);
@@ -84,6 +87,7 @@ TEST_P(ExactFrames, AreTheSameWithSurfacesAndWithAnyThreads) {
 // Rays begin at the very samples, with the same tolerance, in light of any slant: what differs are Embree's floats, and
 // integers side with exact shadows.
 TEST_P(ExactFrames, DifferFromRaysByFloatsAlone) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage(GetParam()());
     std::size_t differing = 0;
     std::size_t dark = 0;
@@ -112,6 +116,7 @@ TEST_P(ExactFrames, DifferFromRaysByFloatsAlone) {
 
 // Threads make trees and trace rays in any order; surfaces call for shading once more, by what was decided.
 TEST_P(ExactFrames, AreTheSameByRaysWithAnyThreads) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     for (std::uint64_t i = 30; i < 36; ++i) {
         SCOPED_TRACE(i);
         std::vector<render::Picture> pictures;
@@ -131,6 +136,7 @@ TEST_P(ExactFrames, AreTheSameByRaysWithAnyThreads) {
 
 // Cells say who is held against whom, and nothing of what comes of it.
 TEST_P(ExactFrames, AreTheSameOverAnyLayoutOfCells) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage(GetParam()());
     std::set<std::uint64_t> tests;
     for (std::uint64_t i = 28; i < 36; ++i) {

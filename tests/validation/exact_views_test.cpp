@@ -1,5 +1,6 @@
 // Exact shadows of views, lights and sizes that break what is naive: each pixel as the plain integer loops have it.
 #include "tests/support/made_model.h"
+#include "tests/support/sanitizers.h"
 #include "validation/exact_stage.h"
 
 #include <array>
@@ -182,6 +183,7 @@ void expectTrueViews(Stage& stage) {
 }
 
 TEST(ExactViews, AreTrueOfAPlant) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const tests::BuiltFile model("plant", 20000);
     Stage stage(model.file());
     expectTrueViews(stage);
@@ -189,6 +191,7 @@ TEST(ExactViews, AreTrueOfAPlant) {
 
 // Maps that a frame left are drawn anew after exact shadows, which have none, and what is exact knows of no maps.
 TEST(ExactViews, LeaveNothingToTheNextFrame) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const tests::BuiltFile model("planes", 20000);
     const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
     frame::Renderer renderer(model.file(), *backend, {});

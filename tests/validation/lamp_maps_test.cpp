@@ -3,6 +3,7 @@
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
 #include "tests/support/made_model.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
 #include "tests/support/tested_platform.h"
 #include "validation/frame_proof.h"
@@ -98,11 +99,13 @@ void expectLampsKept(
 }
 
 TEST(LampMaps, KeepTheirPromiseAndTheShadowsOfRaysInAPlant) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     LampStage stage("plant", 20000);
     expectLampsKept(stage, 24, 0.02);
 }
 
 TEST(LampMaps, KeepTheirPromiseAndTheShadowsOfRaysOnAStatue) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     LampStage stage("statue", 10000);
     expectLampsKept(stage, 12, 0.005);
 }

@@ -8,6 +8,7 @@
 #include "render/software_backend.h"
 #include "render/view/lens.h"
 #include "tests/support/made_model.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
 #include "validation/frame_proof.h"
 
@@ -108,6 +109,7 @@ render::FloatPicture plainDepths(const frame::Renderer& renderer, const frame::F
 }
 
 TEST(Orthographic, AnImageIsWhatParallelLinesMeet) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     ParallelStage stage("plant", 20000);
     const auto size = static_cast<float>(glm::length(stage.bounds().extent()));
     double covered = 0;
@@ -130,6 +132,7 @@ TEST(Orthographic, AnImageIsWhatParallelLinesMeet) {
 }
 
 TEST(Orthographic, WhereTheEyeStandsAlongTheViewMakesNoDifference) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     ParallelStage stage("plant", 20000);
     for (std::uint64_t i = 0; i < 6; ++i) {
         tests::ShadowTriple triple = parallelTriple(stage.bounds(), i);
@@ -151,6 +154,7 @@ TEST(Orthographic, WhereTheEyeStandsAlongTheViewMakesNoDifference) {
 }
 
 TEST(Orthographic, ALensFindsThePointsThatItsImageStores) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Random random(6);
     for (int i = 0; i < 200; ++i) {
         render::Lens lens;
@@ -170,6 +174,7 @@ TEST(Orthographic, ALensFindsThePointsThatItsImageStores) {
 
 // No more error in pixels than was asked for at any depth, and hardly less.
 TEST(Orthographic, AnErrorHasAsManyPixelsAtEveryDepth) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Random random(5);
     const Box bounds{{-3, -1, -2}, {4, 1, 2}};
     for (int i = 0; i < 200; ++i) {
@@ -228,6 +233,7 @@ ParallelTruth truthOver(ParallelStage& stage, const Change& change) {
 }
 
 TEST(Orthographic, MapsAreAsTrueAsThoseOfPerspectiveViews) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     for (const char* kind : {"plant", "statue"}) {
         SCOPED_TRACE(kind);
         ParallelStage stage(kind, 20000);
@@ -248,6 +254,7 @@ TEST(Orthographic, MapsAreAsTrueAsThoseOfPerspectiveViews) {
 }
 
 TEST(Orthographic, PromisesAreKeptWhateverTheScheme) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     ParallelStage stage("plant", 20000);
     ProofOptions options;
     options.measuresAliasing = true;
@@ -268,6 +275,7 @@ TEST(Orthographic, PromisesAreKeptWhateverTheScheme) {
 }
 
 TEST(Orthographic, WhatIsLeftOutIsNotSeen) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     ParallelStage stage("plant", 20000);
     for (std::uint64_t i = 0; i < 16; ++i) {
         SCOPED_TRACE(i);

@@ -3,6 +3,7 @@
 #include "tests/support/crate_scene.h"
 #include "tests/support/drawn_model.h"
 #include "tests/support/made_model.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
 #include "validation/frame_proof.h"
 #include "validation/texel_footprint.h"
@@ -142,6 +143,7 @@ void expectCullingUnseenOver(std::uint64_t first, std::uint64_t count) {
 }
 
 TEST(PartitionCulling, IsNotSeenInAPlant) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     expectCullingUnseenOver(0, 30);
 }
 

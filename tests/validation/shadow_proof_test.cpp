@@ -4,6 +4,7 @@
 #include "render/gl/gl_backend.h"
 #include "render/software_backend.h"
 #include "tests/support/made_model.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
 #include "tests/support/tested_platform.h"
 #include "tests/support/tiny_model.h"
@@ -102,16 +103,19 @@ void expectPromiseKept(Stage& stage, std::uint64_t triples = kTriples, std::opti
 }
 
 TEST(MeasuredAliasing, IsNeverAboveThePromiseOnAPlant) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage = softwareStage("plant", 20000);
     expectPromiseKept(stage);
 }
 
 TEST(MeasuredAliasing, IsNeverAboveThePromiseOfLogarithmicRows) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage = softwareStage("plant", 20000);
     expectPromiseKept(stage, 16, shadow::WarpRule::Log);
 }
 
 TEST(MeasuredAliasing, IsNeverAboveThePromiseOnAStatue) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage = softwareStage("statue", 10000);
     expectPromiseKept(stage);
 }
@@ -153,6 +157,7 @@ private:
 // The promise is a maximum over the whole frustum, of which a picture shows one surface; a ground that fills the
 // screen from near to far, lit from above, shows the worst of it.
 TEST(MeasuredAliasing, OnAGroundThatFillsTheScreenComesNearThePromise) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const Ground ground;
     const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
     frame::Renderer renderer(ground.file(), *backend, {});
@@ -189,6 +194,7 @@ TEST(MeasuredAliasing, OnAGroundThatFillsTheScreenComesNearThePromise) {
 }
 
 TEST(MeasuredAliasing, IsTheSameThroughOpenGl) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const tests::BuiltFile model("statue", 5000);
     ProofOptions options;
     options.measuresAliasing = true;
@@ -238,6 +244,7 @@ TEST(GivenRange, LeavesTheSurfacesOutsideItTheirShadows) {
 // What rays light is what no scene object stands before: the same question asked of the maps at a resolution that
 // leaves them nothing to be wrong about.
 TEST(RayTracedShadows, AreThoseOfVeryFineMaps) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage = softwareStage("statue", 5000);
     double fromRays = 0;
     double fromNone = 0;
@@ -290,6 +297,7 @@ TEST(ShadowTruth, LeavesTheFrameAsItWasDrawn) {
 }
 
 TEST(ShadowTruth, DefaultMapsAreWrongOnlyWithinATexelOfAnEdgeAmongPlanes) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage = softwareStage("planes", 20000);
     const Judged judged = judge(stage);
     EXPECT_GT(judged.wrong, 0U) << "maps are not rays";
@@ -297,6 +305,7 @@ TEST(ShadowTruth, DefaultMapsAreWrongOnlyWithinATexelOfAnEdgeAmongPlanes) {
 }
 
 TEST(ShadowTruth, DefaultMapsAreWrongOnlyWithinATexelOfAnEdgeOnAStatue) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     Stage stage = softwareStage("statue", 10000);
     const Judged judged = judge(stage);
     EXPECT_GT(judged.wrong, 0U);

@@ -8,6 +8,7 @@
 #include "preprocess/read/open_mesh_sources.h"
 #include "preprocess/verify/verify.h"
 #include "tests/support/hard_cases.h"
+#include "tests/support/sanitizers.h"
 
 #include <array>
 #include <cmath>
@@ -291,6 +292,7 @@ constexpr std::array kCases = {
 };
 
 TEST(HierarchyHardCases, HoldAndAreInTheDocument) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     runHardCases(GNOMON_SOURCE_DIR, "Building a hierarchy", kCases);
 }
 

@@ -10,6 +10,7 @@
 #include "preprocess/verify/rules.h"
 #include "preprocess/verify/source_soup.h"
 #include "preprocess/verify/uniform_cut.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
@@ -316,6 +317,7 @@ TEST(SourceSoup, IsTheSourceLessItsOriginAndWhatTheGridCollapses) {
 }
 
 TEST(ErrorBound, OfAModelAgainstItselfIsKeptAndAShiftedSourceIsNot) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     const LoadedModel model = smallModel();
     NoProgress progress;
     TriangleSoup source = uniformCut(model, 0).soup;

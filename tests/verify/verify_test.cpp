@@ -5,6 +5,7 @@
 #include "hierarchy/model_file.h"
 #include "preprocess/exporter/export.h"
 #include "preprocess/verify/verify.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/tiny_model.h"
 
 #include <gtest/gtest.h>
@@ -238,6 +239,7 @@ TEST(Verify, ALoweredErrorFailsMonotoneError) {
 }
 
 TEST(Verify, AClaimOfTooLittleErrorFailsErrorBound) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     TinyModel model = soundModel();
     const std::string source = sourceOf(model);
     const double claimed = model.summary.grid.snapError() * 1.5;
@@ -252,6 +254,7 @@ TEST(Verify, AClaimOfTooLittleErrorFailsErrorBound) {
 }
 
 TEST(Verify, ALostPartOfTheSourceFailsErrorBound) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
     TinyModel model = soundModel();
     const std::string source = sourceOf(model);
     // A pit in one coarse cluster: the source sees it from the other side too.

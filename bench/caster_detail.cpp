@@ -1,6 +1,6 @@
 // What caster detail saves and what it costs: seeded poses and lights, the plan's casters against full detail.
 // usage: caster_detail MODEL.gnm TRIPLES [SIDE] [TEXELS]
-#include "frame/full_casters.h"
+#include "tests/frame/full_casters.h"
 #include "tests/support/shadow_triples.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // How far edges of shadows at one pixel of error lie from those of the finest level, over all casters, with the sun
 // before, beside and behind the camera: by how far off what casts is, and beside what full detail differs from itself.
 // usage: shadow_edges VIEWS [SIDE [SAMPLES [ERROR_PIXELS]]] -- MODEL.gnm PATH.json ...
-#include "frame/shadow_edges.h"
+#include "tests/frame/shadow_edges.h"
 
 #include "core/error.h"
 #include "path/camera_path.h"

@@ -218,7 +218,7 @@ private:
         const settings::Settings& settings = runs_.front().settings;
         plan::View view = settings::viewOf(settings, session_.model().summary());
         view.camera = path::cameraAt(path_, path_.keyframes.front().time);
-        page.storage = task::storagePoints(session_.renderer().plan(view, settings::qualityOf(settings)));
+        page.storage = bench::storagePoints(session_.renderer().plan(view, settings::qualityOf(settings)));
         return page;
     }
 

@@ -115,10 +115,10 @@ void runHours(HoursOptions options, task::SunHoursTeam& team) {
     const auto done = task::computeSunHours(task, *makeProgress(options.common));
     if (!done) return;
     if (!options.isJson) {
-        std::fputs(bench::summaryText(*done, task.period.stepSeconds).c_str(), stderr);
+        std::fputs(task::summaryText(*done, task.period.stepSeconds).c_str(), stderr);
         return;
     }
-    std::printf("%s\n", bench::summaryJson(*done).c_str());
+    std::printf("%s\n", task::summaryJson(*done).c_str());
     requirePrinted("the files that were asked for are complete");
 }
 

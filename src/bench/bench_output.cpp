@@ -30,7 +30,7 @@ std::map<std::string, std::string> statedSettings(const std::vector<BenchRun>& r
 }
 
 std::map<std::string, std::string> statedFacts(
-    const std::vector<BenchRun>& runs, const path::CameraPath& path, const WalkOptions& walk, Session& session) {
+    const std::vector<BenchRun>& runs, const path::CameraPath& path, const WalkOptions& walk, task::Session& session) {
     std::map<std::string, std::string> context = telemetry::machineContext();
     context.erase("host_name"); // reports are given to other people
     const hierarchy::ModelFile& model = session.model();

@@ -19,7 +19,7 @@ std::map<std::string, std::string> statedSettings(const std::vector<BenchRun>& r
 /// Returns the context of a bench, with which a reader can judge or repeat the results: machine, model, camera path,
 /// settings, backend and numbers of frames. It does not contain the name of the host.
 std::map<std::string, std::string> statedFacts(
-    const std::vector<BenchRun>& runs, const path::CameraPath& path, const WalkOptions& walk, Session& session);
+    const std::vector<BenchRun>& runs, const path::CameraPath& path, const WalkOptions& walk, task::Session& session);
 
 /// Returns the log as CSV: a header line and one row per frame.
 std::string csvText(const std::vector<RunResult>& results);

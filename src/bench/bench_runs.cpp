@@ -118,7 +118,10 @@ std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& opt
 }
 
 int quickFrames(
-    Session& session, const path::CameraPath& path, const std::vector<BenchRun>& runs, const WalkOptions& options) {
+    task::Session& session,
+    const path::CameraPath& path,
+    const std::vector<BenchRun>& runs,
+    const WalkOptions& options) {
     RunResult look;
     look.run = runs.front();
     WalkOptions ends = options;
@@ -130,7 +133,7 @@ int quickFrames(
 }
 
 std::vector<report::Picture> middlePictures(
-    Session& session,
+    task::Session& session,
     const path::CameraPath& path,
     const BenchRun& run,
     const WalkOptions& options,

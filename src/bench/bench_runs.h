@@ -19,7 +19,7 @@ settings::Settings backendSettings(const std::vector<BenchRun>& runs);
 
 /// The input of the walks of a bench. All references must outlive it.
 struct BenchWalks {
-    Session& session;
+    task::Session& session;
     const path::CameraPath& path;
     const std::vector<BenchRun>& runs;
     const WalkOptions& options;
@@ -42,7 +42,10 @@ inline constexpr double kQuickWork = 1.2e9;
 /// most kQuickWork. The estimate is the max work of three frames of the first run. It uses no clock, so it is the same
 /// each time.
 int quickFrames(
-    Session& session, const path::CameraPath& path, const std::vector<BenchRun>& runs, const WalkOptions& options);
+    task::Session& session,
+    const path::CameraPath& path,
+    const std::vector<BenchRun>& runs,
+    const WalkOptions& options);
 
 /// Returns the number of frames by which `walkAll` advances its progress.
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options);
@@ -54,7 +57,7 @@ std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& opt
 /// - texels, aliasing and partitions, the picture with these overlays.
 /// Progress advances by kFramesOfPictures.
 std::vector<report::Picture> middlePictures(
-    Session& session,
+    task::Session& session,
     const path::CameraPath& path,
     const BenchRun& run,
     const WalkOptions& options,

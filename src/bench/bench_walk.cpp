@@ -10,7 +10,7 @@
 
 namespace gnomon::bench {
 
-Walk::Walk(Session& session, const path::CameraPath& path, const WalkOptions& options, RunResult& result)
+Walk::Walk(task::Session& session, const path::CameraPath& path, const WalkOptions& options, RunResult& result)
     : session_(session),
       path_(path),
       options_(options),

@@ -49,7 +49,7 @@ public:
     using OnFrame = std::function<void(int frame, const render::Picture& picture)>;
 
     /// `result.run` is the run to walk. The functions of this class add the measurements to `result`.
-    Walk(Session& session, const path::CameraPath& path, const WalkOptions& options, RunResult& result);
+    Walk(task::Session& session, const path::CameraPath& path, const WalkOptions& options, RunResult& result);
 
     /// Draws the warm-up frames and then one repetition. Adds one row per frame to the result. Calls `onFrame` with
     /// each picture if it is not empty.
@@ -77,7 +77,7 @@ private:
 
     frame::Frame draw(int frame);
 
-    Session& session_;
+    task::Session& session_;
     const path::CameraPath& path_;
     const WalkOptions& options_;
     RunResult& result_;

@@ -94,7 +94,7 @@ std::vector<BenchRun> reportRuns(const Settings& asked, bool isQuick) {
     if (base.quality.shadows == plan::ShadowMode::Auto) base.quality.shadows = plan::ShadowMode::Maps;
     base.quality.mapsBecause.reset();
     const bool isExactToo =
-        settings::capabilitiesOf(backendFor(base, settings::DrawingCommand::Bench).backend).exactShadows;
+        settings::capabilitiesOf(task::backendFor(base, settings::DrawingCommand::Bench).backend).exactShadows;
     const bool isWarpOpen = !base.eta && !base.tsmFocus;
     Settings unculled = base;
     unculled.quality.cullCasters = plan::CasterCulling::Off;

@@ -1,5 +1,6 @@
 #include "inspect/value_picture.h"
 
+#include "core/angle.h"
 #include "core/printable.h"
 #include "hierarchy/world_frame.h"
 #include "inspect/seen_values.h"
@@ -12,7 +13,6 @@ namespace gnomon::inspect {
 
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
 constexpr double kDecade = 10;
 constexpr float kInShadow = 0.7F; // remaining light in shadow
 
@@ -100,7 +100,7 @@ double valueOf(settings::ColorBy by, const glm::dvec3& position, const glm::dvec
     const glm::dvec3 axis = glm::normalize(up);
     if (by == settings::ColorBy::Height) return glm::dot(axis, position);
     const double along = glm::dot(axis, normal);
-    return kDegrees * std::atan2(glm::length(normal - along * axis), std::abs(along));
+    return degreesFromRadians(std::atan2(glm::length(normal - along * axis), std::abs(along)));
 }
 
 void colorByValues(

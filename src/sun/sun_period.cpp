@@ -1,6 +1,6 @@
 #include "sun/sun_period.h"
 
-#include "core/units.h"
+#include "core/angle.h"
 #include "hierarchy/upright_frame.h"
 
 #include <cmath>

@@ -10,6 +10,7 @@
 #include "settings/table.h"
 #include "task/finished_picture.h"
 #include "telemetry/process_clock.h"
+#include "validation/frame_proof.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -4,6 +4,7 @@
 #include "core/prepared_output.h"
 #include "settings/codec.h"
 #include "settings/resolve.h"
+#include "settings/sun_period.h"
 #include "sun/sun_view.h"
 #include "task/session.h"
 #include "task/sun_hours_files.h"

@@ -8,6 +8,7 @@
 #include "preprocess/exporter/ply_writer.h"
 #include "settings/codec.h"
 #include "settings/resolve.h"
+#include "settings/sun_period.h"
 #include "sun/point_receivers.h"
 #include "task/sun_hours_run.h"
 #include "task/text_runs.h"

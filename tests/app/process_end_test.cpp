@@ -217,11 +217,11 @@ TEST(OracleOption, IsAFlagOrNamesHowFarItGoes) {
         CLI::App command;
         std::string model;
         command.add_option("MODEL", model);
-        OracleOption option;
-        option.addTo(command);
+        validation::Oracle oracle = validation::Oracle::None;
+        addOracleOption(command, oracle);
         std::reverse(words.begin(), words.end()); // as CLI11 takes a vector
         command.parse(words);
-        return option.mode();
+        return oracle;
     };
     EXPECT_EQ(parsed({"m.gnm"}), validation::Oracle::None);
     EXPECT_EQ(parsed({"m.gnm", "--oracle"}), validation::Oracle::SameDetail);

@@ -1,7 +1,7 @@
 // Walks of a bench: what repeats, which caps hold, what real time ends in and what damage does.
 #include "bench/bench_walk.h"
 #include "core/random.h"
-#include "task/small_bench.h"
+#include "tests/bench/small_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(BenchWalk, TwiceTheSameButForTimes) {
         view.memory = memory;
         std::vector<std::vector<std::string>> seen;
         for (int i = 0; i < 2; ++i) {
-            Session session(model(), view, failOnWarning);
+            task::Session session(model(), view, failOnWarning);
             WalkOptions options = frames(12);
             options.repetitions = 2;
             options.warmup = 1;
@@ -70,7 +70,7 @@ TEST(BenchWalk, TellsPicturesAndProvesFramesOfTheFirstRepetition) {
         EXPECT_TRUE(told.emplace(run, frame).second);
         EXPECT_FALSE(png.empty());
     };
-    Session session(model(), smallSettings(), failOnWarning);
+    task::Session session(model(), smallSettings(), failOnWarning);
     NoProgress progress;
     const std::vector<RunResult> results = walkAlone(session, path, runs, options, progress);
     ASSERT_EQ(results.size(), 2U);
@@ -92,7 +92,7 @@ TEST(BenchWalk, TellsPicturesAndProvesFramesOfTheFirstRepetition) {
 
 TEST(BenchWalk, CanBeStoppedWhileItWarmsUpAndBetweenPictures) {
     const settings::Settings view = smallSettings();
-    Session session(model(), view, failOnWarning);
+    task::Session session(model(), view, failOnWarning);
     const std::vector<BenchRun> runs = runsOf({view});
     WalkOptions options = frames(2);
     options.warmup = 3;
@@ -110,7 +110,7 @@ TEST(BenchWalk, CanBeStoppedWhileItWarmsUpAndBetweenPictures) {
 
 TEST(BenchWalk, WaitsUntilTheCutIsThere) {
     const settings::Settings view = smallSettings();
-    Session session(model(), view, failOnWarning);
+    task::Session session(model(), view, failOnWarning);
     for (const telemetry::FrameRow& row : walked(session, view, flight(), frames(12)).rows) {
         EXPECT_EQ(row.pagesMissing, 0);
         EXPECT_LE(row.achievedErrorPixels, 0.2);
@@ -123,7 +123,7 @@ TEST(BenchWalk, KeepsTheCapOfMemory) {
         for (const double fraction : {0.15, 0.4}) {
             settings::Settings view = smallSettings();
             view.memory = memoryFor(fraction);
-            Session session(model(), view, failOnWarning);
+            task::Session session(model(), view, failOnWarning);
             const std::int64_t tables = static_cast<std::int64_t>(frame::tableBytes(session.model()).count);
             const RunResult result = walked(session, view, flight(), frames(40, isRealTime));
             std::int64_t missing = 0;
@@ -142,13 +142,13 @@ TEST(BenchWalk, KeepsTheCapOfTriangles) {
     settings::Settings view = smallSettings();
     std::vector<std::int64_t> without;
     {
-        Session session(model(), view, failOnWarning);
+        task::Session session(model(), view, failOnWarning);
         for (const telemetry::FrameRow& row : walked(session, view, flight(), frames(8)).rows)
             without.push_back(*row.imageTriangles);
     }
     view.quality.maxTriangles = 300;
     int bound = 0;
-    Session session(model(), view, failOnWarning);
+    task::Session session(model(), view, failOnWarning);
     const RunResult result = walked(session, view, flight(), frames(8));
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
         const telemetry::FrameRow& row = result.rows[i];
@@ -163,9 +163,9 @@ TEST(BenchWalk, KeepsTheCapOfTriangles) {
 
 TEST(BenchWalk, StandingStillInRealTimeEndsInWhatWaitingGives) {
     const settings::Settings view = smallSettings();
-    Session waiting(model(), view, failOnWarning);
+    task::Session waiting(model(), view, failOnWarning);
     const telemetry::FrameRow right = walked(waiting, view, stillness(), frames(40)).rows.back();
-    Session session(model(), view, failOnWarning);
+    task::Session session(model(), view, failOnWarning);
     telemetry::FrameRow last;
     for (int attempt = 0; attempt < 50; ++attempt) { // no clock: a slow disk takes more rounds
         last = walked(session, view, stillness(), frames(40, true)).rows.back();
@@ -216,12 +216,12 @@ private:
 TEST(BenchWalk, DrawsAroundDamageAndNamesItOnce) {
     constexpr std::size_t kDamaged = 50;
     const settings::Settings view = smallSettings();
-    Session sound(model(), view, failOnWarning);
+    task::Session sound(model(), view, failOnWarning);
     const std::vector<telemetry::FrameRow> right = walked(sound, view, flight(), frames(20)).rows;
     for (const bool isRealTime : {false, true}) {
         const DamagedModel damaged(7, kDamaged);
         std::vector<std::string> said;
-        Session session(damaged.path(), view, [&said](const std::string& line) { said.push_back(line); });
+        task::Session session(damaged.path(), view, [&said](const std::string& line) { said.push_back(line); });
         const RunResult result = walked(session, view, flight(), frames(20, isRealTime));
         for (const std::string& line : said) {
             EXPECT_TRUE(line.starts_with("a page is damaged, its parents are drawn: ")) << line;
@@ -257,11 +257,11 @@ TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
         NoProgress progress;
         std::vector<report::Picture> apart;
         for (const BenchRun& run : runs) {
-            Session session(model(), run.settings, failOnWarning);
+            task::Session session(model(), run.settings, failOnWarning);
             for (report::Picture& picture : middlePictures(session, flight(), run, frames(2), progress))
                 apart.push_back(std::move(picture));
         }
-        Session session(model(), plain, failOnWarning);
+        task::Session session(model(), plain, failOnWarning);
         const path::CameraPath path = flight();
         const WalkOptions options = frames(2);
         const std::vector<report::Picture> together =
@@ -281,7 +281,7 @@ TEST(BenchWalk, DrawsWhatRunsShowThatDrawAlikeOnce) {
 TEST(QuickFrames, AreFewerTheMoreThereIsToDraw) {
     settings::Settings large = smallSettings();
     large.imageSize = {1000, 1000};
-    Session session(model(), large, [](const std::string&) {});
+    task::Session session(model(), large, [](const std::string&) {});
     const auto quick = [&](const settings::Settings& settings, std::size_t runs, int repetitions, int most) {
         WalkOptions options = frames(most);
         options.repetitions = repetitions;

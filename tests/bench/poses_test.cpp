@@ -19,7 +19,7 @@ class Poser {
 public:
     Poser(const glm::dvec3& origin, settings::Backend backend)
         : file_(options(origin), "poses"), settings_(drawnBy(backend)) {
-        session_ = std::make_unique<Session>(
+        session_ = std::make_unique<task::Session>(
             file_.path(), settings_, [](const std::string& warning) { ADD_FAILURE() << warning; });
     }
 
@@ -135,7 +135,7 @@ private:
 
     tests::TemporaryModel file_;
     settings::Settings settings_;
-    std::unique_ptr<Session> session_;
+    std::unique_ptr<task::Session> session_;
 };
 
 void drawPoses(int count, settings::Backend backend) {

@@ -61,7 +61,7 @@ TEST(ReportRuns, ContradictNoWarpThatIsAskedFor) {
             std::set<plan::CellScheme> cells;
             const std::vector<BenchRun> runs = reportRuns(base, isQuick);
             const bool isExact =
-                settings::capabilitiesOf(backendFor(base, settings::DrawingCommand::Bench).backend).exactShadows;
+                settings::capabilitiesOf(task::backendFor(base, settings::DrawingCommand::Bench).backend).exactShadows;
             std::size_t exact = 0;
             for (const BenchRun& run : runs) {
                 EXPECT_NE(run.settings.quality.shadows, plan::ShadowMode::Auto) << "modes by their names: " << run.name;

@@ -1,7 +1,7 @@
 // What is said of pictures that miss the error that was asked for: one line, in every mode.
 #include "task/render.h"
-#include "task/small_bench.h"
 #include "telemetry/shortfall.h"
+#include "tests/bench/small_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -28,9 +28,9 @@ std::vector<std::string> told(ShadowMode shadows, Bytes memory, int samples, boo
     NoProgress progress;
     settings::Request request{model(), settings, {.picture = pictureName(), .samples = samples}};
     if (isSeries) request.output.turntable = 3;
-    RenderTask task = renderTask(request);
-    task.warn = warn;
-    render(task, progress);
+    task::RenderTask job = task::renderTask(request);
+    job.warn = warn;
+    task::render(job, progress);
     for (const auto& file : std::filesystem::directory_iterator(testing::TempDir()))
         if (file.path().string().find("gnomon_shortfall_" + std::to_string(::getpid())) != std::string::npos)
             std::filesystem::remove(file.path());
@@ -65,7 +65,7 @@ TEST(Shortfall, SaysWhatIsMissed) {
     shortfall.add({1, 200, 57, false});
     shortfall.add({1, 0.9, 3, false});
     EXPECT_EQ(
-        shortfallLine(shortfall),
+        task::shortfallLine(shortfall),
         "the model is drawn coarser than asked for: the error is up to 200 pixels instead of 1; up to 57 pages do not "
         "fit "
         "into the page memory (--memory)");

@@ -1,5 +1,5 @@
 // Casters off screen are as coarse as their texels: what that changes in a picture.
-#include "frame/full_casters.h"
+#include "tests/frame/full_casters.h"
 #include "tests/support/made_model.h"
 #include "tests/support/shadow_triples.h"
 

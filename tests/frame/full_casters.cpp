@@ -1,4 +1,4 @@
-#include "frame/full_casters.h"
+#include "tests/frame/full_casters.h"
 
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"

@@ -3,6 +3,7 @@
 #include "core/angle.h"
 #include "settings/sun_settings.h"
 #include "sun/civil_time.h"
+#include "sun/sun_period.h"
 #include "tests/support/drawn_model.h"
 #include "tests/support/scene_mesh.h"
 

@@ -1,4 +1,4 @@
-#include "frame/shadow_edges.h"
+#include "tests/frame/shadow_edges.h"
 
 #include "core/check.h"
 #include "raytrace/shadow_oracle.h"

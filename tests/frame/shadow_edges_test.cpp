@@ -1,7 +1,7 @@
 // Edges of shadows: the measure against its twin by loops, and what the default error leaves of them on a statue.
 #include "core/random.h"
-#include "frame/shadow_edges.h"
 #include "render/software_backend.h"
+#include "tests/frame/shadow_edges.h"
 #include "tests/support/made_model.h"
 #include "tests/support/sanitizers.h"
 

@@ -10,12 +10,12 @@
 namespace gnomon::lod {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kFarAway = std::numeric_limits<double>::infinity();
 
 /// Whether a ray from `eye` along `direction` meets `box` anywhere.
 bool meets(const Box& box, const glm::dvec3& eye, const glm::dvec3& direction) {
     double first = 0;
-    double last = kInfinite;
+    double last = kFarAway;
     for (int axis = 0; axis < 3; ++axis) {
         const double a = (box.min[axis] - eye[axis]) / direction[axis];
         const double b = (box.max[axis] - eye[axis]) / direction[axis];
@@ -31,7 +31,7 @@ TEST(Layers, AreAboutAsManyAsRaysMeetAndNeverFarFewer) {
     double met = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const Seen scene(random);
-        const double layers = imageLayers(scene.query(), scene.cut.lists[0], kInfinite);
+        const double layers = imageLayers(scene.query(), scene.cut.lists[0], kFarAway);
         constexpr int kRays = 40;
         int hits = 0;
         for (int ray = 0; ray < kRays; ++ray) {
@@ -54,7 +54,7 @@ TEST(Layers, AreNotCountedOnceTheyAreEnough) {
     int stoppedEarly = 0;
     for (int trial = 0; trial < 30; ++trial) {
         const Seen scene(random);
-        const double all = imageLayers(scene.query(), scene.cut.lists[0], kInfinite);
+        const double all = imageLayers(scene.query(), scene.cut.lists[0], kFarAway);
         const double some = imageLayers(scene.query(), scene.cut.lists[0], 0.25 * all);
         EXPECT_GE(some, 0.25 * all);
         EXPECT_LE(some, all);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/random.h"
-#include "path/boxes.h"
+#include "tests/path/boxes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "hierarchy/upright_frame.h"
 #include "path/camera_path.h"
 #include "path/framing.h"
-#include "path/made_model.h"
 #include "path/outline.h"
+#include "tests/path/made_model.h"
 
 #include <gtest/gtest.h>
 

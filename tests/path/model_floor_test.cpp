@@ -1,11 +1,11 @@
 // The floors of a model, its storeys, where most of them is, and the way over them.
 #include "core/random.h"
-#include "path/building.h"
 #include "path/drawn_triangles.h"
-#include "path/made_model.h"
 #include "path/model_floor.h"
 #include "path/storeys.h"
 #include "path/way_search.h"
+#include "tests/path/building.h"
+#include "tests/path/made_model.h"
 
 #include <gtest/gtest.h>
 

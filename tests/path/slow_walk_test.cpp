@@ -1,6 +1,6 @@
 // Walks through a real building and through all storeys of a plant of a million triangles.
 #include "path/walk.h"
-#include "path/walk_facts.h"
+#include "tests/path/walk_facts.h"
 
 #include <gtest/gtest.h>
 

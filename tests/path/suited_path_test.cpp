@@ -1,8 +1,8 @@
 // The paths that `gnomon path` finds, but for walks: where they lead.
 #include "hierarchy/upright_frame.h"
-#include "path/boxes.h"
-#include "path/made_model.h"
 #include "path/suited_path.h"
+#include "tests/path/boxes.h"
+#include "tests/path/made_model.h"
 #include "tests/support/temporary_model.h"
 
 #include <gtest/gtest.h>

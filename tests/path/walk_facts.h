@@ -2,8 +2,8 @@
 #pragma once
 
 #include "path/camera_path.h"
-#include "path/made_model.h"
 #include "path/walkable_floor.h"
+#include "tests/path/made_model.h"
 
 #include <limits>
 

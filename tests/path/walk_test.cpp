@@ -2,10 +2,10 @@
 #include "core/error.h"
 #include "lod/error_rule.h"
 #include "lod/triangle_clip.h"
-#include "path/building.h"
-#include "path/turbine_hall.h"
 #include "path/walk.h"
-#include "path/walk_facts.h"
+#include "tests/path/building.h"
+#include "tests/path/turbine_hall.h"
+#include "tests/path/walk_facts.h"
 
 #include <gtest/gtest.h>
 

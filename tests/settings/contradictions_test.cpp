@@ -10,7 +10,7 @@
 namespace gnomon::settings {
 namespace {
 
-struct Case {
+struct RefusedRequest {
     void (*request)(Request&);
     const char* option; // empty: sound
     const char* message = "";
@@ -25,8 +25,8 @@ UsageError objection(const Request& request) {
     }
 }
 
-void expectEach(const std::vector<Case>& cases) {
-    for (const Case& each : cases) {
+void expectEach(const std::vector<RefusedRequest>& cases) {
+    for (const RefusedRequest& each : cases) {
         Request request;
         each.request(request);
         const UsageError found = objection(request);

@@ -1,4 +1,5 @@
 #include "settings/sun_settings.h"
+#include "sun/sun_period.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "exact/predicate.h"
 #include "inspect/cells.h"
 #include "render/exact_pass.h"
-#include "sun/box_yard.h"
 #include "sun/point_receivers.h"
 #include "sun/sectioned_cut.h"
+#include "tests/sun/box_yard.h"
 
 #include <gtest/gtest.h>
 

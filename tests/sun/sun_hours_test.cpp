@@ -4,13 +4,13 @@
 #include "exact/visible_points.h"
 #include "settings/sun_period.h"
 #include "settings/sun_settings.h"
-#include "sun/box_yard.h"
 #include "sun/lit_log.h"
 #include "sun/receivers.h"
 #include "sun/sun_day.h"
 #include "sun/sun_hours.h"
 #include "sun/sun_steps.h"
 #include "sun/sun_view.h"
+#include "tests/sun/box_yard.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

@@ -3,7 +3,7 @@
 #include "tests/support/made_model.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
-#include "validation/exact_stage.h"
+#include "tests/validation/exact_stage.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

@@ -1,7 +1,7 @@
 // Exact shadows of views, lights and sizes that break what is naive: each pixel as the plain integer loops have it.
 #include "tests/support/made_model.h"
 #include "tests/support/sanitizers.h"
-#include "validation/exact_stage.h"
+#include "tests/validation/exact_stage.h"
 
 #include <array>
 #include <functional>

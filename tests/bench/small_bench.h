@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon::task {
+namespace gnomon::bench {
 
 inline tests::TinyModelOptions hills() {
     tests::TinyModelOptions options;
@@ -76,7 +76,7 @@ inline WalkOptions frames(int count, bool isRealTime = false) {
 
 /// Returns the results of all runs.
 inline std::vector<RunResult> walkAlone(
-    Session& session,
+    task::Session& session,
     const path::CameraPath& path,
     const std::vector<BenchRun>& runs,
     const WalkOptions& options,
@@ -85,7 +85,7 @@ inline std::vector<RunResult> walkAlone(
 }
 
 inline RunResult walked(
-    Session& session, const settings::Settings& view, const path::CameraPath& path, const WalkOptions& options) {
+    task::Session& session, const settings::Settings& view, const path::CameraPath& path, const WalkOptions& options) {
     NoProgress progress;
     return walkAlone(session, path, runsOf({view}), options, progress).front();
 }
@@ -106,4 +106,4 @@ inline void failOnWarning(const std::string& warning) {
     ADD_FAILURE() << warning;
 }
 
-} // namespace gnomon::task
+} // namespace gnomon::bench

@@ -14,7 +14,7 @@ import unittest.mock
 
 from program import DATA, ProgramTest, run
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "storage"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hierarchy/source"))
 from range_server import RangeServer  # noqa: E402
 
 VIEW = ("--size", "160x120", "--shadow-texels", "256x256", "--error-pixels", "0.3")

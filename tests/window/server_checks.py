@@ -6,7 +6,7 @@ import unittest.mock
 
 from session import PATIENCE, Session
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "storage"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hierarchy/source"))
 from range_server import RangeServer  # noqa: E402
 
 

@@ -235,7 +235,7 @@ def report(tried, names, seed):
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--layers", default="shadow,plan,selection,culling,raster,hierarchy")
+    parser.add_argument("--layers", default="shadow,plan,lod,raster,hierarchy")
     parser.add_argument("--count", type=int, default=100, help="mutants over all the layers together")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--build", default=str(ROOT / "build/mutation"), help="where the copies and their builds lie")

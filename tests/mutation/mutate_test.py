@@ -66,7 +66,7 @@ class Mutations(unittest.TestCase):
                     ("constant", "struct A {\n    void f() {\n        int a = 1;\n    }\n};"))
 
     def test_every_change_of_this_project_touches_one_line_of_code(self):
-        for path in layers.sources(ROOT, "selection"):
+        for path in layers.sources(ROOT, "lod"):
             text = path.read_text()
             code = mutations.code_only(text)
             self.assertEqual(len(text), len(code))
@@ -107,20 +107,20 @@ class Layers(unittest.TestCase):
 
 class Draw(unittest.TestCase):
     def test_a_seed_draws_the_same_and_another_seed_others(self):
-        first, again, other = (mutate.draw(ROOT, "selection", seed) for seed in (1, 1, 2))
+        first, again, other = (mutate.draw(ROOT, "lod", seed) for seed in (1, 1, 2))
         self.assertEqual(first, again)
         self.assertNotEqual(first[:5], other[:5])
         self.assertCountEqual([(m.path, m.mutation) for m in first], [(m.path, m.mutation) for m in other])
 
     def test_layers_share_the_count_and_what_does_not_count_is_drawn_anew(self):
-        lottery = mutate.Lottery(ROOT, ["selection", "culling"], 5, 1)
+        lottery = mutate.Lottery(ROOT, ["lod", "plan"], 5, 1)
         drawn = []
         while mutant := lottery.take():
             mutant.outcome = "same code" if not drawn else "caught"
             drawn.append(mutant.layer)
             lottery.put_back(mutant)
-        self.assertEqual((4, 2), (drawn.count("selection"), drawn.count("culling")))
-        rows = mutate.summary(lottery.tried, ["selection", "culling"])
+        self.assertEqual((4, 2), (drawn.count("lod"), drawn.count("plan")))
+        rows = mutate.summary(lottery.tried, ["lod", "plan"])
         self.assertEqual([(3, 100.0), (2, 100.0), (5, 100.0)], [(row["caught"], row["caught_percent"]) for row in rows])
 
     def test_a_copy_follows_the_tree_and_the_tree_is_left_alone(self):
@@ -141,7 +141,7 @@ class Draw(unittest.TestCase):
             self.assertTrue((copy / "build/kept.o").exists())
 
     def test_the_list_needs_no_build(self):
-        run = subprocess.run([sys.executable, mutate.__file__, "--layers", "culling", "--count", "2", "--list"],
+        run = subprocess.run([sys.executable, mutate.__file__, "--layers", "plan", "--count", "2", "--list"],
                              check=True, capture_output=True, text=True)
         self.assertEqual(2, run.stdout.count("@@ -"))
 

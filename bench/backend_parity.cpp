@@ -94,7 +94,7 @@ Verdicts verdicts(
         return found != pages.end() ? found->second : pages.emplace(page, model.readPage(page)).first->second;
     };
     for (std::size_t pass = 0; pass < frame.plan.passes.size(); ++pass) {
-        drawing.casters.push_back(&frame.cut.lists[pass + 1]);
+        drawing.casters.push_back(&frame.cut.lists.casters[pass]);
         std::vector<DisputedTexel> texels = disputed(frame.plan.passes[pass], ours.shadowDepth(), theirs.shadowDepth());
         if (texels.empty()) continue;
         judge(drawing, pass, texels);

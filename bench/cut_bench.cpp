@@ -73,13 +73,13 @@ private:
         double tooCoarse = 1e3;
         for (int step = 0; step < 24; ++step) {
             errorPixels_ = std::sqrt(tooFine * tooCoarse);
-            (load().lists[0].triangles > kTriangles ? tooFine : tooCoarse) = errorPixels_;
+            (load().lists.image.triangles > kTriangles ? tooFine : tooCoarse) = errorPixels_;
         }
         const lod::Cut cut = load();
         std::printf("%.3f pixels of error, pages %zu of %zu, triangles", errorPixels_, cut.used.size(), table().size());
-        for (const lod::DrawList& list : cut.lists)
-            std::printf(" %llu", static_cast<unsigned long long>(list.triangles));
-        std::printf(", clusters in the image %llu\n", static_cast<unsigned long long>(cut.lists[0].clusters));
+        for (const lod::DrawList* list : cut.lists.all())
+            std::printf(" %llu", static_cast<unsigned long long>(list->triangles));
+        std::printf(", clusters in the image %llu\n", static_cast<unsigned long long>(cut.lists.image.clusters));
     }
 
     lod::Cut load() {
@@ -128,9 +128,9 @@ void addAll(const Scene& scene) {
     });
     add("demand", [&] { benchmark::DoNotOptimize(lod::demand(scene.query())); });
     const auto cut = std::make_shared<lod::Cut>(lod::cut(scene.query()));
-    add("depth_range", [&, cut] { benchmark::DoNotOptimize(lod::visibleDepthRange(scene.query(), cut->lists[0])); });
+    add("depth_range", [&, cut] { benchmark::DoNotOptimize(lod::visibleDepthRange(scene.query(), cut->lists.image)); });
     add("triangle_cap_half",
-        [&, cut] { benchmark::DoNotOptimize(lod::cappedErrorPixels(scene.query(), cut->lists[0].triangles / 2)); });
+        [&, cut] { benchmark::DoNotOptimize(lod::cappedErrorPixels(scene.query(), cut->lists.image.triangles / 2)); });
     add("page_trees", [&] { benchmark::DoNotOptimize(lod::PageTrees(scene.table(), scene.grid())); });
 }
 

@@ -115,7 +115,7 @@ private:
     void addWrong(Count index, const frame::PreparedFrame& frame, const frame::FrameOptions& options) {
         const render::Raster<render::SurfaceSample> surfaces = backend_->surfaces();
         render::FrameDrawing drawing = renderer_.drawing(frame, options);
-        drawing.exactCasters = &frame.cut.lists.at(1);
+        drawing.exactCasters = &frame.cut.lists.casters.at(0);
         const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         Count wrong = 0;
         for (std::size_t i = 0; i < truth.pixels.size(); ++i) {

@@ -57,7 +57,7 @@ void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int si
         const Shot decided = drawn(renderer, triple, plan::ShadowMode::Exact);
         if (!decided.frame.isExact()) continue;
         render::FrameDrawing drawing = renderer.drawing(decided.frame, {});
-        drawing.exactCasters = &decided.frame.cut.lists[1];
+        drawing.exactCasters = &decided.frame.cut.lists.casters[0];
         const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         ++views;
         pixels += truth.pixels.size();

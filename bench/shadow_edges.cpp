@@ -132,8 +132,8 @@ private:
         add(edgeDistances(full.picture, cut.picture), distances_.full);
         const std::vector<float> found = edgeDistances(cut.picture, full.picture);
         add(found, distances_.cut);
-        distances_.cutTriangles += cut.frame.cut.lists[0].triangles;
-        distances_.fullTriangles += full.frame.cut.lists[0].triangles;
+        distances_.cutTriangles += cut.frame.cut.lists.image.triangles;
+        distances_.fullTriangles += full.frame.cut.lists.image.triangles;
         addClasses(cut, found);
     }
 
@@ -147,10 +147,7 @@ private:
     /// The cut's edges by slant, and by how far off what casts is; `cut` is the last frame that was prepared.
     void addClasses(const DrawnReach& cut, const std::vector<float>& found) {
         const render::FrameDrawing drawing = renderer_.drawing(cut.frame, {});
-        std::vector<const lod::DrawList*> lists;
-        for (const lod::DrawList& list : cut.frame.cut.lists)
-            lists.push_back(&list);
-        const raytrace::Scene scene = render::rayScene(drawing, lists);
+        const raytrace::Scene scene = render::rayScene(drawing, cut.frame.cut.lists.all());
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (found[i] < 0) continue;
             const render::SurfaceSample& surface = cut.surfaces.pixels[i];

@@ -41,7 +41,7 @@ int run(const char* model, const char* pathName, int frames, int width, int heig
             if (word != 0) names.push_back(raster::visibleTriangle(word));
         std::sort(names.begin(), names.end());
         const auto seen = static_cast<std::uint64_t>(std::unique(names.begin(), names.end()) - names.begin());
-        const lod::DrawList& image = prepared.cut.lists[0];
+        const lod::DrawList& image = prepared.cut.lists.image;
         std::printf(
             "%d,%llu,%llu,%llu,%llu,%llu,%llu\n",
             i,

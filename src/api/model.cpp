@@ -117,7 +117,7 @@ Mesh Model::cutForView(const Options& options) const {
         const hierarchy::Grid& grid = state_->session.model().summary().grid;
         const hierarchy::ResidentPages pages = renderer.residency().resident();
         exporter::UniformCut cut;
-        for (const lod::ClusterRange& range : frame.cut.lists.at(0).ranges)
+        for (const lod::ClusterRange& range : frame.cut.lists.image.ranges)
             for (std::uint32_t c = 0; c < range.clusterCount; ++c) {
                 const hierarchy::Page& page = *pages[range.page];
                 exporter::addCluster(page, {}, page.clusters[range.firstCluster + c], grid.snapError(), cut);

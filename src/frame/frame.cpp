@@ -74,7 +74,7 @@ Frame Renderer::render(const plan::View& view, const plan::Quality& quality, con
 void Renderer::chooseOcclusion(PreparedFrame& frame) const {
     const bool isOpen = capabilities().occlusionCulling && frame.plan.quality.occlusion == plan::Choice::Auto;
     const double layers =
-        isOpen ? lod::imageLayers(cutQuery(residency_, frame), frame.cut.lists[0], plan::kLeastLayers) : 0;
+        isOpen ? lod::imageLayers(cutQuery(residency_, frame), frame.cut.lists.image, plan::kLeastLayers) : 0;
     plan::chooseOcclusion(frame.plan, layers);
 }
 
@@ -154,7 +154,7 @@ render::DrawStatistics Renderer::draw(PreparedFrame& frame, const FrameOptions& 
     heldMaps_.mark(frame, options);
     heldMaps_.clear();
     render::FrameDrawing drawing = this->drawing(frame, options);
-    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
+    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists.casters[0];
     if (frame.isExact()) return backend_->drawExactly(drawing);
     if (frame.isRayTraced()) return render::drawByRays(*backend_, drawing, residency_.rayTrees());
     render::DrawStatistics statistics = backend_->draw(drawing);
@@ -181,7 +181,7 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
 
 void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& options) {
     render::FrameDrawing drawing = this->drawing(frame, options);
-    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists[1];
+    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists.casters[0];
     plan::FramePlan moved;
     if (options.mapShift != glm::dvec2(0) && !frame.plan.passes.empty()) {
         moved = frame.plan;

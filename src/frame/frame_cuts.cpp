@@ -50,6 +50,7 @@ void addSections(PreparedFrame& frame, const glm::dvec3& origin) {
     const double slack = 4 * frame.space.step;
     for (const Plane& plane : localSections(seen, origin))
         frame.volumes.push_back({{{plane.normal, plane.offset + slack}, {-plane.normal, slack - plane.offset}}});
+    frame.sectionVolumes = seen.sections.size();
     if (frame.volumes.size() > lod::kMaxVolumes)
         throw Error(
             "sections",
@@ -72,6 +73,7 @@ lod::CutQuery cutQuery(const Residency& residency, const PreparedFrame& frame) {
     query.rule = frame.rule.get();
     query.errorPixels = frame.errorPixels;
     query.volumes = frame.volumes;
+    query.sectionVolumes = frame.sectionVolumes;
     return query;
 }
 
@@ -100,7 +102,7 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
     frame.volumes.resize(1);
     const plan::View& seen = frame.plan.view;
     if (frame.plan.passes.empty() && !frame.hasOneCasterList() && seen.sections.empty()) {
-        frame.cut.lists.resize(1);
+        frame.cut.lists.casters.clear();
         return;
     }
     const lod::DetailView view = frame.rule->view();

@@ -36,9 +36,9 @@ void setCasters(const PreparedFrame& frame, const render::DrawStatistics& drawn,
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         if (!plan.passes[p].isReused) {
             ++row.shadowMapsDrawn;
-            shadowTriangles += frame.cut.lists[p + 1].triangles;
+            shadowTriangles += frame.cut.lists.casters[p].triangles;
         }
-        castersKept += frame.cut.lists[p + 1].clusters;
+        castersKept += frame.cut.lists.casters[p].clusters;
     }
     row.shadowTriangles = toCount(shadowTriangles);
     if (drawn.shadows.fragments) row.shadowFragments = toCount(*drawn.shadows.fragments);
@@ -82,7 +82,7 @@ telemetry::FrameRow frameRow(
     row.streamMs = frame.streamMs;
     row.shadowMs = drawn.shadows.time.count;
     row.imageMs = drawn.image.time.count;
-    row.imageTriangles = toCount(frame.cut.lists[0].triangles);
+    row.imageTriangles = toCount(frame.cut.lists.image.triangles);
     setCasters(frame, drawn, row);
     row.drawCalls = toCount(drawn.shadows.drawCalls + drawn.image.drawCalls);
     row.residentBytes = toCount(source.residency.resident.count + source.trees.count);

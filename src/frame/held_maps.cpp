@@ -12,9 +12,7 @@ HeldMaps::Image HeldMaps::imageOf(const PreparedFrame& frame, const FrameOptions
     image.options = options;
     image.isSunless = frame.isSunless;
     if (frame.ground) image.ground = frame.ground->outline;
-    image.clusters.reserve(frame.cut.lists.size());
-    for (const lod::DrawList& list : frame.cut.lists)
-        image.clusters.push_back(list.ranges);
+    image.lists = frame.cut.lists;
     return image;
 }
 
@@ -27,7 +25,7 @@ void HeldMaps::mark(PreparedFrame& frame, const FrameOptions& options) const {
         return;
     for (std::size_t p = 0; p < passes.size(); ++p)
         passes[p].isReused = plan::isSameMap(frame.plan, held_->plan, p) &&
-                             frame.cut.lists[p + 1].ranges == held_->image.clusters[p + 1];
+                             frame.cut.lists.casters[p].ranges == held_->image.lists.casters[p].ranges;
 }
 
 void HeldMaps::hold(const PreparedFrame& frame, const FrameOptions& options, bool isCulled) {

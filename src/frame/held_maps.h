@@ -30,8 +30,7 @@ private:
         FrameOptions options;
         bool isSunless = false;
         std::vector<glm::dvec3> ground; // its outline; empty without a ground
-        // of all draw lists; the first list is the image's
-        std::vector<std::vector<lod::ClusterRange>> clusters;
+        lod::DrawLists lists;
 
         bool operator==(const Image&) const = default;
     };

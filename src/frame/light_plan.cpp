@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace gnomon::frame {
@@ -44,15 +43,11 @@ lod::TiledView tiledView(const PreparedFrame& frame) {
 void planLightSampling(PreparedFrame& frame, const Residency& residency) {
     plan::FramePlan& plan = frame.plan;
     const lod::CutQuery query = cutQuery(residency, frame);
-    const lod::DrawList& image = frame.cut.lists[0];
+    const lod::DrawList& image = frame.cut.lists.image;
     if (plan.view.sunAngleRadians > 0) {
         const lod::DiscLight light{plan.light.unit(), 2 * std::tan(plan.view.sunAngleRadians / 2)};
-        const std::span<const lod::DrawList> lists(frame.cut.lists);
-        const std::size_t behindImage = lists.size() - 1;
-        // The last lists contain the clusters near the section planes; they are no casters.
-        const auto casters = lists.subspan(1, behindImage - std::min(behindImage, plan.view.sections.size()));
         const lod::TiledView seen = tiledView(frame);
-        const std::vector<double> byTile = lod::penumbraWidths(query, image, casters, light, seen);
+        const std::vector<double> byTile = lod::penumbraWidths(query, image, frame.cut.lists.casters, light, seen);
         plan::PenumbraBound bound{*std::max_element(byTile.begin(), byTile.end()), seen.tiles, byTile};
         bound.widest = std::max(bound.widest, onGround(frame, light));
         // The bounds per tile cover clusters only, but not the ground or the caps of sections.

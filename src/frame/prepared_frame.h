@@ -21,13 +21,12 @@ struct PreparedFrame {
     plan::SceneFacts facts;
     std::shared_ptr<const Ground> ground; // null if no part of the ground is in view
     render::DrawSpace space;
-    std::shared_ptr<const lod::ErrorRule> rule; // error rule of the cut; `volumes` also belong to the cut
-    std::vector<ConvexVolume> volumes;
+    std::shared_ptr<const lod::ErrorRule> rule; // error rule of the cut
+    std::vector<ConvexVolume> volumes;          // of the cut: of the image, the casters and the sections
+    std::size_t sectionVolumes = 0;             // number of volumes of the sections
     // true: the light reaches so few visible pixels that --shading auto uses the headlight
     bool isSunless = false;
     double errorPixels = 1; // error limit of the quality, or more if a cap on triangles increases it
-    // The first list is the image's. The other lists are one per shadow pass, or a single list with the casters of rays
-    // or exact shadows.
     lod::Cut cut;
     lod::DemandOutcome residency;
     double planMs = 0;
@@ -46,8 +45,8 @@ struct PreparedFrame {
                !facts.isTurnedFromLight;
     }
 
-    /// Returns true if shadows are computed without maps. The second list then contains all casters that can throw a
-    /// shadow into the view.
+    /// Returns true if shadows are computed without maps. The only list of casters then contains all casters that can
+    /// throw a shadow into the view.
     bool hasOneCasterList() const { return isRayTraced() || isExact(); }
 };
 

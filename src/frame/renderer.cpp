@@ -84,12 +84,11 @@ render::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOp
     drawing.plan = &frame.plan;
     drawing.space = frame.space;
     drawing.grid = summary.grid;
-    drawing.image = &frame.cut.lists[0];
+    drawing.image = &frame.cut.lists.image;
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
-        drawing.casters.push_back(&frame.cut.lists[p + 1]);
-    const std::size_t planes = frame.plan.view.sections.size();
-    for (std::size_t i = frame.cut.lists.size() - planes; i < frame.cut.lists.size(); ++i)
-        drawing.sections.push_back(&frame.cut.lists[i]);
+        drawing.casters.push_back(&frame.cut.lists.casters[p]);
+    for (const lod::DrawList& list : frame.cut.lists.sections)
+        drawing.sections.push_back(&list);
     drawing.sectionMemory = sections_.get();
     sections_->cut.begin(drawing);
     drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {

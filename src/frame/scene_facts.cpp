@@ -19,17 +19,17 @@ plan::SceneFacts::Light lightFacts(
     const ConvexVolume swept = lod::localVolume(plan::sweptView(view, seen), detail);
     plan::SceneFacts::Light light;
     Box casters;
-    for (const lod::CasterBlock& block : lod::casterBlocks(query, cut.lists[1])) {
+    for (const lod::CasterBlock& block : lod::casterBlocks(query, cut.lists.casters[0])) {
         if (classify(swept, block.box) == Containment::Outside) continue;
         casters.add(block.box);
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
-    light.seen = lod::seenParts(query, cut.lists[0], seen);
+    light.seen = lod::seenParts(query, cut.lists.image, seen);
     if (view.pointLight) { // lit sides are computed only for directional lights, so all depths count as lit
         light.lit = {seen};
         return light;
     }
-    const lod::LitSurfaces surfaces = lod::litSurfaces(query, cut.lists[0], view.light().unit(), casters, seen);
+    const lod::LitSurfaces surfaces = lod::litSurfaces(query, cut.lists.image, view.light().unit(), casters, seen);
     light.lit = surfaces.spans;
     light.canBeShadowed = surfaces.canBeShadowed;
     return light;
@@ -59,7 +59,7 @@ plan::SceneFacts sceneFacts(
     plan::SceneFacts facts;
     facts.bounds = bounds;
     facts.visible = plan::SceneFacts::Visible();
-    const std::optional<lod::VisibleDepths> seen = lod::visibleDepthRange(query, cut.lists[0], scratch);
+    const std::optional<lod::VisibleDepths> seen = lod::visibleDepthRange(query, cut.lists.image, scratch);
     if (!seen || !(seen->span.far > 0)) return facts;
     facts.visible = {seen->span.near, seen->span.far, true};
     // The widest range ends at the floor of near. Nearer depths are clamped to its near end.
@@ -71,7 +71,7 @@ plan::SceneFacts sceneFacts(
 
 bool isTurnedFromLight(const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut) {
     if (view.pointLight) return false; // lit sides are computed only for directional lights
-    return !lod::mayFaceLight(query, cut.lists[0], view.light().unit());
+    return !lod::mayFaceLight(query, cut.lists.image, view.light().unit());
 }
 
 } // namespace gnomon::frame

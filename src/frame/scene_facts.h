@@ -10,8 +10,8 @@ namespace gnomon::frame {
 /// Returns the parameters of `view` for the selection of detail. `eye` is in local space.
 lod::DetailView detailView(const plan::View& view, const glm::dvec3& eye);
 
-/// Returns the facts for a plan of `view`. The first list of `cut` is the image. The second list, if it exists,
-/// contains the casters around the image. `range` is the result of widestRange.
+/// Returns the facts for a plan of `view`. If `range` (the result of widestRange) is given, `cut` has one list of
+/// the casters around the image.
 plan::SceneFacts sceneFacts(
     const plan::View& view,
     const Box& bounds,

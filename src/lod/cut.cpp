@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -42,12 +43,33 @@ void unite(std::vector<PageDemand>& demands) {
     demands.erase(std::unique(demands.begin(), demands.end(), samePage), demands.end());
 }
 
+/// Returns the draw lists of the image, the casters and `sections` section planes, in this order.
+DrawLists listsByUse(std::vector<DrawList> lists, std::size_t sections) {
+    DrawLists result;
+    if (lists.empty()) return result;
+    GNOMON_CHECK_OP(sections, <, lists.size());
+    result.image = std::move(lists.front());
+    const auto firstSection = lists.end() - static_cast<std::ptrdiff_t>(sections);
+    result.casters.assign(std::move_iterator(lists.begin() + 1), std::move_iterator(firstSection));
+    result.sections.assign(std::move_iterator(firstSection), std::move_iterator(lists.end()));
+    return result;
+}
+
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
 } // namespace
+
+std::vector<const DrawList*> DrawLists::all() const {
+    std::vector<const DrawList*> lists{&image};
+    for (const DrawList& list : casters)
+        lists.push_back(&list);
+    for (const DrawList& list : sections)
+        lists.push_back(&list);
+    return lists;
+}
 
 PageTrees::PageTrees(std::span<const hierarchy::PageInfo> pages, const hierarchy::Grid& grid) : grid_(grid) {
     std::map<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> byLevel;
@@ -222,13 +244,13 @@ void CutPart::flush() {
 Cut CutPart::joined(
     const CutQuery& query, std::span<const CutPart> parts, std::span<const std::uint32_t> missingRoots) {
     Cut result;
-    result.lists.resize(query.volumes.size());
+    std::vector<DrawList> lists(query.volumes.size());
     result.errorPixels = query.errorPixels;
     for (const CutPart& part : parts) {
-        for (std::size_t list = 0; list < result.lists.size(); ++list) {
-            append(result.lists[list].ranges, part.lists_[list].ranges);
-            result.lists[list].clusters += part.lists_[list].clusters;
-            result.lists[list].triangles += part.lists_[list].triangles;
+        for (std::size_t list = 0; list < lists.size(); ++list) {
+            append(lists[list].ranges, part.lists_[list].ranges);
+            lists[list].clusters += part.lists_[list].clusters;
+            lists[list].triangles += part.lists_[list].triangles;
         }
         append(result.used, part.used_);
         append(result.wanted, part.wanted_);
@@ -240,6 +262,7 @@ Cut CutPart::joined(
         result.wanted.push_back({page, std::numeric_limits<double>::infinity()});
         result.achievedErrorPixels = std::numeric_limits<double>::infinity();
     }
+    result.lists = listsByUse(std::move(lists), query.sectionVolumes);
     unite(result.used);
     unite(result.wanted);
     if (!query.passable.empty()) replacePassed(query, result);

@@ -25,6 +25,18 @@ struct DrawList {
     std::vector<ClusterRange> ranges; // each cluster at most once
     std::uint64_t clusters = 0;
     std::uint64_t triangles = 0;
+    bool operator==(const DrawList&) const = default;
+};
+
+/// The draw lists of a cut.
+struct DrawLists {
+    DrawList image;
+    std::vector<DrawList> casters;  // one per shadow pass, or a single list with the casters of rays or exact shadows
+    std::vector<DrawList> sections; // one per section plane: the clusters near it
+    bool operator==(const DrawLists&) const = default;
+
+    /// Returns all lists in the order of the query's volumes.
+    std::vector<const DrawList*> all() const;
 };
 
 /// The trees over a model's pages, one per level. A tree with mixed levels would prune badly by error.
@@ -60,12 +72,14 @@ struct CutQuery {
     const PageTrees* trees = nullptr;
     hierarchy::ResidentPages resident;
     const ErrorRule* rule = nullptr;
-    double errorPixels = 1;                // refined where the rule gives more
-    std::span<const ConvexVolume> volumes; // local space; fewer than lod::kMaxVolumes; the first is the image's
+    double errorPixels = 1; // refined where the rule gives more
+    // In local space, fewer than lod::kMaxVolumes: the volume of the image, then of the casters, then of the sections.
+    std::span<const ConvexVolume> volumes;
     const hierarchy::BlockedGroups* blocked = nullptr; // groups that stay unrefined whatever the rule says, if any
     /// The page table, if the cut is drawn only once it wants nothing: then pages that it surely refines as a whole
     /// need not be there (`isPassedThrough`).
     std::span<const hierarchy::PageInfo> passable = {};
+    std::size_t sectionVolumes = 0; // number of volumes of the sections
 };
 
 /// A cut: one draw list per volume, and the cost. It draws exactly one cluster along each chain of refinement that
@@ -73,12 +87,12 @@ struct CutQuery {
 /// together are the pages that contain a group with more than `errorPixels`, as far as the resident pages tell. They
 /// depend neither on boxes nor on earlier frames, so each cut of the same view wants the same pages.
 struct Cut {
-    std::vector<DrawList> lists;               // in the order of the query's volumes
+    DrawLists lists;
     std::vector<hierarchy::PageDemand> used;   // resident pages that the cut refines into, each once, by id
     std::vector<hierarchy::PageDemand> wanted; // missing pages that the cut would refine into, each once, by id
     std::vector<std::uint32_t> passed;         // pages that are not resident and that the cut refines through, by id
     double errorPixels = 0;                    // the threshold of the cut
-    double achievedErrorPixels = 0;            // max screen-space error of the first list
+    double achievedErrorPixels = 0;            // max screen-space error of the image
     std::uint64_t groupsTested = 0;
     std::uint64_t clustersTested = 0; // drawn clusters that the traversal reached, once per volume except the first
 };

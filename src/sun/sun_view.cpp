@@ -47,7 +47,7 @@ SunView::SunView(
     quality_.shadows = plan::ShadowMode::Exact;
     prepare(renderer, lights);
     drawing_ = renderer.drawing(frame_, {});
-    drawing_.exactCasters = &frame_.cut.lists[1];
+    drawing_.exactCasters = &frame_.cut.lists.casters[0];
     raster::Rasterizer rasterizer;
     std::vector<std::uint64_t> words(picture_.pixels.size());
     render::drawPoints(drawing_, {&rasterizer, &pass_, &words, &picture_}, points_);
@@ -64,7 +64,8 @@ plan::FramePlan SunView::planFor(const IntegerLight& light) const {
 void SunView::cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights) {
     if (!frame_.facts.visible->anything) {
         frame_.plan = planFor(lights.front());
-        frame_.cut.lists.resize(2 + view_.sections.size());
+        frame_.cut.lists.casters.resize(1);
+        frame_.cut.lists.sections.resize(view_.sections.size());
         return;
     }
     std::vector<lod::CasterDetail> details;

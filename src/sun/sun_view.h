@@ -45,7 +45,7 @@ public:
     const render::Picture& picture() const { return picture_; }
 
     /// Returns the number of triangles that may cast shadows.
-    std::uint64_t casterTriangles() const { return frame_.cut.lists[1].triangles; }
+    std::uint64_t casterTriangles() const { return frame_.cut.lists.casters[0].triangles; }
 
     /// Returns the prepared frame of the view.
     const frame::PreparedFrame& prepared() const { return frame_; }

@@ -59,7 +59,7 @@ ShadowTruth truthOfSameDetail(
     lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
     const lod::Cut cut = lod::cut(wider);
-    const std::array lists = {drawing.image, &cut.lists[1]};
+    const std::array lists = {drawing.image, &cut.lists.casters[0]};
     const raytrace::Scene scene = render::rayScene(drawing, lists);
     const auto light = render::lightByRays(scene, drawing, surfaces, render::kTouchingPixels);
     return shadowTruth(scene, drawing, surfaces, light);
@@ -73,7 +73,7 @@ double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, r
     lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
     const lod::Cut cut = lod::cut(wider);
-    drawing.exactCasters = &cut.lists[1];
+    drawing.exactCasters = &cut.lists.casters[0];
     const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i) {

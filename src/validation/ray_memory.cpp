@@ -44,10 +44,7 @@ std::uint64_t wholeMebibytes(Bytes bytes) {
 } // namespace
 
 std::vector<const lod::DrawList*> listsOf(const frame::PreparedFrame& frame) {
-    std::vector<const lod::DrawList*> lists;
-    for (const lod::DrawList& list : frame.cut.lists)
-        lists.push_back(&list);
-    return lists;
+    return frame.cut.lists.all();
 }
 
 MemoryWithRays memoryWithRays(const frame::Renderer& renderer, const frame::PreparedFrame& fine) {

@@ -40,7 +40,7 @@ void addTriangles(
 std::vector<Corners> drawnTriangles(DrawnModel& model, const Frame& frame) {
     std::vector<Corners> all;
     const auto resident = model.renderer().residency().resident();
-    for (const lod::ClusterRange& range : frame.cut.lists[0].ranges)
+    for (const lod::ClusterRange& range : frame.cut.lists.image.ranges)
         for (std::uint32_t i = 0; i < range.clusterCount; ++i)
             addTriangles(
                 *resident[range.page],

@@ -17,12 +17,12 @@ PreparedFrame frameOfTwoMaps() {
     frame.plan.near = 1;
     frame.plan.far = 16;
     frame.plan.lightAngleRadians = std::numbers::pi / 3;
-    frame.cut.lists.resize(3);
-    frame.cut.lists[0].triangles = 1000;
-    frame.cut.lists[1].triangles = 200;
-    frame.cut.lists[1].clusters = 2;
-    frame.cut.lists[2].triangles = 30;
-    frame.cut.lists[2].clusters = 3;
+    frame.cut.lists.casters.resize(2);
+    frame.cut.lists.image.triangles = 1000;
+    frame.cut.lists.casters[0].triangles = 200;
+    frame.cut.lists.casters[0].clusters = 2;
+    frame.cut.lists.casters[1].triangles = 30;
+    frame.cut.lists.casters[1].clusters = 3;
     frame.cut.clustersTested = 77;
     frame.residency.pagesMissing = 5;
     frame.planMs = 0.5;

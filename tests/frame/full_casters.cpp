@@ -86,11 +86,11 @@ CasterDifference casterDifference(
     drawing.plan = &frame.plan;
     drawing.space = frame.space;
     drawing.grid = grid;
-    drawing.image = &frame.cut.lists[0];
+    drawing.image = &frame.cut.lists.image;
     drawing.pages = [&](std::uint32_t page) -> const hierarchy::Page& { return *pages.table()[page]; };
     drawing.clipNear = 1e-3 * grid.step();
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p)
-        drawing.casters.push_back(&frame.cut.lists[p + 1]);
+        drawing.casters.push_back(&frame.cut.lists.casters[p]);
     backend->draw(drawing);
     const render::Picture planned = backend->picture();
 
@@ -100,7 +100,7 @@ CasterDifference casterDifference(
     std::vector<DrawList> lists;
     for (std::size_t p = 0; p < frame.plan.passes.size(); ++p) {
         DrawList& list = lists.emplace_back(part(*drawing.casters[p], pyramid, true, grid, pages.table()));
-        const DrawList offScreen = part(full.lists[p], pyramid, false, grid, pages.table());
+        const DrawList offScreen = part(*full.lists.all()[p], pyramid, false, grid, pages.table());
         list.ranges.insert(list.ranges.end(), offScreen.ranges.begin(), offScreen.ranges.end());
         result.offScreenTriangles += drawing.casters[p]->triangles - list.triangles;
         result.fullOffScreenTriangles += offScreen.triangles;

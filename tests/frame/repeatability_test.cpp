@@ -180,7 +180,7 @@ TEST(Repeatability, AnAccumulatedFrameLeavesNoWiderCut) {
     quality.errorPixels = 0.1;
     const auto costAndClusters = [&] {
         const PreparedFrame frame = model.renderer().prepare(view, quality, Waiting::UntilComplete, nullptr);
-        return std::pair(model.renderer().plan(view, quality).cost, frame.cut.lists[0].ranges);
+        return std::pair(model.renderer().plan(view, quality).cost, frame.cut.lists.image.ranges);
     };
     model.renderer().render(view, quality, {});
     const auto plain = costAndClusters();

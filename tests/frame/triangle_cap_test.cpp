@@ -23,7 +23,7 @@ void expectSurveyedAsDrawn(const PreparedFrame& frame, const Residency& residenc
     lod::CutQuery query = cutQuery(residency, frame);
     query.rule = &viewAlone;
     query.volumes = volumes;
-    const lod::DrawList image = lod::cut(query).lists[0];
+    const lod::DrawList image = lod::cut(query).lists.image;
     const std::optional<lod::VisibleDepths> visible = lod::visibleDepthRange(query, image);
     ASSERT_TRUE(visible && frame.facts.visible && frame.facts.light);
     EXPECT_EQ(visible->span, (DepthSpan{frame.facts.visible->nearest, frame.facts.visible->farthest}));
@@ -46,7 +46,7 @@ TEST(TriangleCap, HoldsForSurveyAndDrawingByOneThreshold) {
         const PreparedFrame frame = renderer.prepare(triple.view, triple.quality, Waiting::UntilComplete, nullptr);
         if (frame.plan.passes.empty()) continue;
         capped += frame.errorPixels > triple.quality.errorPixels ? 1 : 0;
-        EXPECT_LE(frame.cut.lists[0].triangles, 3000U);
+        EXPECT_LE(frame.cut.lists.image.triangles, 3000U);
         EXPECT_EQ(frame.cut.errorPixels, frame.errorPixels);
         expectSurveyedAsDrawn(frame, renderer.residency());
     }

@@ -73,9 +73,9 @@ TEST(BlockedGroups, StayUnrefinedAndLeaveNoHole) {
     std::size_t coarser = 0;
     for (int trial = 0; trial < 60; ++trial) {
         BlockedScene scene(random);
-        const std::set<ClusterId> free = clustersOf(cut(scene.query()).lists[0]);
+        const std::set<ClusterId> free = clustersOf(cut(scene.query()).lists.image);
         scene.blocked = randomBlocked(random);
-        const std::set<ClusterId> drawn = clustersOf(cut(scene.query()).lists[0]);
+        const std::set<ClusterId> drawn = clustersOf(cut(scene.query()).lists.image);
         for (const ClusterId& id : drawn)
             EXPECT_FALSE(isOfOne(scene.blocked, id));
         for (int i = 0; i < 100; ++i) {
@@ -182,9 +182,9 @@ TEST(CutPart, PartsOfAnySizeMakeTheSameCut) {
         }
         const Cut whole = cut(query);
         const Cut joined = CutPart::joined(query, parts, missing);
-        EXPECT_EQ(joined.lists[0].ranges, whole.lists[0].ranges);
-        EXPECT_EQ(joined.lists[0].clusters, whole.lists[0].clusters);
-        EXPECT_EQ(joined.lists[0].triangles, whole.lists[0].triangles);
+        EXPECT_EQ(joined.lists.image.ranges, whole.lists.image.ranges);
+        EXPECT_EQ(joined.lists.image.clusters, whole.lists.image.clusters);
+        EXPECT_EQ(joined.lists.image.triangles, whole.lists.image.triangles);
         EXPECT_EQ(joined.used.size(), whole.used.size());
         EXPECT_EQ(joined.wanted.size(), whole.wanted.size());
         EXPECT_EQ(joined.groupsTested, whole.groupsTested);

@@ -59,7 +59,7 @@ struct CasterView {
     std::vector<ConvexVolume> regions;
     for (const shadow::ShadowMap& map : result.setup.maps)
         regions.push_back(localVolume(map.region.volume, view.detail));
-    result.receives = receivingVolumes(query, result.cut.lists[0], regions);
+    result.receives = receivingVolumes(query, result.cut.lists.image, regions);
     return result;
 }
 
@@ -130,12 +130,13 @@ TEST(Rounding, ModesChangeNoListOfCastersUnreported) {
                 const tests::RoundingMode rounding(mode);
                 other = listsOf(view);
             }
-            EXPECT_EQ(other.cut.lists[0].ranges, usual.cut.lists[0].ranges);
+            EXPECT_EQ(other.cut.lists.image.ranges, usual.cut.lists.image.ranges);
             ASSERT_EQ(other.setup.mapOfPartition, usual.setup.mapOfPartition);
             if (shadow::isAnotherWarp(usual.setup, other.setup)) continue; // reported by the set-up's own test
             EXPECT_EQ(other.receives, usual.receives);
             for (std::size_t v = 1; v < usual.volumes.size(); ++v)
-                expectSameList(usual.volumes[v], usual.cut.lists[v], other.cut.lists[v], counts);
+                expectSameList(
+                    usual.volumes[v], usual.cut.lists.casters[v - 1], other.cut.lists.casters[v - 1], counts);
         }
     }
     if (std::getenv("GNOMON_ROUNDING_LISTS") != nullptr)

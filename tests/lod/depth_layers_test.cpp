@@ -31,14 +31,14 @@ TEST(Layers, AreAboutAsManyAsRaysMeetAndNeverFarFewer) {
     double met = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const Seen scene(random);
-        const double layers = imageLayers(scene.query(), scene.cut.lists[0], kFarAway);
+        const double layers = imageLayers(scene.query(), scene.cut.lists.image, kFarAway);
         constexpr int kRays = 40;
         int hits = 0;
         for (int ray = 0; ray < kRays; ++ray) {
             const double x = random.uniform(-1, 1) * scene.view.tanHalfX;
             const double y = random.uniform(-1, 1) * scene.view.tanHalfY;
             const glm::dvec3 direction = toWorld(scene.view.basis, glm::dvec3(x, y, 1));
-            forEveryCluster(scene.query(), scene.cut.lists[0], [&](const auto&, const auto& cluster) {
+            forEveryCluster(scene.query(), scene.cut.lists.image, [&](const auto&, const auto& cluster) {
                 hits += meets(scene.query().trees->grid().local(cluster.box), scene.view.eye, direction) ? 1 : 0;
             });
         }
@@ -54,8 +54,8 @@ TEST(Layers, AreNotCountedOnceTheyAreEnough) {
     int stoppedEarly = 0;
     for (int trial = 0; trial < 30; ++trial) {
         const Seen scene(random);
-        const double all = imageLayers(scene.query(), scene.cut.lists[0], kFarAway);
-        const double some = imageLayers(scene.query(), scene.cut.lists[0], 0.25 * all);
+        const double all = imageLayers(scene.query(), scene.cut.lists.image, kFarAway);
+        const double some = imageLayers(scene.query(), scene.cut.lists.image, 0.25 * all);
         EXPECT_GE(some, 0.25 * all);
         EXPECT_LE(some, all);
         EXPECT_EQ(imageLayers(scene.query(), {}, 1), 0);

@@ -70,7 +70,7 @@ std::vector<WidthOfBox> widthsOfPairs(
     const double aslant = std::sqrt(1 + view.tanHalfX * view.tanHalfX + view.tanHalfY * view.tanHalfY);
     const ConvexVolume pyramid = lod::viewPyramid(view);
     std::vector<WidthOfBox> found;
-    forEveryTriangle(seen.query(), seen.cut.lists[0], [&](const auto& corners, const auto&, const auto& cluster) {
+    forEveryTriangle(seen.query(), seen.cut.lists.image, [&](const auto& corners, const auto&, const auto& cluster) {
         if (classify(pyramid, seen.query().trees->grid().local(cluster.box)) == Containment::Outside) return;
         Box receiver;
         for (const glm::dvec3& corner : corners)
@@ -176,7 +176,7 @@ TEST(PenumbraWidths, AreThoseOfTheFarthestPairsThatShareABeamTileByTile) {
         image.half = {seen.view.tanHalfX, seen.view.tanHalfY};
         if (image.isParallel) image.half *= glm::length(tests::sharedModel().bounds.center() - seen.view.eye);
         image.nearest = random.uniform(0.5, 2);
-        const lod::DrawList& list = seen.cut.lists[0];
+        const lod::DrawList& list = seen.cut.lists.image;
         const auto receivers = widthsOfPairs(seen, drawnBoxes(query, list), light, image);
         const std::vector<double> widths = penumbraWidths(query, list, {}, light, image);
         for (const WidthOfBox& receiver : receivers)
@@ -200,7 +200,7 @@ TEST(MayHideSky, IsSureOnlyWhereNothingLiesBeforeAnyTriangle) {
         const lod::CutQuery query = seen.query();
         const Box& bounds = tests::sharedModel().bounds;
         bool isHidden = false;
-        forEveryTriangle(query, seen.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
+        forEveryTriangle(query, seen.cut.lists.image, [&](const auto& corners, const auto&, const auto&) {
             glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
             if (glm::length(normal) == 0) return;
             if (glm::dot(normal, seen.view.eye - corners[0]) < 0) normal = -normal;
@@ -210,9 +210,9 @@ TEST(MayHideSky, IsSureOnlyWhereNothingLiesBeforeAnyTriangle) {
         });
         // Where the box of all that there is lies behind every triangle nothing is hidden; a wavy ground may hide some.
         if (!isHidden) {
-            EXPECT_FALSE(mayHideSky(query, seen.cut.lists[0], bounds, Solids::Whole));
+            EXPECT_FALSE(mayHideSky(query, seen.cut.lists.image, bounds, Solids::Whole));
         }
-        if (mayHideSky(query, seen.cut.lists[0], bounds, Solids::Whole)) ++hidden;
+        if (mayHideSky(query, seen.cut.lists.image, bounds, Solids::Whole)) ++hidden;
     }
     EXPECT_GT(hidden, 0);
 }

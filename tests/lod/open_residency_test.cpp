@@ -86,9 +86,11 @@ private:
 };
 
 void expectSameLists(const Cut& cut, const Cut& other, int trial) {
-    ASSERT_EQ(cut.lists.size(), other.lists.size());
-    for (std::size_t v = 0; v < cut.lists.size(); ++v)
-        EXPECT_EQ(tests::clustersOf(cut.lists[v]), tests::clustersOf(other.lists[v])) << trial << ", volume " << v;
+    const auto lists = cut.lists.all();
+    const auto otherLists = other.lists.all();
+    ASSERT_EQ(lists.size(), otherLists.size());
+    for (std::size_t v = 0; v < lists.size(); ++v)
+        EXPECT_EQ(tests::clustersOf(*lists[v]), tests::clustersOf(*otherLists[v])) << trial << ", volume " << v;
     EXPECT_EQ(cut.achievedErrorPixels, other.achievedErrorPixels) << trial;
 }
 
@@ -191,7 +193,7 @@ TEST(OpenResidency, IsClosedForFramesThatDoNotWait) {
         expectClosed(store);
         EXPECT_LE(store.statistics().peak, partOfAll(2).budget);
         const std::set<tests::ClusterId> drawn =
-            tests::clustersOf(lod::cut(viewer.query(store.resident(), false)).lists.back());
+            tests::clustersOf(*lod::cut(viewer.query(store.resident(), false)).lists.all().back());
         expectOneOfEachChain(drawn, random);
     }
     EXPECT_GT(opened, 20);
@@ -230,7 +232,7 @@ TEST(OpenResidency, BelowADamagedPageTheCutStaysWhole) {
             const WaitingView viewer(random);
             const Cut cut = viewer.loadAll(store, true);
             damaged += store.statistics().pagesDamaged > 0 ? 1 : 0;
-            const std::set<tests::ClusterId> drawn = tests::clustersOf(cut.lists.back());
+            const std::set<tests::ClusterId> drawn = tests::clustersOf(*cut.lists.all().back());
             expectOneOfEachChain(drawn, random);
         }
     }
@@ -248,7 +250,7 @@ TEST(OpenResidency, DrawsWhatStandsAboveAPageThatDoesNotCome) {
         for (std::uint32_t page = 0; page < sharedModel().table.size(); ++page)
             if (!holdsRoots(page) && random.below(20) == 0) source.unread.insert(page);
         const WaitingView viewer(random);
-        const std::set<tests::ClusterId> drawn = tests::clustersOf(viewer.loadAll(store, true).lists.back());
+        const std::set<tests::ClusterId> drawn = tests::clustersOf(*viewer.loadAll(store, true).lists.all().back());
         expectOneOfEachChain(drawn, random);
     }
 }

@@ -135,7 +135,7 @@ TEST(PageStore, KeepsATinyBudgetAndRepeatsItself) {
         // A store that has seen nothing else ends with the same cut.
         PageStore fresh(source, withBudget(budget));
         viewer.loadAll(fresh);
-        EXPECT_EQ(viewer.cut(walked).lists[0].ranges, viewer.cut(fresh).lists[0].ranges) << trial;
+        EXPECT_EQ(viewer.cut(walked).lists.image.ranges, viewer.cut(fresh).lists.image.ranges) << trial;
         EXPECT_EQ(viewer.cut(walked).achievedErrorPixels, viewer.cut(fresh).achievedErrorPixels);
     }
     EXPECT_GT(binding, 5);
@@ -234,7 +234,7 @@ TEST(PageStore, ADamagedPageIsNamedOnceAndNeverWantedAgain) {
         const Viewer viewer(random);
         const DemandOutcome outcome = viewer.loadAll(store);
         EXPECT_EQ(outcome.pagesMissing, 0U) << "all that can be loaded is loaded";
-        EXPECT_GT(viewer.cut(store).lists.size(), 0U);
+        EXPECT_FALSE(viewer.cut(store).used.empty());
         expectClosedUpwards(store.resident(), source.damaged);
     }
     EXPECT_GT(named.size(), 3U);
@@ -259,7 +259,7 @@ TEST(PageStore, BelowADamagedPageTheCutStaysWholeAndElsewhereItIsRight) {
         PageStore store(source, withBudget(wholeModel()));
         const Viewer viewer(random);
         viewer.loadAll(store);
-        const std::set<tests::ClusterId> drawn = tests::clustersOf(viewer.cutEverywhere(store).lists[0]);
+        const std::set<tests::ClusterId> drawn = tests::clustersOf(viewer.cutEverywhere(store).lists.image);
         for (int i = 0; i < 500; ++i) {
             const std::vector<tests::ClusterId> chain = chains.randomChain(random);
             const auto count = std::count_if(
@@ -269,7 +269,7 @@ TEST(PageStore, BelowADamagedPageTheCutStaysWholeAndElsewhereItIsRight) {
         FakeSource soundSource(sharedModel());
         PageStore sound(soundSource, withBudget(wholeModel()));
         viewer.loadAll(sound);
-        const std::set<tests::ClusterId> right = tests::clustersOf(viewer.cutEverywhere(sound).lists[0]);
+        const std::set<tests::ClusterId> right = tests::clustersOf(viewer.cutEverywhere(sound).lists.image);
         const auto same =
             std::count_if(right.begin(), right.end(), [&](const tests::ClusterId& id) { return drawn.contains(id); });
         kept += static_cast<double>(same) / static_cast<double>(right.size()) / kTrials;

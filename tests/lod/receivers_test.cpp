@@ -31,7 +31,7 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
         double least = kEndless;
         double greatest = -kEndless;
         forEveryTriangle(
-            scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto& page, const auto& cluster) {
+            scene.query(), scene.cut.lists.image, [&](const auto& corners, const auto& page, const auto& cluster) {
                 const double margin = missingError(scene.query(), page, cluster);
                 for (const glm::dvec3& point : clipper.clipped(corners)) {
                     const double depth = std::max(0.0, glm::dot(scene.view.basis.view, point - scene.view.eye));
@@ -39,14 +39,14 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
                     greatest = std::max(greatest, depth + margin);
                 }
             });
-        const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
+        const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists.image);
         ASSERT_EQ(range.has_value(), least != kEndless);
         if (!range) continue;
         ++seen;
         EXPECT_EQ(range->span.near, least);
         EXPECT_EQ(range->span.far, greatest);
         measured += range->clustersMeasured;
-        drawn += scene.cut.lists[0].clusters;
+        drawn += scene.cut.lists.image.clusters;
     }
     EXPECT_GT(seen, 50);
     EXPECT_LT(measured * 4, drawn) << "few clusters are to be looked at triangle by triangle";
@@ -68,10 +68,10 @@ TEST(Receivers, SeenPartsHoldAllThatIsSeenAtItsDepth) {
     double whole = 0; // and of one box for all
     for (int trial = 0; trial < 40; ++trial) {
         const Seen scene(random);
-        const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists[0]);
+        const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists.image);
         if (!range || !(range->span.far > 0)) continue;
         const DepthSpan depths{std::max(range->span.near, range->span.far * 1e-4), range->span.far};
-        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists[0], depths);
+        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists.image, depths);
         Box all;
         for (const shadow::SeenPart& part : parts) {
             all.add(part.box);
@@ -79,7 +79,7 @@ TEST(Receivers, SeenPartsHoldAllThatIsSeenAtItsDepth) {
         }
         whole += all.extent().x * all.extent().y * all.extent().z;
         TriangleClipper clipper(scene.volumes[0]);
-        forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
+        forEveryTriangle(scene.query(), scene.cut.lists.image, [&](const auto& corners, const auto&, const auto&) {
             for (const glm::dvec3& corner : clipper.clipped(corners)) {
                 const glm::dvec3 point = corner - scene.view.eye;
                 const double depth = glm::dot(scene.view.basis.view, point);
@@ -102,13 +102,13 @@ TEST(Receivers, AVolumeReceivesWhereATriangleIs) {
         std::vector<ConvexVolume> slices;
         for (const lod::CasterDetail& caster : tests::randomCasters(random, scene.view))
             slices.push_back(caster.receivers);
-        const std::vector<bool> found = receivingVolumes(scene.query(), scene.cut.lists[0], slices);
+        const std::vector<bool> found = receivingVolumes(scene.query(), scene.cut.lists.image, slices);
         for (std::size_t v = 0; v < slices.size(); ++v) {
             ConvexVolume both = slices[v];
             both.planes.insert(both.planes.end(), scene.volumes[0].planes.begin(), scene.volumes[0].planes.end());
             TriangleClipper clipper(both);
             bool expected = false;
-            forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
+            forEveryTriangle(scene.query(), scene.cut.lists.image, [&](const auto& corners, const auto&, const auto&) {
                 expected = expected || !clipper.clipped(corners).empty();
             });
             EXPECT_EQ(found[v], expected);

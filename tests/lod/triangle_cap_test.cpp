@@ -49,7 +49,7 @@ struct CapScene {
     std::uint64_t trianglesAt(double pixels) const {
         CutQuery at = query();
         at.errorPixels = pixels;
-        return cut(at).lists[0].triangles;
+        return cut(at).lists.image.triangles;
     }
 
     DetailView view;

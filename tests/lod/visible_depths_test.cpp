@@ -42,7 +42,7 @@ bool reachAbove(const Box& casters, const glm::dvec3& point, const glm::dvec3& n
 std::vector<LitTriangle> litTriangles(const Seen& scene, const glm::dvec3& towardsLight, const Box& casters) {
     std::vector<LitTriangle> found;
     TriangleClipper clipper(scene.volumes[0]);
-    forEveryTriangle(scene.query(), scene.cut.lists[0], [&](const auto& corners, const auto&, const auto&) {
+    forEveryTriangle(scene.query(), scene.cut.lists.image, [&](const auto& corners, const auto&, const auto&) {
         glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         if (glm::dot(normal, scene.view.eye - corners[0]) < 0) normal = -normal; // the seen side
         if (!(glm::dot(normal, towardsLight) > 0)) return;
@@ -98,7 +98,7 @@ TEST(LitSurfaces, SpansHoldWhatIsLitAndReachOneStepFurtherAtMost) {
         const Box casters = trial % 5 == 0 ? Box{} : sharedModel().bounds;
         const double nearest = trial % 2 == 0 ? 1 : 16; // before all that is seen, or in its midst
         const DepthSpan depths{nearest * random.uniform(0.01, 1), random.uniform(20, 400)};
-        const LitSurfaces found = litSurfaces(scene.query(), scene.cut.lists[0], light, casters, depths);
+        const LitSurfaces found = litSurfaces(scene.query(), scene.cut.lists.image, light, casters, depths);
         const std::vector<LitTriangle> expected = litTriangles(scene, light, casters);
         bool canBeShadowed = false;
         for (const LitTriangle& triangle : expected) {
@@ -126,7 +126,7 @@ TEST(LitSide, IsFoundWhereAnyTriangleShowsIt) {
         const glm::dvec3 light =
             trial % 3 == 0 ? randomLight(random) : glm::normalize(scene.view.basis.view + 0.02 * randomLight(random));
         const bool isLit = !litTriangles(scene, light, {}).empty();
-        const bool mayBe = mayFaceLight(scene.query(), scene.cut.lists[0], light);
+        const bool mayBe = mayFaceLight(scene.query(), scene.cut.lists.image, light);
         EXPECT_TRUE(mayBe || !isLit) << trial;
         dark += mayBe ? 0 : 1;
     }
@@ -139,7 +139,7 @@ TEST(SeenParts, StepsAreSixteenAnOctaveAndLieInTheRange) {
     for (int trial = 0; trial < 30; ++trial) {
         const Seen scene(random);
         const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
-        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists[0], depths);
+        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists.image, depths);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const DepthSpan& span = parts[i].depths;
             EXPECT_GE(span.near, depths.near * (1 - 1e-12));
@@ -163,7 +163,7 @@ TEST(SeenParts, AreTheSameForAnyNumberOfThreads) {
         const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
         const auto partsOn = [&](int threads) {
             return tbb::task_arena(threads).execute(
-                [&] { return seenParts(scene.query(), scene.cut.lists[0], depths); });
+                [&] { return seenParts(scene.query(), scene.cut.lists.image, depths); });
         };
         const std::vector<shadow::SeenPart> one = partsOn(1);
         for (const int threads : {2, 16}) {
@@ -204,7 +204,7 @@ TEST(CasterBlocks, AreRunsOfSixteenClustersInTheListsOrder) {
     Random random(74);
     for (int trial = 0; trial < 30; ++trial) {
         const Seen scene(random);
-        const lod::DrawList& list = scene.cut.lists[0];
+        const lod::DrawList& list = scene.cut.lists.image;
         const std::vector<CasterBlock> blocks = casterBlocks(scene.query(), list);
         std::size_t next = 0;
         std::uint64_t triangles = 0;

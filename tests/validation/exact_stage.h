@@ -68,7 +68,7 @@ public:
         options.wantsSurfaces = true;
         Shot shot = draw(frame, options);
         render::FrameDrawing drawing = renderer_.drawing(frame, options);
-        drawing.exactCasters = &frame.cut.lists.at(1);
+        drawing.exactCasters = &frame.cut.lists.casters.at(0);
         const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         EXPECT_EQ(truth.pixels.size(), shot.surfaces.pixels.size());
         for (std::size_t i = 0; i < truth.pixels.size(); ++i)

@@ -69,8 +69,8 @@ void compareLookup(const Shot& a, const Shot& b, const render::SurfaceSample& su
 
 std::uint64_t castersIn(const frame::Frame& frame) {
     std::uint64_t clusters = 0;
-    for (std::size_t list = 1; list < frame.cut.lists.size(); ++list)
-        clusters += frame.cut.lists[list].clusters;
+    for (const lod::DrawList& list : frame.cut.lists.casters)
+        clusters += list.clusters;
     return clusters;
 }
 

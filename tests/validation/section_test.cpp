@@ -56,7 +56,7 @@ public:
     double changedByIntegers(const frame::Frame& frame) {
         const render::Picture exact = backend_->picture();
         render::FrameDrawing drawing = renderer_.drawing(frame, {});
-        drawing.exactCasters = &frame.cut.lists[1];
+        drawing.exactCasters = &frame.cut.lists.casters[0];
         const render::Raster<std::uint8_t> lit = render::litByIntegers(drawing);
         drawing.litMask = &lit;
         backend_->drawImage(drawing);
@@ -247,7 +247,7 @@ constexpr double kNearlyTouchingPixels = 0.02; // for rays beside integers, whic
 /// share.
 double raysUnlikeIntegers(SectionStage& stage, const frame::Frame& frame) {
     render::FrameDrawing drawing = stage.renderer().drawing(frame, {});
-    drawing.exactCasters = &frame.cut.lists[1];
+    drawing.exactCasters = &frame.cut.lists.casters[0];
     const render::Raster<render::SurfaceSample> surfaces = stage.backend().surfaces();
     const std::array lists = {drawing.image, drawing.exactCasters};
     const std::vector<raytrace::Light> light =

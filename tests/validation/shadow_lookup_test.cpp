@@ -76,7 +76,7 @@ public:
         drawing_.plan = &frame_.plan;
         drawing_.space = frame_.space;
         drawing_.grid = model.file().summary().grid;
-        drawing_.image = &frame_.cut.lists[0];
+        drawing_.image = &frame_.cut.lists.image;
         shading_ = std::make_unique<render::Shading>(
             drawing_, render::imageClipFromDraw(drawing_), maps_, std::span<render::DrawnCluster>());
     }

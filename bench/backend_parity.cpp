@@ -154,8 +154,6 @@ void compareModel(const Options& options) {
         frame::FrameOptions frameOptions;
         frameOptions.overlay = static_cast<Overlay>(seed / 2 % 8);
         frameOptions.wantsWholeMaps = true;
-        ourRenderer.forget();
-        glRenderer.forget();
         const frame::Frame frame = ourRenderer.render(view, quality, frameOptions);
         glRenderer.render(view, quality, frameOptions);
         const Findings found{1, difference(*ours, *gl), verdicts(frame, model, pages, *ours, *gl)};

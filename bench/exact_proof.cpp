@@ -72,7 +72,7 @@ public:
         if (hasLamps_) triple.view.pointLight = tests::lampFor(model_.summary().bounds, triple.view, index);
         plan::Quality quality;
         quality.shadows = plan::ShadowMode::Exact;
-        frame::PreparedFrame frame = renderer_.prepare(triple.view, quality, frame::Waiting::UntilComplete, nullptr);
+        frame::PreparedFrame frame = renderer_.prepare(triple.view, quality);
         ++tally_.views;
         if (!frame.isExact()) return;
         ++tally_.drawn;

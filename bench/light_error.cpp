@@ -45,7 +45,6 @@ public:
     }
 
     Drawn draw(const plan::View& view, const plan::Quality& quality, int samples) {
-        renderer_.forget();
         frame::FrameOptions options;
         options.isAccumulated = true;
         const Stopwatch watch;

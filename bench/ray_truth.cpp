@@ -34,7 +34,7 @@ Shot drawn(frame::Renderer& renderer, const tests::ShadowTriple& triple, plan::S
     quality.shadows = shadows;
     frame::FrameOptions options;
     options.wantsSurfaces = true;
-    Shot shot{renderer.prepare(triple.view, quality, frame::Waiting::UntilComplete, nullptr), {}};
+    Shot shot{renderer.prepare(triple.view, quality), {}};
     renderer.draw(shot.frame, options);
     for (const render::SurfaceSample& surface : renderer.backend().surfaces().pixels)
         shot.lit.push_back(isLit(surface));

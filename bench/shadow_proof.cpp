@@ -98,7 +98,6 @@ private:
         validation::ProofOptions options;
         options.oracle = oracle;
         options.measuresAliasing = true;
-        renderer_.forget();
         return validation::prove(renderer_, renderer_.render(triple.view, triple.quality, {}), options);
     }
 

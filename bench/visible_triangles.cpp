@@ -34,7 +34,7 @@ int run(const char* model, const char* pathName, int frames, int width, int heig
         plan::Quality quality;
         quality.shadows = plan::ShadowMode::Off;
         quality.occlusion = plan::Choice::On;
-        const frame::PreparedFrame prepared = renderer.prepare(view, quality, frame::Waiting::UntilComplete, nullptr);
+        const frame::PreparedFrame prepared = renderer.prepare(view, quality);
         const auto hidden = render::drawVisible(renderer.drawing(prepared, {}), {&rasterizer, &pass, &words, &picture});
         std::vector<std::uint32_t> names;
         for (const std::uint64_t word : words)

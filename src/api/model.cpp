@@ -81,10 +81,9 @@ struct Model::State {
         : settings(settingsFor(memory)),
           session(path, settings, [this](const std::string& line) { damage.push_back(line); }) {}
 
-    /// Returns view and quality of `options`. Also clears the state of earlier frames.
-    std::pair<plan::View, plan::Quality> viewOf(const Options& options) {
+    /// Returns view and quality of `options`.
+    std::pair<plan::View, plan::Quality> viewOf(const Options& options) const {
         const settings::Settings asked = askedFor(options, settings);
-        session.renderer().forget();
         return {settings::viewOf(asked, session.model()), settings::qualityOf(asked)};
     }
 };
@@ -113,7 +112,7 @@ Mesh Model::cutForView(const Options& options) const {
         auto [view, quality] = state_->viewOf(options);
         quality.shadows = plan::ShadowMode::Off; // casters are not part of the result
         frame::Renderer& renderer = state_->session.renderer();
-        const frame::PreparedFrame frame = renderer.prepare(view, quality, frame::Waiting::UntilComplete, nullptr);
+        const frame::PreparedFrame frame = renderer.prepare(view, quality);
         const hierarchy::Grid& grid = state_->session.model().summary().grid;
         const hierarchy::ResidentPages pages = renderer.residency().resident();
         exporter::UniformCut cut;
@@ -144,7 +143,7 @@ Picture Model::render(const Options& options, int samples) const {
     return withPlainErrors([&] {
         const auto [view, quality] = state_->viewOf(options);
         NoProgress progress;
-        const task::FinishedPicture drawn = task::drawFinished(state_->session, view, quality, {}, samples, progress);
+        const task::FinishedPicture drawn = task::drawFinished(state_->session, {view, quality, {}, samples}, progress);
         Picture picture{drawn.picture.width, drawn.picture.height, {}};
         picture.pixels.reserve(4 * drawn.picture.pixels.size());
         for (std::size_t i = 0; i < drawn.picture.pixels.size(); ++i) {

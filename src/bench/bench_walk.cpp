@@ -58,14 +58,14 @@ void Walk::prove(Progress& progress) {
 
 double Walk::drawnWork(int frame) {
     const telemetry::FrameRow row = draw(frame).row;
-    session_.renderer().forget();
+    history_ = {};
     const std::int64_t pixels = std::int64_t{view_.width} * view_.height;
     return static_cast<double>(row.imageTriangles.value_or(0) + row.shadowTriangles.value_or(0) + 2 * pixels);
 }
 
 render::Picture Walk::picture(render::Overlay overlay, Progress& progress) {
     frameOptions_.overlay = overlay;
-    session_.renderer().forget();
+    history_ = {};
     const frame::Frame drawn = draw(options_.frames / 2);
     if (overlay == render::Overlay::None) quality_.shadows = drawn.plan.quality.shadows; // also for overlays
     progress.advance(1);
@@ -75,12 +75,12 @@ render::Picture Walk::picture(render::Overlay overlay, Progress& progress) {
 }
 
 void Walk::warmUp(Progress& progress) {
-    session_.renderer().forget();
+    history_ = {};
     for (int i = 0; i < options_.warmup; ++i) {
         draw(0);
         progress.advance(0); // warm-up frames do not count, but an interruption can stop here
     }
-    session_.renderer().forget();
+    history_ = {};
 }
 
 bool Walk::isProvenFrame(int frame) const {
@@ -92,7 +92,8 @@ bool Walk::isProvenFrame(int frame) const {
 
 frame::Frame Walk::draw(int frame) {
     view_.camera = path::cameraAt(path_, timeOf(frame));
-    frame::Frame drawn = session_.renderer().render(view_, quality_, frameOptions_);
+    frame::Frame drawn = session_.renderer().render(view_, quality_, frameOptions_, history_);
+    history_ = drawn.history;
     drawn.row.sinceStartMs = telemetry::sinceProcessStart().count;
     if (result_.firstFrameMs == 0) result_.firstFrameMs = *drawn.row.sinceStartMs;
     return drawn;

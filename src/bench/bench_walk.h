@@ -84,6 +84,7 @@ private:
     plan::View view_;
     plan::Quality quality_;
     frame::FrameOptions frameOptions_;
+    frame::History history_;
 };
 
 } // namespace gnomon::bench

@@ -7,17 +7,18 @@
 #include "frame/renderer.h"
 #include "frame/scene_facts.h"
 #include "lod/layers.h"
-#include "plan/caster_culling.h"
 #include "plan/distant_view.h"
 #include "plan/occlusion_choice.h"
 #include "plan/shadow_decision.h"
 #include "render/light/light_sum.h"
 #include "render/ray_shadows.h"
 
+#include <cmath>
 #include <utility>
 
-// The sequence of a frame: residency -> plan -> cut -> cull per partition -> shadow passes -> image pass -> log. For
-// exact shadows, and for casters that receivers cull, the backend finds the visible points first and shades them last.
+// The steps of a frame: facts -> decide -> plan -> cut -> draw -> row. Each step uses only the results of the steps
+// before it. `planFrame` makes the choices that need the facts, `decideMapReuse` and `decideHeadlight` those that need
+// the history.
 
 namespace gnomon::frame {
 
@@ -39,6 +40,31 @@ telemetry::DrawnDetail detailOf(const PreparedFrame& frame) {
         frame.residency.pagesBlocked > 0};
 }
 
+/// Returns true if certainly no visible surface faces the light.
+bool isTurnedAway(const plan::SceneFacts& facts) {
+    return facts.isTurnedFromLight || (facts.light && facts.light->lit.empty());
+}
+
+/// Returns true if the number of lit pixels can decide whether Shading::Auto uses the headlight for `frame`.
+bool canCountLitPixels(const Frame& frame) {
+    return !frame.options.observerCamera && frame.facts.visible && frame.facts.visible->anything;
+}
+
+/// Chooses between the sun and the headlight before drawing. The first frame of a motion chooses for the whole motion,
+/// so that the shading does not switch. If neither the history nor the facts contain the answer, `asksLitPixels` is
+/// true afterwards.
+void decideHeadlight(Frame& frame) {
+    std::optional<bool>& isSunless = frame.history.isSunless;
+    isSunless = frame.before.isSunless;
+    if (frame.plan.quality.look.shading != plan::Shading::Auto) return;
+    if (!isSunless && frame.hasGround) isSunless = false; // only the sun's shadow makes the ground visible
+    if (!isSunless && canCountLitPixels(frame)) {
+        if (isTurnedAway(frame.facts)) isSunless = true;
+        frame.asksLitPixels = !isSunless;
+    }
+    frame.isSunless = !frame.hasGround && isSunless.value_or(false);
+}
+
 } // namespace
 
 /// Returns the memory of the image that must be reserved: the complete image, or only the sums of an accumulation.
@@ -49,131 +75,161 @@ Bytes Renderer::picturePart(const plan::View& view, const plan::Quality& quality
     return render::LightSum::bytes(pixels, quality.look.ground, quality.sky.directions > 0);
 }
 
-Frame Renderer::render(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
+Frame Renderer::render(
+    const plan::View& view, const plan::Quality& quality, const FrameOptions& options, const History& history) {
     const Stopwatch watch;
     plan::Quality meant = quality;
     if (render::isOfMaps(options.overlay)) meant.mapsBecause = plan::ShadowReason::MapsRequested;
-    if (!continuesMotion(view, meant)) motion_.isSunless.reset();
+    const History before = continuedHistory(history, view, meant);
     residency_.reservePicture(picturePart(view, meant, options));
-    Frame frame{prepare(view, meant, options.waiting, frameBefore(view, meant), options.margin()), options, {}};
-    const render::DrawStatistics drawn = drawWithOrWithoutSun(frame);
-    if (frame.isSunless) plan::leaveLightSamplingOut(frame.plan);
-    if (drawn.exact && drawn.exact->endedEarly)
-        frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::OmissionReason::AllAreDark});
+    Frame frame{prepare(view, meant, options.waiting, before.memory(), options.margin()), options, before, {}, {}};
+    decideHeadlight(frame);
+    const render::DrawStatistics drawn = drawInLight(frame);
     frame.row =
         frameRow(frame, drawn, {model_->path(), backend_->name(), residency_.statistics(), residency_.rayTreeBytes()});
     frame.row.totalMs = watch.elapsed().count;
     shortfall_.add(frame.row);
-    motion_.previous = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
-    motion_.view = view;
-    motion_.quality = meant;
-    motion_.farthest = frame.facts.visible ? frame.facts.visible->farthest : 0;
+    frame.history.previous = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{frame.plan, frame.memory});
+    frame.history.view = view;
+    frame.history.quality = meant;
+    frame.history.farthest = frame.facts.visible ? frame.facts.visible->farthest : 0;
+    frame.history.maps = maps_;
     return frame;
-}
-
-void Renderer::chooseOcclusion(PreparedFrame& frame) const {
-    const bool isOpen = capabilities().occlusionCulling && frame.plan.quality.occlusion == plan::Choice::Auto;
-    const double layers =
-        isOpen ? lod::imageLayers(cutQuery(residency_, frame), frame.cut.lists.image, plan::kLeastLayers) : 0;
-    plan::chooseOcclusion(frame.plan, layers);
-}
-
-void Renderer::planAnew(PreparedFrame& frame, const plan::View& view, const plan::Quality& quality) const {
-    const plan::PlanMemory memory = frame.before ? frame.before->memory : plan::PlanMemory{};
-    plan::PlannedFrame planned = plan::planFrame(view, quality, frame.facts, memory, capabilities());
-    frame.plan = std::move(planned.plan);
-    frame.memory = std::move(planned.memory);
-    plan::chooseCasterCulling(frame.plan);
-    chooseOcclusion(frame);
 }
 
 PreparedFrame Renderer::prepare(
     const plan::View& view,
     const plan::Quality& quality,
     Waiting waiting,
-    const std::shared_ptr<const plan::PlannedFrame>& before,
+    const plan::PlanMemory& memory,
     double margin) {
-    const hierarchy::ModelSummary& model = model_->summary();
-    ground_ = groundOf(view, quality.look, {model.bounds, model.grid, model_->pages()}, quality.sky.directions > 0);
-    const plan::View distant = plan::distantView(view, withGround(model.bounds, ground_.get()));
-    PreparedFrame frame =
-        prepareShadows(distant, plan::distantQuality(quality, view, distant), waiting, before, margin);
+    const std::shared_ptr<const Ground> ground = this->ground(view, quality.look, quality.sky.directions > 0);
+    const plan::View distant = plan::distantView(view, withGround(model_->summary().bounds, ground.get()));
+    const plan::Quality distantQuality = plan::distantQuality(quality, view, distant);
+    PreparedFrame frame = prepareShadows({distant, distantQuality, ground, memory, waiting, margin});
     addTime(frame.planMs, [&] { planLightSampling(frame, residency_); });
     return frame;
 }
 
-PreparedFrame Renderer::prepareShadows(
-    const plan::View& view,
-    const plan::Quality& asked,
-    Waiting waiting,
-    const std::shared_ptr<const plan::PlannedFrame>& before,
-    double margin) {
-    const hierarchy::ModelSummary& model = model_->summary();
-    plan::Quality quality = asked;
-    quality.shadows = plan::decideShadows(asked, capabilities()).mode;
-    residency_.keepRayTrees(quality.shadows == plan::ShadowMode::Rays);
+/// Does the work of `prepare` for a given ground, except penumbrae and sky light: plans and cuts the frame until its
+/// pages are resident.
+PreparedFrame Renderer::prepareShadows(const Asked& asked) {
+    const plan::ShadowMode shadows = plan::decideShadows(asked.quality, capabilities()).mode;
+    residency_.keepRayTrees(shadows == plan::ShadowMode::Rays);
     // time of waiting: all rounds except the cut of the last round, because only waiting causes them
     double streamMs = 0;
     // A cap on triangles searches its error limit among all resident clusters, so it needs the ancestors.
-    addTime(streamMs, [&] { residency_.admitLoaded(waiting, quality.maxTriangles.has_value()); });
+    addTime(streamMs, [&] { residency_.admitLoaded(asked.waiting, asked.quality.maxTriangles.has_value()); });
     for (;;) {
         const Stopwatch round;
-        PreparedFrame frame;
-        frame.before = before;
-        frame.space = render::drawSpace(view, model.grid, model.bounds);
-        const std::optional<DepthSpan> range =
-            plan::widestRange(view, quality, withGround(model.bounds, ground_.get()));
-        frame.errorPixels = quality.errorPixels;
-        double surveyedPixels = 0;
-        // The loop repeats only if casters increase the error limit under a cap. The facts must come from the clusters
-        // that are drawn.
-        do {
-            addTime(frame.selectMs, [&] { cutImage(frame, {view, margin}, quality, range, residency_, model.grid); });
-            surveyedPixels = frame.errorPixels;
-            addTime(frame.cullMs, [&] {
-                frame.facts =
-                    sceneFacts(view, model.bounds, cutQuery(residency_, frame), frame.cut, range, depthScratch_);
-                if (quality.shadows == plan::ShadowMode::Exact)
-                    frame.facts.isTurnedFromLight = isTurnedFromLight(view, cutQuery(residency_, frame), frame.cut);
-                frame.ground = seenGround(ground_, view, model.grid.step(), frame.facts);
-            });
-            addTime(frame.planMs, [&] { planAnew(frame, view, asked); });
-            addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
-        } while (frame.errorPixels > surveyedPixels);
+        PreparedFrame frame = planned(asked);
         const double cutMs = round.elapsed().count;
-        frame.residency = residency_.serve(cutQuery(residency_, frame), frame.cut, waiting);
-        const bool isLast = waiting == Waiting::Never || !frame.residency.hasChanged;
+        frame.residency = residency_.serve(cutQuery(residency_, frame), frame.cut, asked.waiting);
+        const bool isLast = asked.waiting == Waiting::Never || !frame.residency.hasChanged;
         streamMs += round.elapsed().count - (isLast ? cutMs : 0);
         frame.streamMs = streamMs;
         if (isLast) return frame;
     }
 }
 
-render::DrawStatistics Renderer::draw(PreparedFrame& frame, const FrameOptions& options) {
+/// Returns the frame for the resident pages: its facts, its plan and its cut.
+PreparedFrame Renderer::planned(const Asked& asked) {
+    const hierarchy::ModelSummary& model = model_->summary();
+    plan::Quality decided = asked.quality;
+    decided.shadows = plan::decideShadows(asked.quality, capabilities()).mode;
+    const std::optional<DepthSpan> range =
+        plan::widestRange(asked.view, decided, withGround(model.bounds, asked.ground.get()));
+    PreparedFrame frame;
+    frame.space = render::drawSpace(asked.view, model.grid, model.bounds);
+    frame.hasGround = asked.ground != nullptr;
+    frame.errorPixels = decided.errorPixels;
+    double factsPixels = 0;
+    // The loop repeats only if casters increase the error limit under a cap. The facts must come from the clusters that
+    // are drawn.
+    do {
+        addTime(frame.selectMs, [&] {
+            cutImage(frame, {asked.view, asked.margin}, decided, range, residency_, model.grid);
+        });
+        factsPixels = frame.errorPixels;
+        addTime(frame.cullMs, [&] { findFacts(frame, asked, decided.shadows, range); });
+        addTime(frame.planMs, [&] {
+            plan::PlannedFrame planned =
+                plan::planFrame(asked.view, asked.quality, frame.facts, asked.memory, capabilities());
+            frame.plan = std::move(planned.plan);
+            frame.memory = std::move(planned.memory);
+        });
+        addTime(frame.cullMs, [&] { cutPartitions(frame, residency_); });
+    } while (frame.errorPixels > factsPixels);
+    return frame;
+}
+
+/// Sets the facts of `frame` and its visible ground, from the first cut.
+void Renderer::findFacts(
+    PreparedFrame& frame, const Asked& asked, plan::ShadowMode shadows, const std::optional<DepthSpan>& range) {
+    const hierarchy::ModelSummary& model = model_->summary();
+    const lod::CutQuery query = cutQuery(residency_, frame);
+    frame.facts = sceneFacts(asked.view, model.bounds, query, frame.cut, range, depthScratch_);
+    if (shadows == plan::ShadowMode::Exact)
+        frame.facts.isTurnedFromLight = isTurnedFromLight(asked.view, query, frame.cut);
+    if (capabilities().occlusionCulling && asked.quality.occlusion == plan::Choice::Auto)
+        frame.facts.layers = lod::imageLayers(query, frame.cut.lists.image, plan::kLeastLayers);
+    frame.ground = seenGround(asked.ground, asked.view, model.grid.step(), frame.facts);
+}
+
+std::shared_ptr<const Ground> Renderer::ground(const plan::View& view, const plan::Look& look, bool hasSky) const {
+    const hierarchy::ModelSummary& model = model_->summary();
+    return groundOf(view, look, {model.bounds, model.grid, model_->pages()}, hasSky);
+}
+
+render::DrawStatistics Renderer::draw(
+    PreparedFrame& frame, const FrameOptions& options, const std::shared_ptr<const DrawnMaps>& maps) {
     moveMaps(frame.plan, options.mapShift);
-    heldMaps_.mark(frame, options);
-    heldMaps_.clear();
+    decideMapReuse(frame, options, maps == maps_ ? maps.get() : nullptr);
+    maps_.reset();
     render::FrameDrawing drawing = this->drawing(frame, options);
-    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists.casters[0];
     if (frame.isExact()) return backend_->drawExactly(drawing);
     if (frame.isRayTraced()) return render::drawByRays(*backend_, drawing, residency_.rayTrees());
     render::DrawStatistics statistics = backend_->draw(drawing);
     // no visible point needs a shadow computation
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace();
-    heldMaps_.hold(frame, options, statistics.culled.has_value());
+    if (!frame.plan.passes.empty())
+        maps_ = std::make_shared<const DrawnMaps>(
+            DrawnMaps{frame.plan, mappedImage(frame, options), statistics.culled.has_value()});
     return statistics;
+}
+
+/// Draws `frame`. If the number of lit pixels must decide about the headlight and the light reaches next to nothing,
+/// draws the image again with the headlight. Exact shadows know the number before they shade.
+render::DrawStatistics Renderer::drawInLight(Frame& frame) {
+    if (frame.isSunless) plan::leaveLightSamplingOut(frame.plan);
+    render::DrawStatistics drawn = draw(frame, frame.options, frame.before.maps);
+    if (drawn.exact && drawn.exact->endedEarly)
+        frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::OmissionReason::AllAreDark});
+    if (!std::exchange(frame.asksLitPixels, false)) return drawn;
+    const std::optional<std::uint64_t> litPixels = backend_->litPixels();
+    if (!litPixels) return drawn;
+    frame.isSunless = isNextToNothing(*litPixels, frame.plan.view);
+    frame.history.isSunless = frame.isSunless;
+    if (!frame.isSunless) return drawn;
+    plan::leaveLightSamplingOut(frame.plan);
+    if (frame.hasOneCasterList()) return draw(frame, frame.options);
+    const Milliseconds first = drawn.image.time; // the maps stay, because the headlight needs none
+    drawn.image = backend_->drawImage(drawing(frame, frame.options));
+    drawn.image.time.count += first.count;
+    return drawn;
 }
 
 void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options) {
     plan::View view = frame.plan.view;
     view.towardsLight = towardsLight;
-    const hierarchy::ModelSummary& model = model_->summary();
     if (options.lightPart == render::LightPart::SkyDirection) view.pointLight.reset();
     // All directions of the sky must use the same ground.
     const bool hasSky = frame.plan.sky.directions > 0;
-    ground_ = groundOf(
-        hasSky ? frame.plan.view : view, frame.plan.quality.look, {model.bounds, model.grid, model_->pages()}, hasSky);
-    PreparedFrame turned = prepareShadows(view, frame.plan.quality, Waiting::UntilComplete, nullptr, options.margin());
+    const std::shared_ptr<const Ground> ground =
+        this->ground(hasSky ? frame.plan.view : view, frame.plan.quality.look, hasSky);
+    const plan::PlanMemory none;
+    PreparedFrame turned =
+        prepareShadows({view, frame.plan.quality, ground, none, Waiting::UntilComplete, options.margin()});
     turned.isSunless = frame.isSunless;
     draw(turned, options);
     shortfall_.add(detailOf(turned));
@@ -181,13 +237,12 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
 
 void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& options) {
     render::FrameDrawing drawing = this->drawing(frame, options);
-    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists.casters[0];
     plan::FramePlan moved;
     if (options.mapShift != glm::dvec2(0) && !frame.plan.passes.empty()) {
         moved = frame.plan;
         moveMaps(moved, options.mapShift);
         drawing.plan = &moved;
-        heldMaps_.clear();
+        maps_.reset();
         backend_->drawShadowMaps(drawing);
     }
     if (frame.isExact())

@@ -16,17 +16,18 @@ namespace gnomon::frame {
 /// frame.
 struct PreparedFrame {
     plan::FramePlan plan;
-    plan::PlanMemory memory;                          // for the plan of the next frame
-    std::shared_ptr<const plan::PlannedFrame> before; // the previous frame, for hysteresis; null without one
+    plan::PlanMemory memory; // for the plan of the next frame
     plan::SceneFacts facts;
     std::shared_ptr<const Ground> ground; // null if no part of the ground is in view
+    bool hasGround = false;               // true: the view has a ground, in view or not
     render::DrawSpace space;
     std::shared_ptr<const lod::ErrorRule> rule; // error rule of the cut
     std::vector<ConvexVolume> volumes;          // of the cut: of the image, the casters and the sections
     std::size_t sectionVolumes = 0;             // number of volumes of the sections
     // true: the light reaches so few visible pixels that --shading auto uses the headlight
     bool isSunless = false;
-    double errorPixels = 1; // error limit of the quality, or more if a cap on triangles increases it
+    bool asksLitPixels = false; // true: the number of lit pixels still has to decide `isSunless`
+    double errorPixels = 1;     // error limit of the quality, or more if a cap on triangles increases it
     lod::Cut cut;
     lod::DemandOutcome residency;
     double planMs = 0;

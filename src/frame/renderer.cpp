@@ -1,7 +1,6 @@
 #include "frame/renderer.h"
 
 #include "frame/frame_cuts.h"
-#include "plan/view_jump.h"
 #include "render/lod_substitutes.h"
 #include "render/view/section_memory.h"
 
@@ -36,46 +35,12 @@ Renderer::Renderer(const hierarchy::ModelFile& model, render::Backend& backend, 
       sections_(std::make_shared<render::SectionMemory>()) {}
 
 plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& quality) {
-    return prepare(view, quality, Waiting::UntilComplete, frameBefore(view, quality)).plan;
-}
-
-bool Renderer::continuesMotion(const plan::View& view, const plan::Quality& quality) const {
-    return motion_.previous && plan::isSameMotion({motion_.view, motion_.quality}, {view, quality}) &&
-           !plan::hasJumped(motion_.view, motion_.farthest, view);
-}
-
-/// The plan of the previous frame is preserved; only its memory is removed.
-std::shared_ptr<const plan::PlannedFrame> Renderer::frameBefore(
-    const plan::View& view, const plan::Quality& quality) const {
-    if (!motion_.previous || continuesMotion(view, quality)) return motion_.previous;
-    return std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{motion_.previous->plan, {}});
-}
-
-/// Returns true if Shading::Auto uses no sun for `frame`, because the sun reaches too few pixels in the drawn image.
-/// Returns nullopt if the number of lit pixels is not known yet.
-std::optional<bool> Renderer::isWithoutSun(const Frame& frame) const {
-    if (ground_) return false; // only the sun's shadow makes the ground visible
-    if (frame.options.observerCamera || !frame.facts.visible || !frame.facts.visible->anything) return std::nullopt;
-    const std::optional<std::uint64_t> litPixels = backend_->litPixels();
-    if (!litPixels) return std::nullopt;
-    return isNextToNothing(*litPixels, frame.plan.view);
+    return prepare(view, quality).plan;
 }
 
 bool Renderer::isNextToNothing(std::uint64_t litPixels, const plan::View& view) {
     constexpr double kNextToNothing = 0.005; // share of the pixels
     return static_cast<double>(litPixels) < kNextToNothing * view.width * view.height;
-}
-
-/// The first frame of a motion chooses the shading for the whole motion, so that it does not switch between sun and
-/// headlight.
-render::DrawStatistics Renderer::drawWithOrWithoutSun(Frame& frame) {
-    const bool isLeftOpen = frame.plan.quality.look.shading == plan::Shading::Auto;
-    frame.isSunless = isLeftOpen && !ground_ && motion_.isSunless.value_or(false);
-    render::DrawStatistics drawn = draw(frame, frame.options);
-    if (!isLeftOpen || motion_.isSunless) return drawn;
-    motion_.isSunless = isWithoutSun(frame);
-    frame.isSunless = motion_.isSunless.value_or(false);
-    return frame.isSunless ? draw(frame, frame.options) : drawn;
 }
 
 render::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
@@ -89,6 +54,7 @@ render::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOp
         drawing.casters.push_back(&frame.cut.lists.casters[p]);
     for (const lod::DrawList& list : frame.cut.lists.sections)
         drawing.sections.push_back(&list);
+    if (frame.hasOneCasterList()) drawing.exactCasters = &frame.cut.lists.casters.front();
     drawing.sectionMemory = sections_.get();
     sections_->cut.begin(drawing);
     drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {

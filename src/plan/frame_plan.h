@@ -144,6 +144,7 @@ struct SceneFacts {
 
     std::optional<Light> light;
     bool isTurnedFromLight = false; // true: certainly no visible surface faces the light
+    double layers = 0;              // mean number of drawn clusters per pixel, by their boxes
 };
 
 /// A shadow map and how this frame draws it.

@@ -3,9 +3,11 @@
 #include "core/angle.h"
 #include "core/formatted.h"
 #include "core/limit_error.h"
+#include "plan/caster_culling.h"
 #include "plan/cell_maps.h"
 #include "plan/depth_range.h"
 #include "plan/lamp/lamp_passes.h"
+#include "plan/occlusion_choice.h"
 #include "plan/shadow_decision.h"
 #include "plan/shadow_passes.h"
 #include "shadow/caster_volume.h"
@@ -131,6 +133,8 @@ PlannedFrame planFrame(
         else
             plan.cellMaps = cellMaps(plan);
     }
+    chooseCasterCulling(plan);
+    chooseOcclusion(plan, scene.layers);
     return result;
 }
 

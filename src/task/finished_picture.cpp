@@ -44,18 +44,12 @@ struct DrawnRows {
     std::optional<render::Coverage> coverage;
 };
 
-DrawnRows drawRows(
-    Session& session,
-    const plan::View& view,
-    const plan::Quality& quality,
-    const frame::FrameOptions& options,
-    int samples,
-    SharedProgress& progress) {
+DrawnRows drawRows(Session& session, const PictureRequest& request, SharedProgress& progress) {
     DrawnRows drawn;
-    drawn.frame = session.renderer().render(view, quality, options);
-    if (samples > 1) {
+    drawn.frame = session.renderer().render(request.view, request.quality, request.options, request.history);
+    if (request.samples > 1) {
         frame::Accumulation accumulation;
-        accumulation.begin(session.renderer(), drawn.frame, samples);
+        accumulation.begin(session.renderer(), drawn.frame, request.samples);
         const int wanted = accumulation.wanted();
         progress.tell(1, wanted);
         while (accumulation.samples() < wanted) {
@@ -68,7 +62,7 @@ DrawnRows drawRows(
     }
     progress.tell(1, 1);
     drawn.picture = session.backend().picture();
-    if (quality.look.background.kind == plan::Background::Kind::Transparent)
+    if (request.quality.look.background.kind == plan::Background::Kind::Transparent)
         drawn.coverage = session.backend().coverage();
     return drawn;
 }
@@ -76,74 +70,34 @@ DrawnRows drawRows(
 /// Returns the shading that the whole picture would have, for a picture that is drawn in `bands`. For the shading Auto,
 /// this draws the bands with sunlight and counts sunlit pixels. The result is Headlight if the model is visible without
 /// a ground and almost no pixel is sunlit.
-plan::Shading shadingOf(
-    Session& session,
-    const plan::View& view,
-    const plan::Quality& quality,
-    const frame::FrameOptions& options,
-    const std::vector<render::ImageRows>& bands) {
-    if (quality.look.shading != plan::Shading::Auto) return quality.look.shading;
-    plan::Quality lit = quality;
-    lit.look.shading = plan::Shading::Lit;
-    const frame::Renderer::Motion before = session.renderer().motion();
+plan::Shading shadingOf(Session& session, PictureRequest request, const std::vector<render::ImageRows>& bands) {
+    plan::Shading& shading = request.quality.look.shading;
+    if (shading != plan::Shading::Auto) return shading;
+    shading = plan::Shading::Lit;
     std::uint64_t litPixels = 0;
     bool isDark = true;
     for (std::size_t i = 0; i < bands.size() && isDark; ++i) {
-        frame::FrameOptions ofBand = options;
-        ofBand.rows = bands[i];
-        session.renderer().continueFrom(before);
-        const frame::Frame frame = session.renderer().render(view, lit, ofBand);
+        request.options.rows = bands[i];
+        const frame::Frame frame =
+            session.renderer().render(request.view, request.quality, request.options, request.history);
+        request.history.maps = frame.history.maps;
         litPixels += session.backend().litPixels().value_or(0);
         const bool isAnythingSeen = frame.facts.visible && frame.facts.visible->anything;
-        isDark = isAnythingSeen && !session.renderer().hasGround() && frame::Renderer::isNextToNothing(litPixels, view);
+        isDark = isAnythingSeen && !frame.hasGround && frame::Renderer::isNextToNothing(litPixels, request.view);
     }
-    session.renderer().continueFrom(before);
     return isDark ? plan::Shading::Headlight : plan::Shading::Lit;
 }
 
-} // namespace
-
-std::vector<render::ImageRows> bandsOf(
-    Session& session,
-    const plan::View& view,
-    const plan::Quality& quality,
-    const frame::FrameOptions& options,
-    int samples) {
-    const frame::Residency& residency = session.renderer().residency();
-    if (!residency.holdsPictures()) return {{0, view.height}};
-    frame::FrameOptions frameOptions = options;
-    frameOptions.isAccumulated = samples > 1;
-    return frame::bandsOf(view, quality, frameOptions, residency.memory());
-}
-
-FinishedPicture drawFinished(
-    Session& session,
-    const plan::View& view,
-    const plan::Quality& quality,
-    const frame::FrameOptions& options,
-    int samples,
-    Progress& progress) {
-    frame::Renderer& renderer = session.renderer();
-    frame::FrameOptions frameOptions = options;
-    frameOptions.isAccumulated = samples > 1;
-    const std::vector<render::ImageRows> bands = bandsOf(session, view, quality, options, samples);
-    plan::Quality decided = quality;
-    if (bands.size() > 1) decided.look.shading = shadingOf(session, view, quality, frameOptions, bands);
-    SharedProgress shared(progress, samples, bands.size());
+/// Draws the picture of `request` in `bands`.
+FinishedPicture drawInBands(
+    Session& session, PictureRequest request, const std::vector<render::ImageRows>& bands, SharedProgress& progress) {
     FinishedPicture finished;
-    const frame::Renderer::Motion before = renderer.motion();
+    const plan::View& view = request.view;
     for (const render::ImageRows& band : bands) {
-        if (bands.size() > 1) {
-            frameOptions.rows = band;
-            renderer.continueFrom(before);
-        }
-        DrawnRows drawn = drawRows(session, view, decided, frameOptions, samples, shared);
+        request.options.rows = band;
+        DrawnRows drawn = drawRows(session, request, progress);
         finished.frame = std::move(drawn.frame);
-        if (bands.size() == 1) {
-            finished.picture = std::move(drawn.picture);
-            finished.coverage = std::move(drawn.coverage);
-            break;
-        }
+        request.history.maps = finished.frame.history.maps; // all bands can use the same maps
         const auto put = [&](const auto& rows, auto& whole) {
             if (whole.pixels.empty()) whole = {view.width, view.height};
             const std::size_t top = whole.index(0, view.height - band.first - band.count);
@@ -152,8 +106,32 @@ FinishedPicture drawFinished(
         put(drawn.picture, finished.picture);
         if (drawn.coverage) put(*drawn.coverage, finished.coverage ? *finished.coverage : finished.coverage.emplace());
     }
-    if (bands.size() == 1 && samples == 1)
-        render::drawLegend(finished.picture, render::legendOf(options.overlay, finished.frame.plan));
+    return finished;
+}
+
+} // namespace
+
+std::vector<render::ImageRows> bandsOf(Session& session, const PictureRequest& request) {
+    const frame::Residency& residency = session.renderer().residency();
+    if (!residency.holdsPictures()) return {{0, request.view.height}};
+    frame::FrameOptions options = request.options;
+    options.isAccumulated = request.samples > 1;
+    return frame::bandsOf(request.view, request.quality, options, residency.memory());
+}
+
+FinishedPicture drawFinished(Session& session, const PictureRequest& request, Progress& progress) {
+    PictureRequest decided = request;
+    decided.options.isAccumulated = request.samples > 1;
+    const std::vector<render::ImageRows> bands = bandsOf(session, request);
+    SharedProgress shared(progress, request.samples, bands.size());
+    if (bands.size() > 1) {
+        decided.quality.look.shading = shadingOf(session, decided, bands);
+        return drawInBands(session, decided, bands, shared);
+    }
+    DrawnRows drawn = drawRows(session, decided, shared);
+    FinishedPicture finished{std::move(drawn.frame), std::move(drawn.picture), std::move(drawn.coverage)};
+    if (request.samples == 1)
+        render::drawLegend(finished.picture, render::legendOf(request.options.overlay, finished.frame.plan));
     return finished;
 }
 

@@ -18,25 +18,23 @@ struct FinishedPicture {
     std::optional<render::Coverage> coverage; // only for a transparent background
 };
 
-/// Returns the bands of rows in which `drawFinished` draws a picture with the same arguments, from the bottom. There is
-/// one band if the picture fits into the memory of the session.
-std::vector<render::ImageRows> bandsOf(
-    Session& session,
-    const plan::View& view,
-    const plan::Quality& quality,
-    const frame::FrameOptions& options,
-    int samples);
+/// The request of a finished picture.
+struct PictureRequest {
+    plan::View view;
+    plan::Quality quality;
+    frame::FrameOptions options;
+    int samples = 1; // number of frames, at least 1
+    frame::History history{};
+};
 
-/// Draws `samples` frames of `view` (at least 1) and returns their mean. If `samples` is above 1 and the plan requires
+/// Returns the bands of rows in which `drawFinished` draws the picture, from the bottom. There is one band if the
+/// picture fits into the memory of the session.
+std::vector<render::ImageRows> bandsOf(Session& session, const PictureRequest& request);
+
+/// Draws the frames of the picture and returns their mean. If the number of samples is above 1 and the plan requires
 /// more light directions than that, draws one frame per direction. A picture that does not fit into the memory of the
-/// session is drawn in bands, with the same bytes as result. `progress` advances by `samples` in total. The caller sets
-/// its stage.
-FinishedPicture drawFinished(
-    Session& session,
-    const plan::View& view,
-    const plan::Quality& quality,
-    const frame::FrameOptions& options,
-    int samples,
-    Progress& progress);
+/// session is drawn in bands, with the same bytes as result. `progress` advances by the number of samples in total. The
+/// caller sets its stage.
+FinishedPicture drawFinished(Session& session, const PictureRequest& request, Progress& progress);
 
 } // namespace gnomon::task

@@ -56,10 +56,8 @@ plan::Shading commonShading(
     std::size_t sunless = 0;
     for (std::size_t i = 0; i < looks; ++i) {
         view.camera = cameras[i * cameras.size() / looks];
-        session.renderer().forget();
         sunless += session.renderer().render(view, quality, {}).isSunless ? 1 : 0;
     }
-    session.renderer().forget();
     session.renderer().takeShortfall();
     return 2 * sunless > looks ? plan::Shading::Headlight : plan::Shading::Lit;
 }
@@ -95,12 +93,14 @@ void drawSeries(const RenderTask& task, plan::View view, Session& session, Progr
     plan::Quality quality = task.quality;
     frame::FrameOptions whole = frameOptions;
     whole.isAccumulated = task.samples > 1;
-    whole.rows = bandsOf(session, view, quality, frameOptions, task.samples).front();
+    whole.rows = bandsOf(session, {view, quality, frameOptions, task.samples}).front();
     session.renderer().reservePicture(view, quality, whole);
     quality.look.shading = commonShading(session, view, quality, cameras);
+    PictureRequest request{view, quality, frameOptions, task.samples};
     for (int i = 0; i < task.pictures; ++i) {
-        view.camera = cameras[static_cast<std::size_t>(i)];
-        const FinishedPicture drawn = drawFinished(session, view, quality, frameOptions, task.samples, progress);
+        request.view.camera = cameras[static_cast<std::size_t>(i)];
+        const FinishedPicture drawn = drawFinished(session, request, progress);
+        request.history = drawn.frame.history;
         if (isStream)
             task.stream(render::y4mFrame(drawn.picture));
         else
@@ -125,7 +125,7 @@ void drawStill(const RenderTask& task, const plan::View& view, Session& session,
     proofs.oracle = output.oracle;
     proofs.comparesWithFinest = output.oracle != validation::Oracle::None;
     progress.stage("render", task.samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(task.samples));
-    FinishedPicture drawn = drawFinished(session, view, task.quality, options, task.samples, progress);
+    FinishedPicture drawn = drawFinished(session, {view, task.quality, options, task.samples}, progress);
     session.tellShortfall();
     const std::vector<render::NamedDepths> depths = depthsOf(output, drawn.frame.plan, session.backend());
     if (hasValues) inspect::colorByValues(output.colors, session.renderer(), drawn.frame, drawn.picture);

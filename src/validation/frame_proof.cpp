@@ -19,7 +19,8 @@ frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame
     quality.shadows = shadows;
     quality.errorPixels = 0;
     quality.maxTriangles.reset();
-    frame::PreparedFrame fine = renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before);
+    frame::PreparedFrame fine =
+        renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before.memory());
     fine.isSunless = frame.isSunless;
     return fine;
 }
@@ -88,11 +89,11 @@ double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, r
 /// `maps` are the maps of `now`.
 Crawl crawlSince(
     frame::Renderer& renderer,
-    const std::shared_ptr<const plan::PlannedFrame>& before,
+    const plan::PlannedFrame& before,
     const render::FrameDrawing& now,
     const render::FloatPicture& maps) {
     frame::PreparedFrame prepared =
-        renderer.prepare(before->plan.view, before->plan.quality, frame::Waiting::UntilComplete, before);
+        renderer.prepare(before.plan.view, before.plan.quality, frame::Waiting::UntilComplete, before.memory);
     frame::FrameOptions options;
     options.wantsSurfaces = true;
     options.wantsWholeMaps = true;
@@ -110,7 +111,8 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
         (options.countsWrongPixels || options.oracle == Oracle::Exact) && (hasMaps || frame.hasOneCasterList());
     const bool hasOracle = options.oracle != Oracle::None && options.oracle != Oracle::Exact && hasMaps;
     const bool isMeasured = options.measuresAliasing && hasMaps;
-    const bool hasCrawl = options.measuresCrawl && hasMaps && frame.before && !frame.before->plan.passes.empty();
+    const bool hasCrawl =
+        options.measuresCrawl && hasMaps && frame.before.previous && !frame.before.previous->plan.passes.empty();
     FrameProof proof;
     if (frame.options.observerCamera ||
         !(hasOracle || isCompared || isMeasured || hasCrawl || options.comparesWithFinest))
@@ -121,7 +123,7 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     plain.wantsSurfaces = hasOracle || isCompared || isMeasured || hasCrawl;
     plain.wantsWholeMaps = hasCrawl;
     frame::PreparedFrame again = static_cast<const frame::PreparedFrame&>(frame);
-    renderer.draw(again, plain);
+    renderer.draw(again, plain, frame.history.maps);
     const render::FrameDrawing drawn = renderer.drawing(again, plain);
     const render::Picture picture = backend.picture();
     const render::FloatPicture maps = hasCrawl ? backend.shadowDepth() : render::FloatPicture();
@@ -132,10 +134,10 @@ FrameProof prove(frame::Renderer& renderer, const frame::Frame& frame, const Pro
     if (isCompared) proof.wrongPixelsAll = wrongPixels(renderer, frame, drawn);
     if (options.comparesWithFinest)
         proof.imageDifference = render::difference(finestPicture(renderer, frame, options.oracle), picture).mean;
-    if (hasCrawl) proof.crawl = crawlSince(renderer, frame.before, drawn, maps);
+    if (hasCrawl) proof.crawl = crawlSince(renderer, *frame.before.previous, drawn, maps);
     // Restores the requested frame, so that its picture and its pages are available again.
     again = renderer.prepare(
-        frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before, frame.options.margin());
+        frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before.memory(), frame.options.margin());
     again.isSunless = frame.isSunless;
     renderer.draw(again, frame.options);
     return proof;

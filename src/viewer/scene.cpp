@@ -71,7 +71,8 @@ const frame::Frame& Scene::draw(const Shot& shot) {
     if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !backend_->capabilities().unevenRows)
         quality.warp.rule = shadow::WarpRule::Auto; // the smallest bound of even rows
     accumulation_.clear();
-    frame_ = renderer_.render(shot.view, quality, shot.options);
+    frame_ = renderer_.render(shot.view, quality, shot.options, history_);
+    history_ = frame_->history;
     colored_.reset();
     if (shot.colors.by != settings::ColorBy::None) { // before another frame is drawn
         render::Picture colored = backend_->picture();

@@ -64,7 +64,7 @@ public:
     const frame::Frame& draw(const Shot& shot);
 
     /// Makes the next frames independent of earlier frames.
-    void forget() { renderer_.forget(); }
+    void forget() { history_ = {}; }
 
     /// Returns the last frame, or null.
     const frame::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
@@ -109,6 +109,7 @@ private:
     std::unique_ptr<render::Backend> backend_;
     frame::Renderer renderer_;
     std::optional<frame::Frame> frame_;
+    frame::History history_; // for the next frame
     frame::Accumulation accumulation_;
     Camera seenBy_;
     std::optional<render::Picture> colored_; // the last frame's, if it is coloured by a value

@@ -27,12 +27,13 @@ public:
     bool draw(Random& random) {
         plan::View view = pose(random);
         const plan::Quality quality = anyQuality(random);
-        if (random.below(4) != 0) session_->renderer().forget();
+        if (random.below(4) != 0) history_ = {};
         frame::FrameOptions options;
         options.waiting = random.below(2) == 0 ? frame::Waiting::Never : frame::Waiting::UntilComplete;
         options.wantsSurfaces = random.below(8) == 0;
         try {
-            const frame::Frame frame = session_->renderer().render(view, quality, options);
+            const frame::Frame frame = session_->renderer().render(view, quality, options, history_);
+            history_ = frame.history;
             expectSound(frame, view);
             return true;
         } catch (const Error& error) {
@@ -136,6 +137,7 @@ private:
     tests::TemporaryModel file_;
     settings::Settings settings_;
     std::unique_ptr<task::Session> session_;
+    frame::History history_;
 };
 
 void drawPoses(int count, settings::Backend backend) {

@@ -63,7 +63,6 @@ public:
         samples_ = samples;
         isTransparent_ = quality.look.background.kind == plan::Background::Kind::Transparent;
         for (int sample = 0; sample < samples; ++sample) {
-            renderer_.forget();
             FrameOptions options;
             options.isAccumulated = true;
             options.subpixel = subpixelOffset(sample);
@@ -120,7 +119,6 @@ protected:
         const bool isTransparent = quality.look.background.kind == plan::Background::Kind::Transparent;
         FrameOptions options;
         options.isAccumulated = true;
-        renderer_.forget();
         const Frame frame = renderer_.render(view, quality, options);
         Accumulation accumulation;
         accumulation.begin(renderer_, frame, samples);
@@ -187,9 +185,9 @@ TEST_P(AccumulationTwins, DrawWholeMapsMovedBySample) {
     plan::Quality quality;
     quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
     FrameOptions options;
-    renderer.render(view, quality, options);
+    const History history = renderer.render(view, quality, options).history;
     options.isAccumulated = true;
-    const Frame frame = renderer.render(view, quality, options);
+    const Frame frame = renderer.render(view, quality, options, history);
     const render::FloatPicture maps = backend->shadowDepth();
     ASSERT_GT(maps.width, 0);
     Accumulation accumulation;
@@ -197,13 +195,11 @@ TEST_P(AccumulationTwins, DrawWholeMapsMovedBySample) {
     const auto fresh = GetParam()();
     Renderer whole(hills(), *fresh, {});
     options.wantsWholeMaps = true;
-    whole.render(view, quality, {});
-    const Renderer::Motion before = whole.motion();
+    const History before = whole.render(view, quality, {}).history;
     for (int sample = 0; sample < 5; ++sample) {
         if (sample > 0) accumulation.add();
         options.mapShift = mapShift(sample);
-        whole.continueFrom(before);
-        whole.render(view, quality, options);
+        whole.render(view, quality, options, before);
         EXPECT_EQ(backend->shadowDepth().pixels, fresh->shadowDepth().pixels) << sample;
         EXPECT_EQ(backend->shadowDepth().pixels == maps.pixels, sample == 0);
     }

@@ -88,11 +88,12 @@ std::size_t turn(Renderer& renderer, const plan::Quality& quality, int side) {
     plan::View view;
     view.width = view.height = side;
     view.camera.target = bounds.center();
+    History history;
     const std::size_t before = largeAllocations;
     for (int frame = 0; frame < kFrames; ++frame) {
         const double angle = 2 * 3.14159265358979 * frame / kFrames;
         view.camera.eye = bounds.center() + radius * glm::dvec3(std::sin(angle), 0.3, std::cos(angle));
-        renderer.render(view, quality, {});
+        history = renderer.render(view, quality, {}, history).history;
     }
     return largeAllocations - before;
 }
@@ -139,11 +140,11 @@ TEST(FrameMemory, ASecondTurnAllocatesNothingLarge) {
 /// Draws all frames of a picture after one of one frame; how many bytes more that held.
 std::size_t bytesOfSeveralFrames(Renderer& renderer, const plan::View& view, const plan::Quality& quality) {
     FrameOptions options;
-    renderer.render(view, quality, options);
+    const History history = renderer.render(view, quality, options).history;
     const std::size_t before = liveBytes;
     mostBytes = before;
     options.isAccumulated = true;
-    const Frame frame = renderer.render(view, quality, options);
+    const Frame frame = renderer.render(view, quality, options, history);
     Accumulation accumulation;
     accumulation.begin(renderer, frame, 3);
     while (accumulation.samples() < accumulation.wanted())

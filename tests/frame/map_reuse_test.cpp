@@ -77,10 +77,12 @@ public:
 
     /// Draws the frame twice; how many maps the first of them reused.
     int draw(const plan::View& view, const plan::Quality& quality) {
-        const Frame frame = renderer_.render(view, quality, {});
+        const Frame frame = renderer_.render(view, quality, {}, history_);
+        history_ = frame.history;
         FrameOptions options;
         options.reusesMaps = false;
-        const Frame redrawn = redrawing_.render(view, quality, options);
+        const Frame redrawn = redrawing_.render(view, quality, options, redrawnHistory_);
+        redrawnHistory_ = redrawn.history;
         EXPECT_EQ(redrawn.row.shadowMapsDrawn, redrawn.row.shadowMaps);
         EXPECT_EQ(frame.row.shadowMaps, redrawn.row.shadowMaps);
         EXPECT_EQ(backend_->shadowDepth().pixels, redrawer_->shadowDepth().pixels);
@@ -101,6 +103,8 @@ private:
     std::unique_ptr<render::Backend> redrawer_;
     Renderer renderer_;
     Renderer redrawing_;
+    History history_;
+    History redrawnHistory_;
     int maps_ = 0;
 };
 
@@ -165,11 +169,14 @@ TEST(MapReuseByReceivers, EndsWhereAnotherImageAsks) {
     Renderer renderer(farHills(), *backend, {});
     Renderer redrawing(farHills(), *fresh, {});
     plan::Quality quality = warped(plan::CasterCulling::Receivers);
+    History history;
+    History redrawnHistory;
     const auto reused = [&](const FrameOptions& options) {
-        const Frame frame = renderer.render(view(), quality, options);
+        const Frame frame = renderer.render(view(), quality, options, history);
+        history = frame.history;
         FrameOptions redrawn = options;
         redrawn.reusesMaps = false;
-        redrawing.render(view(), quality, redrawn);
+        redrawnHistory = redrawing.render(view(), quality, redrawn, redrawnHistory).history;
         EXPECT_EQ(backend->picture().pixels, fresh->picture().pixels);
         int count = 0;
         for (const plan::ShadowPass& pass : frame.plan.passes)

@@ -37,7 +37,6 @@ public:
     Drawn draw(const plan::View& view, const plan::Quality& quality, int threads, bool wantsSurfaces) {
         FrameOptions options;
         options.wantsSurfaces = wantsSurfaces;
-        renderer_.forget();
         Drawn drawn;
         tbb::task_arena(threads).execute([&] { drawn.row = renderer_.render(view, quality, options).row; });
         drawn.picture = backend_->picture();

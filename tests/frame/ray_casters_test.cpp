@@ -24,7 +24,7 @@ TEST(RayCasters, HoldEveryRayFromWhatIsSeenToTheLightAndNotTheOthers) {
         plan::View view = overGround();
         view.camera.eye = {random.uniform(-12, 12), random.uniform(2, 10), random.uniform(8, 16)};
         view.towardsLight = {random.uniform(-1, 1), random.uniform(0.2, 1), random.uniform(-1, 1)};
-        const PreparedFrame frame = model.renderer().prepare(view, inSlices(1), Waiting::UntilComplete, nullptr);
+        const PreparedFrame frame = model.renderer().prepare(view, inSlices(1));
         const ConvexVolume casters = rayCasterVolume(frame);
         const lod::CasterDetail detail = rayCasterDetail(frame);
         const glm::dvec3 origin = model.file().summary().grid.origin;
@@ -59,7 +59,7 @@ TEST(RayCasters, OfAPointLightHoldEveryWayToIt) {
             {random.uniform(-reach, reach), random.uniform(-1, 1) * reach, random.uniform(-reach, reach)}, 1};
         plan::Quality quality;
         quality.shadows = plan::ShadowMode::Exact;
-        const PreparedFrame frame = model.renderer().prepare(view, quality, Waiting::UntilComplete, nullptr);
+        const PreparedFrame frame = model.renderer().prepare(view, quality);
         const ConvexVolume casters = rayCasterVolume(frame);
         const std::vector<lod::CasterDetail> details = pointCasterDetails(frame);
         const glm::dvec3 origin = model.file().summary().grid.origin;

@@ -72,7 +72,6 @@ TEST(RayTrees, OfFramesBeforeLeaveNoMark) {
     bool isBinding = false;
     for (std::uint64_t i = 0; i < 6; ++i) {
         SCOPED_TRACE(i);
-        stage.renderer.forget();
         const Frame frame = stage.draw(i);
         TreeStage fresh(memory);
         fresh.draw(i);

@@ -30,7 +30,6 @@ public:
 
     Shot shoot(const plan::View& view, plan::Quality quality, CasterCulling culling, const FrameOptions& options = {}) {
         quality.cullCasters = culling;
-        renderer_.forget();
         Shot shot;
         shot.row = renderer_.render(view, quality, options).row;
         shot.picture = backend_->picture();
@@ -169,6 +168,8 @@ TEST(Receivers, NoMapOfOtherReceiversIsReused) {
     const std::array backends = {render::makeSoftwareBackend(), render::makeSoftwareBackend()};
     Renderer reusing(model.file(), *backends[0], {});
     Renderer redrawing(model.file(), *backends[1], {});
+    History reused;
+    History redrawn;
     FrameOptions anew;
     anew.reusesMaps = false;
     Random random(5);
@@ -187,8 +188,8 @@ TEST(Receivers, NoMapOfOtherReceiversIsReused) {
         options.wantsWholeMaps = random.below(5) == 0;
         options.wantsSurfaces = random.below(5) == 0;
         anew.observerCamera = options.observerCamera;
-        reusing.render(view, quality, options);
-        redrawing.render(view, quality, anew);
+        reused = reusing.render(view, quality, options, reused).history;
+        redrawn = redrawing.render(view, quality, anew, redrawn).history;
         EXPECT_TRUE(backends[0]->picture().pixels == backends[1]->picture().pixels);
     }
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -102,10 +103,15 @@ std::vector<Change> changes() {
 }
 
 /// Draws `asked` with a renderer that has drawn nothing else.
-render::Picture freshPicture(const hierarchy::ModelFile& model, const Asked& asked) {
+render::Picture freshPicture(const hierarchy::ModelFile& model, const Asked& asked, const History& history = {}) {
     const auto backend = render::makeSoftwareBackend();
-    Renderer(model, *backend, {}).render(asked.view, asked.quality, asked.options);
+    Renderer(model, *backend, {}).render(asked.view, asked.quality, asked.options, history);
     return backend->picture();
+}
+
+int reusedMaps(const Frame& frame) {
+    const auto isReused = [](const plan::ShadowPass& pass) { return pass.isReused; };
+    return static_cast<int>(std::count_if(frame.plan.passes.begin(), frame.plan.passes.end(), isReused));
 }
 
 // One renderer reuses its maps, a second one draws each in every frame, and behind a changed setting a third one has
@@ -120,19 +126,21 @@ TEST(Repeatability, NoPictureShowsWhatWasDrawnBefore) {
     asked.quality.shadowTexelsWidth = asked.quality.shadowTexelsHeight = 128;
     asked.quality.look.shading = plan::Shading::Auto;
     asked.quality.cullCasters = plan::CasterCulling::Receivers;
+    History history;
+    History redrawn;
     int reused = 0;
     for (int step = 0; step < 180; ++step) {
         const Asked before = asked;
         const std::uint64_t change = random.below(all.size() + 8); // the last ones change nothing
         if (change < all.size()) all[change](asked, random);
         SCOPED_TRACE("step " + std::to_string(step) + ", change " + std::to_string(change));
-        const Frame frame = model.renderer().render(asked.view, asked.quality, asked.options);
-        for (const plan::ShadowPass& pass : frame.plan.passes)
-            reused += pass.isReused ? 1 : 0;
+        const Frame frame = model.renderer().render(asked.view, asked.quality, asked.options, history);
+        history = frame.history;
+        reused += reusedMaps(frame);
         const render::Picture picture = model.backend().picture();
         Asked anew = asked;
         anew.options.reusesMaps = false;
-        redrawer.render(anew.view, anew.quality, anew.options);
+        redrawn = redrawer.render(anew.view, anew.quality, anew.options, redrawn).history;
         ASSERT_TRUE(picture.pixels == redrawing->picture().pixels) << "reused maps show";
         const bool isFirst = step == 0 || !(before.view == asked.view && before.quality == asked.quality);
         if (isFirst) {
@@ -140,6 +148,38 @@ TEST(Repeatability, NoPictureShowsWhatWasDrawnBefore) {
         }
     }
     EXPECT_GT(reused, 40) << "this tests nothing";
+}
+
+// One renderer draws a random sequence of frames. Each frame has no history, the last history or an older one. A
+// renderer that has drawn nothing else is the slow twin.
+TEST(Repeatability, AFrameDependsOnlyOnItsHistory) {
+    DrawnModel model(crateOnGround().model());
+    const std::vector<Change> all = changes();
+    Random random(45);
+    Asked asked{viewFrom(0), {}, {}};
+    asked.quality.shadowTexelsWidth = asked.quality.shadowTexelsHeight = 128;
+    asked.quality.look.shading = plan::Shading::Auto;
+    asked.quality.cullCasters = plan::CasterCulling::Receivers;
+    std::vector<History> histories(1);
+    int reused = 0;
+    int unmatched = 0;
+    for (int step = 0; step < 160; ++step) {
+        if (random.below(2) == 0) all[random.below(all.size())](asked, random);
+        const std::uint64_t kind = random.below(4);
+        const History history = kind == 0   ? History()
+                                : kind == 1 ? histories[random.below(histories.size())]
+                                            : histories.back();
+        SCOPED_TRACE("step " + std::to_string(step) + ", kind " + std::to_string(kind));
+        const Frame frame = model.renderer().render(asked.view, asked.quality, asked.options, history);
+        ASSERT_TRUE(model.backend().picture().pixels == freshPicture(model.file(), asked, history).pixels);
+        const bool isLast = history.maps && history.maps == histories.back().maps;
+        if (!isLast) EXPECT_EQ(reusedMaps(frame), 0) << "the texture holds other maps";
+        unmatched += history.maps && !isLast ? 1 : 0;
+        reused += reusedMaps(frame);
+        histories.push_back(frame.history);
+    }
+    EXPECT_GT(reused, 20) << "this tests nothing";
+    EXPECT_GT(unmatched, 5) << "this tests nothing";
 }
 
 // The maps of the frame before lack the casters that its image did not look up.
@@ -152,22 +192,17 @@ TEST(Repeatability, CulledMapsServeNoOtherImage) {
         asked.quality.shadowTexelsWidth = asked.quality.shadowTexelsHeight = 128;
         asked.quality.look.shading = plan::Shading::Lit;
         asked.quality.cullCasters = plan::CasterCulling::Receivers;
-        model.renderer().forget();
+        History before;
         for (int frame = 0; frame < 12; ++frame) {
-            const Frame drawn = model.renderer().render(asked.view, asked.quality, asked.options);
+            const Frame drawn = model.renderer().render(asked.view, asked.quality, asked.options, before);
+            before = drawn.history;
             reused += !drawn.plan.passes.empty() && drawn.plan.passes[0].isReused ? 1 : 0;
         }
-        const Renderer::Motion before = model.renderer().motion();
         for (int again = 0; again < 4; ++again) {
             change(asked, random);
-            model.renderer().continueFrom(before);
-            model.renderer().render(asked.view, asked.quality, asked.options);
-            const render::Picture picture = model.backend().picture();
-            const auto backend = render::makeSoftwareBackend();
-            Renderer fresh(model.file(), *backend, {});
-            fresh.continueFrom(before);
-            fresh.render(asked.view, asked.quality, asked.options);
-            EXPECT_TRUE(picture.pixels == backend->picture().pixels);
+            const Frame drawn = model.renderer().render(asked.view, asked.quality, asked.options, before);
+            EXPECT_TRUE(model.backend().picture().pixels == freshPicture(model.file(), asked, before).pixels);
+            before.maps = drawn.history.maps;
         }
     }
     EXPECT_GT(reused, 10) << "this tests nothing";
@@ -179,7 +214,7 @@ TEST(Repeatability, AnAccumulatedFrameLeavesNoWiderCut) {
     plan::Quality quality;
     quality.errorPixels = 0.1;
     const auto costAndClusters = [&] {
-        const PreparedFrame frame = model.renderer().prepare(view, quality, Waiting::UntilComplete, nullptr);
+        const PreparedFrame frame = model.renderer().prepare(view, quality);
         return std::pair(model.renderer().plan(view, quality).cost, frame.cut.lists.image.ranges);
     };
     model.renderer().render(view, quality, {});
@@ -187,8 +222,6 @@ TEST(Repeatability, AnAccumulatedFrameLeavesNoWiderCut) {
     FrameOptions options;
     options.isAccumulated = true;
     model.renderer().render(view, quality, options);
-    EXPECT_TRUE(costAndClusters() == plain);
-    model.renderer().forget();
     EXPECT_TRUE(costAndClusters() == plain);
 }
 
@@ -241,9 +274,9 @@ TEST(Repeatability, AGroundThatIsTurnedOnInBackLightIsDrawn) {
     for (const ShadowMode mode : {ShadowMode::Maps, ShadowMode::Exact, ShadowMode::Rays}) {
         quality.shadows = mode;
         quality.look.ground = false;
-        model.renderer().render(view, quality, {});
+        const History history = model.renderer().render(view, quality, {}).history;
         quality.look.ground = true;
-        const Frame frame = model.renderer().render(view, quality, {});
+        const Frame frame = model.renderer().render(view, quality, {}, history);
         EXPECT_FALSE(frame.isSunless);
         EXPECT_TRUE(frame.ground);
     }
@@ -258,15 +291,18 @@ TEST(Repeatability, AWalkKeepsItsShading) {
     plan::Quality quality;
     quality.look.shading = plan::Shading::Auto;
     for (const double start : {16.0, 32.0}) {
-        model.renderer().forget();
         plan::View view = underTheRoof();
         view.camera.eye.x = view.camera.target.x = start;
-        const bool isSunless = model.renderer().render(view, quality, {}).isSunless;
+        const Frame first = model.draw(view, quality);
+        const bool isSunless = first.isSunless;
+        History history = first.history;
         EXPECT_EQ(isSunless, start < 24);
         for (int step = 0; step < 32; ++step) {
             const double x = start < 24 ? start + 0.5 * step : start - 0.5 * step;
             view.camera.eye.x = view.camera.target.x = x;
-            EXPECT_EQ(model.renderer().render(view, quality, {}).isSunless, isSunless) << x;
+            const Frame frame = model.renderer().render(view, quality, {}, history);
+            history = frame.history;
+            EXPECT_EQ(frame.isSunless, isSunless) << x;
         }
     }
 }

@@ -90,7 +90,7 @@ protected:
         options.waiting = waiting;
         options.overlay = render::Overlay::Residency;
         for (int i = 0; i < frames; ++i)
-            lastFrame = renderer.render(view(file.model()), quality, options);
+            lastFrame = renderer.render(view(file.model()), quality, options, lastFrame.history);
         return colors(backend->picture());
     }
 

@@ -68,8 +68,7 @@ DrawnReach drawReach(
     frame::FrameOptions options;
     options.wantsSurfaces = true;
     options.subpixel = aside;
-    renderer.forget();
-    DrawnReach drawn{renderer.prepare(view, quality, frame::Waiting::UntilComplete, nullptr), {}, {}};
+    DrawnReach drawn{renderer.prepare(view, quality), {}, {}};
     renderer.draw(drawn.frame, options);
     drawn.surfaces = renderer.backend().surfaces();
     const render::FloatPicture depth = renderer.backend().viewDepth();

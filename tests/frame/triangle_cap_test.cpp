@@ -43,7 +43,7 @@ TEST(TriangleCap, HoldsForSurveyAndDrawingByOneThreshold) {
         SCOPED_TRACE(i);
         tests::ShadowTriple triple = withDefaults(tests::shadowTriple(model.file().summary().bounds, i, 800, 2048));
         triple.quality.maxTriangles = 3000;
-        const PreparedFrame frame = renderer.prepare(triple.view, triple.quality, Waiting::UntilComplete, nullptr);
+        const PreparedFrame frame = renderer.prepare(triple.view, triple.quality);
         if (frame.plan.passes.empty()) continue;
         capped += frame.errorPixels > triple.quality.errorPixels ? 1 : 0;
         EXPECT_LE(frame.cut.lists.image.triangles, 3000U);

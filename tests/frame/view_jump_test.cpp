@@ -130,7 +130,7 @@ int expectNothingBehindJumps(const hierarchy::ModelFile& model, int walks, std::
         plan::View view = anyView(random, bounds);
         std::optional<Frame> last;
         for (std::uint64_t frames = 1 + random.below(14); frames > 0; --frames) {
-            last.emplace(renderer.render(view, quality, {}));
+            last.emplace(renderer.render(view, quality, {}, last ? last->history : History()));
             view.camera.eye += radius * 0.01 * glm::dvec3{random.uniform(-1, 1), 0, random.uniform(-1, 1)};
         }
         const double farthest = last->facts.visible->farthest;
@@ -139,15 +139,14 @@ int expectNothingBehindJumps(const hierarchy::ModelFile& model, int walks, std::
             jump = anyView(random, bounds);
         Renderer fresh(model, *freshBackend, {});
         const Frame asFirst = fresh.render(jump, quality, {});
-        const Frame behind = renderer.render(jump, quality, {});
+        const Frame behind = renderer.render(jump, quality, {}, last->history);
         EXPECT_EQ(behind.plan.quality.shadows, asFirst.plan.quality.shadows);
         EXPECT_EQ(behind.isSunless, asFirst.isSunless);
         EXPECT_EQ(behind.plan.near, asFirst.plan.near);
         EXPECT_EQ(behind.plan.promised.worst(), asFirst.plan.promised.worst());
         EXPECT_TRUE(backend->picture().pixels == freshBackend->picture().pixels);
-        const auto keeping = std::make_shared<const plan::PlannedFrame>(plan::PlannedFrame{last->plan, last->memory});
         Renderer keeps(model, *keepingBackend, {});
-        const PreparedFrame kept = keeps.prepare(jump, quality, Waiting::UntilComplete, keeping);
+        const PreparedFrame kept = keeps.prepare(jump, quality, Waiting::UntilComplete, last->memory);
         others += kept.plan.near != asFirst.plan.near || kept.plan.passes.size() != asFirst.plan.passes.size() ? 1 : 0;
     }
     return others;
@@ -186,8 +185,9 @@ TEST(ViewJump, LeavesTheLightOfARoomBehind) {
     ASSERT_LT(height, -10);
     EXPECT_FALSE(model.draw(strip, quality).isSunless);
     const render::Picture sunny = model.backend().picture();
-    EXPECT_TRUE(model.draw(down, quality).isSunless);
-    EXPECT_FALSE(model.renderer().render(strip, quality, {}).isSunless);
+    const Frame dark = model.draw(down, quality);
+    EXPECT_TRUE(dark.isSunless);
+    EXPECT_FALSE(model.renderer().render(strip, quality, {}, dark.history).isSunless);
     EXPECT_TRUE(model.backend().picture().pixels == sunny.pixels);
 }
 

@@ -56,7 +56,6 @@ PicturedModel::PicturedModel(const std::string& path, Backend backend)
 Drawn PicturedModel::draw(const plan::View& view, double errorPixels) {
     plan::Quality quality;
     quality.errorPixels = errorPixels;
-    renderer_.forget();
     renderer_.render(view, quality, {});
     return {backend_->picture(), backend_->viewDepth()};
 }

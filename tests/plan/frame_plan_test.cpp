@@ -114,7 +114,10 @@ TEST(FramePlanReasons, ForNoMapsAtAll) {
         Quality quality;
         quality.shadows = row.shadows;
         const FramePlan plan = planFrame({}, quality, row.facts).plan;
-        EXPECT_EQ(plan.omitted, (std::vector<Omission>{{Effect::ShadowMaps, row.reason}}));
+        EXPECT_EQ(
+            plan.omitted,
+            (std::vector<Omission>{
+                {Effect::ShadowMaps, row.reason}, {Effect::OcclusionCulling, OmissionReason::BackendDrawsAll}}));
         EXPECT_TRUE(plan.passes.empty());
         EXPECT_EQ(plan.cost, 0U);
         EXPECT_EQ(plan.textureWidth + plan.textureHeight, 0);

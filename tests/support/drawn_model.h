@@ -30,7 +30,6 @@ public:
     DrawnModel& operator=(DrawnModel&&) = delete;
 
     Frame draw(const plan::View& view, const plan::Quality& quality, const FrameOptions& options = {}) {
-        renderer_->forget();
         return renderer_->render(view, quality, options);
     }
 

@@ -97,10 +97,8 @@ void expectSamePicture(Session& wide, Session& narrow, const plan::View& view, c
     SCOPED_TRACE(std::to_string(static_cast<int>(variant.mode)) + " " + std::to_string(variant.samples));
     NoProgress progress;
     const plan::Quality quality = qualityOf(variant);
-    wide.renderer().forget();
-    narrow.renderer().forget();
-    const FinishedPicture whole = drawFinished(wide, view, quality, {}, variant.samples, progress);
-    const FinishedPicture bands = drawFinished(narrow, view, quality, {}, variant.samples, progress);
+    const FinishedPicture whole = drawFinished(wide, {view, quality, {}, variant.samples}, progress);
+    const FinishedPicture bands = drawFinished(narrow, {view, quality, {}, variant.samples}, progress);
     EXPECT_TRUE(whole.picture.pixels == bands.picture.pixels);
     ASSERT_EQ(whole.coverage.has_value(), bands.coverage.has_value());
     if (whole.coverage) {

@@ -52,7 +52,7 @@ public:
     const Box& bounds() const { return file_->summary().bounds; }
 
     frame::PreparedFrame prepare(const plan::View& view, const plan::Quality& quality) {
-        return renderer_.prepare(view, quality, frame::Waiting::UntilComplete, nullptr);
+        return renderer_.prepare(view, quality);
     }
 
     Shot draw(frame::PreparedFrame frame, const frame::FrameOptions& options = {}) {

@@ -195,6 +195,7 @@ TEST(ExactViews, LeaveNothingToTheNextFrame) {
     const tests::BuiltFile model("planes", 20000);
     const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
     frame::Renderer renderer(model.file(), *backend, {});
+    frame::History history;
     using enum plan::ShadowMode;
     constexpr std::array kModes = {Maps, Maps, Exact, Maps, Exact, Exact, Rays, Exact, Off, Exact, Maps, Maps};
     plan::View view = viewOf(model.file().summary().bounds);
@@ -205,7 +206,8 @@ TEST(ExactViews, LeaveNothingToTheNextFrame) {
         quality.stabilize = true;
         quality.warp.rule = shadow::WarpRule::None;
         quality.shadowTexelsWidth = quality.shadowTexelsHeight = 256;
-        const frame::Frame frame = renderer.render(view, quality, {});
+        const frame::Frame frame = renderer.render(view, quality, {}, history);
+        history = frame.history;
         const std::unique_ptr<render::Backend> freshBackend = render::makeSoftwareBackend();
         frame::Renderer fresh(model.file(), *freshBackend, {});
         fresh.render(view, quality, {});

@@ -85,13 +85,16 @@ protected:
         plan::View view = frame::overGround();
         view.width = view.height = 48;
         view.camera.eye.x = x;
-        return renderer.render(view, frame::inSlices(1), {});
+        frame::Frame frame = renderer.render(view, frame::inSlices(1), {}, history);
+        history = frame.history;
+        return frame;
     }
 
     CrateFile crate;
     hierarchy::ModelFile file{crate.path()};
     CountingBackend counter;
     frame::Renderer renderer{file, counter, {}};
+    frame::History history;
 };
 
 TEST_F(FrameProofs, AFrameIsDrawnOnceAndMeasuredNowhere) {
@@ -179,12 +182,13 @@ TEST_F(FrameProofs, TheFramesToComeDoNotDependOnIt) {
     prove(renderer, render(1.25), options);
     const frame::Frame after = render(1.5);
     frame::Renderer plain(file, counter, {});
+    frame::History plainHistory;
     for (const double x : {1.0, 1.25}) {
         plan::View view = after.plan.view;
         view.camera.eye.x = x;
-        plain.render(view, after.plan.quality, {});
+        plainHistory = plain.render(view, after.plan.quality, {}, plainHistory).history;
     }
-    const frame::Frame expected = plain.render(after.plan.view, after.plan.quality, {});
+    const frame::Frame expected = plain.render(after.plan.view, after.plan.quality, {}, plainHistory);
     EXPECT_EQ(after.plan.near, expected.plan.near);
     EXPECT_EQ(after.plan.far, expected.plan.far);
     EXPECT_EQ(after.plan.passes.size(), expected.plan.passes.size());

@@ -41,7 +41,6 @@ public:
     }
 
     frame::Frame render(std::uint64_t index, const plan::Quality& quality) {
-        renderer_.forget();
         return renderer_.render(view(index), quality, {});
     }
 

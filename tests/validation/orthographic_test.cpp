@@ -35,10 +35,7 @@ public:
 
     frame::Renderer& renderer() { return renderer_; }
 
-    frame::Frame render(const tests::ShadowTriple& triple) {
-        renderer_.forget();
-        return renderer_.render(triple.view, triple.quality, {});
-    }
+    frame::Frame render(const tests::ShadowTriple& triple) { return renderer_.render(triple.view, triple.quality, {}); }
 
     render::Picture picture(const tests::ShadowTriple& triple) {
         render(triple);

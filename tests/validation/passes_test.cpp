@@ -27,7 +27,6 @@ struct Shot {
 Shot shoot(frame::Renderer& renderer, render::Backend& backend, const plan::View& view, const plan::Quality& quality) {
     frame::FrameOptions options;
     options.wantsSurfaces = true;
-    renderer.forget();
     Shot shot;
     shot.frame = renderer.render(view, quality, options);
     shot.picture = backend.picture();

@@ -64,7 +64,7 @@ TEST_F(FullOracle, KeepsRoomForItsRays) {
         plan::Quality quality = triple().quality;
         quality.shadows = plan::ShadowMode::Exact;
         quality.errorPixels = 0;
-        return renderer.prepare(triple().view, quality, frame::Waiting::UntilComplete, nullptr);
+        return renderer.prepare(triple().view, quality);
     };
     frame::Renderer ample(model.file(), *backend, {});
     const MemoryWithRays needed = memoryWithRays(ample, prepared(ample));

@@ -38,7 +38,6 @@ public:
 
     frame::Frame render(const plan::View& view, plan::Quality quality, bool wantsSurfaces = false) {
         quality.errorPixels = 0;
-        renderer_.forget();
         frame::FrameOptions options;
         options.wantsSurfaces = wantsSurfaces;
         return renderer_.render(view, quality, options);
@@ -47,7 +46,6 @@ public:
     /// A picture by a renderer that has drawn nothing before, or by the one that has drawn all the others.
     render::Picture picture(const plan::View& view, const plan::Quality& quality, bool isFresh) {
         frame::Renderer fresh(model_.file(), *backend_, {});
-        renderer_.forget();
         (isFresh ? fresh : renderer_).render(view, quality, {});
         return backend_->picture();
     }

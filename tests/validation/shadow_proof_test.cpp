@@ -39,10 +39,7 @@ public:
 
     render::Backend& backend() { return *backend_; }
 
-    frame::Frame render(const ShadowTriple& triple) {
-        renderer_.forget();
-        return renderer_.render(triple.view, triple.quality, {});
-    }
+    frame::Frame render(const ShadowTriple& triple) { return renderer_.render(triple.view, triple.quality, {}); }
 
     FrameProof proofOf(const frame::Frame& frame, const ProofOptions& options) {
         return prove(renderer_, frame, options);
@@ -177,7 +174,6 @@ TEST(MeasuredAliasing, OnAGroundThatFillsTheScreenComesNearThePromise) {
             plan::Quality quality;
             quality.warp.rule = rule;
             quality.zPartitions = slices;
-            renderer.forget();
             renderer.render(view, quality, {});
             const render::FloatPicture depth = backend->viewDepth();
             const auto [nearest, farthest] = std::minmax_element(depth.pixels.begin(), depth.pixels.end());

@@ -62,7 +62,7 @@ void SampleList::reset(const SampleSpace& space, std::size_t most) {
     constexpr std::size_t kPadding = 16;
     for (auto* values : {&u, &v, &h})
         values->makeRoom(most + kPadding);
-    for (auto* values : {&pixel, &triangle, &second, &third, &tolerance, &color})
+    for (auto* values : {&pixel, &triangle, &second, &third, &tolerance})
         values->makeRoom(most);
     if (space.maps > 1) map.makeRoom(most + kPadding);
 }
@@ -99,7 +99,6 @@ void SampleList::add(const PointBatch& batch) {
     keep(pixel, batch.pixel);
     keep(triangle, batch.triangle);
     keep(tolerance, batch.tolerance);
-    if (batch.color != nullptr) keep(color, batch.color);
     if (space_.maps == 1) return;
     if (space_.pointLight) {
         const glm::dvec3 light(*space_.pointLight);

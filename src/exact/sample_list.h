@@ -25,7 +25,6 @@ struct PointBatch {
     const std::uint32_t* pixel = nullptr;     // pixel id of the caller
     const std::uint32_t* triangle = nullptr;  // triangle id among the casters: index of the cluster << 8 | triangle
     const std::uint32_t* tolerance = nullptr; // the tolerance argument of `meet`
-    const std::uint32_t* color = nullptr;     // additional value of the caller; null: none
 };
 
 /// The values that all points of a frame share.
@@ -94,12 +93,12 @@ public:
     double perTolerance() const { return perTolerance_; }
 
     /// The memory of the arrays per sample, in bytes.
-    static constexpr std::uint64_t kBytesPerSample = 3 * sizeof(double) + 6 * sizeof(std::uint32_t);
+    static constexpr std::uint64_t kBytesPerSample = 3 * sizeof(double) + 5 * sizeof(std::uint32_t);
 
     // Position of each sample in the sheared light space (cells), padded. A grid reorders these arrays.
     FrameArray<double> u, v, h;
-    // Pixel, triangle, weights, tolerance and the additional value of each sample.
-    FrameArray<std::uint32_t> pixel, triangle, second, third, tolerance, color;
+    // Pixel, triangle, weights and tolerance of each sample.
+    FrameArray<std::uint32_t> pixel, triangle, second, third, tolerance;
     FrameArray<std::int32_t> map; // only with more than one map; padded
 
 private:

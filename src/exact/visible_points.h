@@ -12,7 +12,7 @@ public:
     /// Empties the list and reserves memory for `most` points.
     void reset(std::size_t most);
 
-    /// Adds all points of a batch, without their maps, tolerances and colours. Can run on any thread.
+    /// Adds all points of a batch, without their maps and tolerances. Can run on any thread.
     void add(const PointBatch& batch);
 
     std::size_t size() const { return size_.load(std::memory_order_relaxed); }

@@ -13,7 +13,6 @@
 #include "render/light/light_sum.h"
 #include "render/ray_shadows.h"
 
-#include <cmath>
 #include <utility>
 
 // The steps of a frame: facts -> decide -> plan -> cut -> draw -> row. Each step uses only the results of the steps
@@ -122,7 +121,7 @@ PreparedFrame Renderer::prepareShadows(const Asked& asked) {
     addTime(streamMs, [&] { residency_.admitLoaded(asked.waiting, asked.quality.maxTriangles.has_value()); });
     for (;;) {
         const Stopwatch round;
-        PreparedFrame frame = planned(asked);
+        PreparedFrame frame = planned(asked, shadows);
         const double cutMs = round.elapsed().count;
         frame.residency = residency_.serve(cutQuery(residency_, frame), frame.cut, asked.waiting);
         const bool isLast = asked.waiting == Waiting::Never || !frame.residency.hasChanged;
@@ -132,11 +131,11 @@ PreparedFrame Renderer::prepareShadows(const Asked& asked) {
     }
 }
 
-/// Returns the frame for the resident pages: its facts, its plan and its cut.
-PreparedFrame Renderer::planned(const Asked& asked) {
+/// Returns the frame for the resident pages: its facts, its plan and its cut. `shadows` is the chosen kind of shadows.
+PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     const hierarchy::ModelSummary& model = model_->summary();
     plan::Quality decided = asked.quality;
-    decided.shadows = plan::decideShadows(asked.quality, capabilities()).mode;
+    decided.shadows = shadows;
     const std::optional<DepthSpan> range =
         plan::widestRange(asked.view, decided, withGround(model.bounds, asked.ground.get()));
     PreparedFrame frame;
@@ -151,7 +150,7 @@ PreparedFrame Renderer::planned(const Asked& asked) {
             cutImage(frame, {asked.view, asked.margin}, decided, range, residency_, model.grid);
         });
         factsPixels = frame.errorPixels;
-        addTime(frame.cullMs, [&] { findFacts(frame, asked, decided.shadows, range); });
+        addTime(frame.cullMs, [&] { findFacts(frame, asked, shadows, range); });
         addTime(frame.planMs, [&] {
             plan::PlannedFrame planned =
                 plan::planFrame(asked.view, asked.quality, frame.facts, asked.memory, capabilities());
@@ -187,6 +186,7 @@ render::DrawStatistics Renderer::draw(
     decideMapReuse(frame, options, maps == maps_ ? maps.get() : nullptr);
     maps_.reset();
     render::FrameDrawing drawing = this->drawing(frame, options);
+    if (frame.asksLitPixels) drawing.minLitPixels = minLitPixels(frame.plan.view);
     if (frame.isExact()) return backend_->drawExactly(drawing);
     if (frame.isRayTraced()) return render::drawByRays(*backend_, drawing, residency_.rayTrees());
     render::DrawStatistics statistics = backend_->draw(drawing);
@@ -212,6 +212,7 @@ render::DrawStatistics Renderer::drawInLight(Frame& frame) {
     frame.history.isSunless = frame.isSunless;
     if (!frame.isSunless) return drawn;
     plan::leaveLightSamplingOut(frame.plan);
+    if (drawn.isHeadlit) return drawn;
     if (frame.hasOneCasterList()) return draw(frame, frame.options);
     const Milliseconds first = drawn.image.time; // the maps stay, because the headlight needs none
     drawn.image = backend_->drawImage(drawing(frame, frame.options));

@@ -23,6 +23,7 @@ struct Demand {
 
 Demand demandOf(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
     constexpr std::uint64_t kAwaited = 3 * sizeof(std::uint32_t) + sizeof(float) + sizeof(std::uint8_t);
+    constexpr std::uint64_t kLitMask = sizeof(std::uint8_t);
     constexpr std::uint64_t kMapOfLamp = sizeof(std::int32_t);
     constexpr std::uint64_t kCells = mebibytes(8).count;
     Demand demand;
@@ -33,7 +34,7 @@ Demand demandOf(const plan::View& view, const plan::Quality& quality, const Fram
     const bool hasSun = !plan::isWithoutSun(quality.look.shading);
     const plan::ShadowMode shadows = plan::decideShadows(quality, plan::kSoftwareCapabilities).mode;
     if (hasSun && shadows != plan::ShadowMode::Off && shadows != plan::ShadowMode::Maps)
-        demand.perPixel += exact::ExactShadows::kBytesPerSample + (view.pointLight ? kMapOfLamp : 0);
+        demand.perPixel += exact::ExactShadows::kBytesPerSample + kLitMask + (view.pointLight ? kMapOfLamp : 0);
     else if (hasSun && shadows == plan::ShadowMode::Maps && !options.isAccumulated)
         demand.perPixel += kAwaited;
     if (shadows == plan::ShadowMode::Maps)

@@ -5,6 +5,7 @@
 #include "render/view/section_memory.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gnomon::frame {
 
@@ -39,8 +40,12 @@ plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& qual
 }
 
 bool Renderer::isNextToNothing(std::uint64_t litPixels, const plan::View& view) {
+    return litPixels < minLitPixels(view);
+}
+
+std::uint64_t Renderer::minLitPixels(const plan::View& view) {
     constexpr double kNextToNothing = 0.005; // share of the pixels
-    return static_cast<double>(litPixels) < kNextToNothing * view.width * view.height;
+    return static_cast<std::uint64_t>(std::ceil(kNextToNothing * view.width * view.height));
 }
 
 render::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {

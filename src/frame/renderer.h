@@ -107,8 +107,9 @@ private:
     /// Returns the ground of `view`, or null.
     std::shared_ptr<const Ground> ground(const plan::View& view, const plan::Look& look, bool hasSky) const;
 
+    static std::uint64_t minLitPixels(const plan::View& view);
     PreparedFrame prepareShadows(const Asked& asked);
-    PreparedFrame planned(const Asked& asked);
+    PreparedFrame planned(const Asked& asked, plan::ShadowMode shadows);
     void findFacts(
         PreparedFrame& frame, const Asked& asked, plan::ShadowMode shadows, const std::optional<DepthSpan>& range);
     render::DrawStatistics drawInLight(Frame& frame);

@@ -10,8 +10,9 @@ namespace gnomon::plan {
 /// took between a fifth of the time and 1% more.
 inline constexpr double kLeastLayers = 2;
 
-/// Sets `plan.skipsHidden` for a plan with its view, quality and backend. Adds the reason to `plan.omitted` if the image is drawn with its
-/// hidden clusters. `layers` is the mean number of drawn clusters per pixel, by their boxes. Only Choice::Auto uses it.
+/// Sets `plan.skipsHidden` for a plan with its view, quality and backend. Adds the reason to `plan.omitted` if the
+/// image is drawn with its hidden clusters. `layers` is the mean number of drawn clusters per pixel, by their boxes.
+/// Only Choice::Auto uses it.
 void chooseOcclusion(FramePlan& plan, double layers);
 
 } // namespace gnomon::plan

@@ -115,6 +115,8 @@ struct FrameDrawing {
     std::optional<glm::vec3> groundShade;
     const Raster<std::uint8_t>* litMask = nullptr; // 255 where a pixel is lit; used instead of maps
     const lod::DrawList* exactCasters = nullptr;   // casters of drawExactly besides the image's own clusters
+    // Min number of lit pixels. If drawExactly finds fewer, it shades with the headlight.
+    std::optional<std::uint64_t> minLitPixels;
     // A scene of the image and exactCasters. If it is given, drawExactly traces rays instead of rasterising casters.
     const raytrace::CutScene* rays = nullptr;
     std::optional<ImageRows> rows; // the only rows to draw, if the backend has the capability `bands`; default: all
@@ -150,6 +152,7 @@ struct DrawStatistics {
     PassStatistics image;
     std::optional<CulledCasters> culled;         // with culling by receivers
     std::optional<exact::ExactStatistics> exact; // of exact shadows
+    bool isHeadlit = false;                      // true: fewer pixels than `minLitPixels` were lit
     Bytes deviceMemory;                          // geometry and textures
 };
 
@@ -201,8 +204,8 @@ public:
     /// the picture is not in a texture.
     virtual std::uint32_t texture() const { return 0; }
 
-    /// Draws the image of a frame whose plan asks for exact shadows or for rays: what is visible first, then who stands
-    /// in its light. Throws Error where the backend cannot.
+    /// Draws the image of a frame whose plan has exact shadows or rays: finds the visible points, computes their
+    /// shadows, and shades each pixel once. Throws Error if the backend cannot.
     virtual DrawStatistics drawExactly(const FrameDrawing& frame);
 
     /// Returns the memory of geometry and textures since the last frame.

@@ -101,7 +101,7 @@ std::uint32_t tolerance(const IntegerLight& light) {
     return exact::twoSteps(light);
 }
 
-std::optional<raster::OcclusionCounts> drawUndecided(
+std::optional<raster::OcclusionCounts> collectSamples(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided) {
     const auto occlusion = drawVisible(frame, buffers);
     const exact::SampleSpace space = sampleSpace(frame);
@@ -117,8 +117,6 @@ std::optional<raster::OcclusionCounts> drawUndecided(
     ShadingTarget target;
     target.picture = buffers.picture;
     target.undecided = &undecided;
-    target.light = buffers.light;
-    target.undecidedLight = buffers.undecidedLight;
     target.tiles = frame.tiles;
     shadeVisible(shading, *buffers.words, target);
     return occlusion;
@@ -130,8 +128,14 @@ void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::V
     UndecidedPixels undecided;
     undecided.points = &points;
     const FloatPicture noMaps;
-    const Shading shading(frame, imageClipFromDraw(frame), noMaps, buffers.pass->drawn(), Verdict::Undecided);
-    shadeVisible(shading, *buffers.words, {buffers.picture, nullptr, &undecided});
+    const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
+    const Shading collecting(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Undecided);
+    shadeVisible(collecting, *buffers.words, {buffers.picture, nullptr, &undecided});
+    const Raster<std::uint8_t> nothingLit(buffers.picture->width, buffers.picture->height);
+    FrameDrawing shadowed = frame;
+    shadowed.litMask = &nothingLit;
+    const Shading shading(shadowed, clipFromDraw, noMaps, buffers.pass->drawn());
+    shadeVisible(shading, *buffers.words, {buffers.picture});
 }
 
 namespace {
@@ -225,7 +229,7 @@ Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
     drawing.plan = &whole;
     drawing.wantsLight = false;
     drawing.ground = nullptr; // the ground is not part of the model
-    drawUndecided(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
+    collectSamples(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
     const hierarchy::GridPoint origin = frame.space.originCell;
     std::vector<exact::Caster> casters;
     gatherExactCasters(frame, pass, casters);

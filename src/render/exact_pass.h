@@ -16,9 +16,9 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame);
 /// unit is that of exact::meet.
 std::uint32_t tolerance(const IntegerLight& light);
 
-/// Draws the image of `frame` as if all surfaces were in shadow, and collects the points that face the light in
-/// `samples`. Returns the same counts as drawVisible.
-std::optional<raster::OcclusionCounts> drawUndecided(
+/// Finds the visible triangles of `frame` and collects the points that face the light in `samples`. Returns the same
+/// counts as drawVisible. The picture stays unchanged.
+std::optional<raster::OcclusionCounts> collectSamples(
     const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided);
 
 /// Draws the image of `frame` as if all surfaces were in shadow, and collects all visible points in `points`. They can

@@ -15,8 +15,6 @@ struct ImageBuffers {
     SoftwarePass* pass = nullptr;
     std::vector<std::uint64_t>* words = nullptr;
     Picture* picture = nullptr;
-    LightPicture* light = nullptr; // this and the next can be null unless the frame requests its light
-    LightPicture* undecidedLight = nullptr;
 };
 
 /// Collects the clusters of the image in the pass and fills the words with the visible triangles. Returns the counts of

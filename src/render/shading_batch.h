@@ -37,12 +37,10 @@ struct PixelBatch {
     Values<std::int32_t> pass{};   // index of the looked-up map; -1: none
     Values<std::int32_t> faces{};  // -1 if the surface faces the light, otherwise 0
     Values<std::uint32_t> color{}; // shaded 8-bit RGB, red in the low byte
-    // With LitSource::Undecided and Awaited: the lit colour. `color` is then the colour in shadow.
+    // With LitSource::Awaited: the lit colour. `color` is then the colour in shadow.
     Values<std::uint32_t> litColor{};
-    // With `wantsLight`: the reflected linear RGB. With LitSource::Undecided and Awaited, `shadowLight` belongs to
-    // `color` and `light` to `litColor`.
-    Vectors<float> light{}, shadowLight{};
-    // With Undecided: the weights of corners 1 and 2.
+    Vectors<float> light{}; // with `wantsLight`: the reflected linear RGB
+    // With LitSource::Undecided: the weights of corners 1 and 2. `depth` is then the only other result.
     Values<float> second{}, third{};
     // With Awaited: the later lookup in map `pass`, which is not drawn yet. It has the first and the last texel of the
     // filter kernel (column and row of the depth texture) and the depth for the comparison.
@@ -59,8 +57,8 @@ struct PointBatch {
     PixelBatch::Values<std::int32_t> pass{}; // index of the looked-up map; -1: none
 };
 
-/// The source of a pixel's lit fraction. An Undecided pixel gets both its lit and its shadowed colour. The same applies
-/// to an Awaited pixel, whose map is not drawn yet.
+/// The source of a pixel's lit fraction. An Undecided pixel gets no colour, because its exact shadow is not computed
+/// yet. An Awaited pixel, whose map is not drawn yet, gets both its lit and its shadowed colour.
 enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Undecided, Awaited };
 
 /// The constants of a frame for all pixels.

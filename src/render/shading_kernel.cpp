@@ -188,12 +188,11 @@ HWY_INLINE Floats pointStrength(const block::Frame& frame, const Vec3& position)
     return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kLeast)));
 }
 
-/// Returns the lit fraction before lookups in maps. If exact shadows are undecided, their integer test also decides
-/// which surfaces face the light, because floats can be wrong for grazing surfaces.
+/// Returns the lit fraction before lookups in maps.
 template <class Mask>
 HWY_INLINE Floats litBefore(const ShadingFrame& f, const PixelBatch& batch, std::size_t i, Mask faces) {
     if (f.litSource == LitSource::Mask) return load(batch.litMask, i);
-    return f.litSource == LitSource::Undecided ? constant(1) : hn::IfThenElseZero(faces, constant(1));
+    return hn::IfThenElseZero(faces, constant(1));
 }
 
 HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
@@ -213,12 +212,18 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Weights weights = weightsAt(ray, f.isParallel, subtract(origin, corner), e1, e2, across);
     const Vec3 inCells = add(add(corner, scale(e1, weights.second)), scale(e2, weights.third));
     const Vec3 position = scale(inCells, constant(frame.gridStep));
+    const auto depth = hn::Add(dot(constant(&frame.viewDirection.x), position), constant(frame.originDepth));
+    hn::StoreU(depth, kFloats, batch.depth.data() + i);
+    if (f.litSource == LitSource::Undecided) { // the colour follows when the shadow is known
+        hn::StoreU(weights.second, kFloats, batch.second.data() + i);
+        hn::StoreU(weights.third, kFloats, batch.third.data() + i);
+        return;
+    }
 
     const Vec3 towardsEye = subtract(constant(&frame.eye.x), position);
     const Vec3 eyeDirection = normalizedOr(towardsEye, {zero, zero, zero});
     const Vec3 flat = turned(normalizedOr(across, eyeDirection), towardsEye);
     const Vec3 smooth = frame.isFaceted != 0 ? flat : smoothNormal(batch, i, weights, flat);
-    const auto depth = hn::Add(dot(constant(&frame.viewDirection.x), position), constant(frame.originDepth));
     Vec3 light = constant(&frame.towardsLight.x);
     if (frame.pointReach > 0) light = towardsPoint(frame, position);
     const auto cosine = dot(flat, light);
@@ -237,19 +242,14 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 shaded = displayed(frame, inLight);
     if (f.wantsLight) store(inLight, batch.light, i);
     auto color = packed(shaded);
-    if (f.litSource == LitSource::Undecided || f.litSource == LitSource::Awaited) {
+    if (f.litSource == LitSource::Awaited) {
         hn::StoreU(hn::BitCast(kUints, color), kUints, batch.litColor.data() + i);
-        hn::StoreU(weights.second, kFloats, batch.second.data() + i);
-        hn::StoreU(weights.third, kFloats, batch.third.data() + i);
-        const Vec3 inShadow = reflected(albedo, ambient);
-        if (f.wantsLight) store(inShadow, batch.shadowLight, i);
-        color = packed(displayed(frame, inShadow));
+        color = packed(displayed(frame, reflected(albedo, ambient)));
     }
 
     store(position, batch.position, i);
     store(flat, batch.flatNormal, i);
     store(shaded, batch.shaded, i);
-    hn::StoreU(depth, kFloats, batch.depth.data() + i);
     hn::StoreU(lit, kFloats, batch.lit.data() + i);
     hn::StoreU(pass, kInts, batch.pass.data() + i);
     hn::StoreU(hn::VecFromMask(kInts, hn::RebindMask(kInts, faces)), kInts, batch.faces.data() + i);

@@ -39,7 +39,7 @@ public:
     Bytes deviceMemory() const override {
         return {
             shadowDepth_.pixels.size() * sizeof(float) + words_.size() * sizeof(std::uint64_t) + exact_.bytes() +
-            receivers_.bytes() + (light_.pixels.size() + undecidedLight_.pixels.size()) * sizeof(light_.pixels[0])};
+            receivers_.bytes() + light_.pixels.size() * sizeof(light_.pixels[0]) + litMask_.pixels.size()};
     }
 
     Picture picture() override;
@@ -72,9 +72,12 @@ private:
 
     CulledCasters drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics);
     void sizeTargets(const FrameDrawing& frame);
-    ImageBuffers imageBuffers(const FrameDrawing& frame);
+
+    ImageBuffers imageBuffers() { return {&rasterizer_, &pass_, &words_, &picture_}; }
+
     void shade(const FrameDrawing& frame);
-    void lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses);
+    void keepVerdict(std::span<const std::uint8_t> statuses);
+    bool shadeDecided(const FrameDrawing& frame);
 
     raster::Rasterizer rasterizer_;
     SoftwarePass mapPass_;             // pass of the map that is drawn
@@ -82,7 +85,8 @@ private:
     std::vector<std::uint64_t> words_; // visibility buffer, rows from bottom to top
     FloatPicture shadowDepth_;         // the pixel array only grows, so it can be larger than the texture
     Picture picture_;
-    LightPicture light_, undecidedLight_; // empty unless a frame requests its light
+    LightPicture light_;           // empty unless a frame requests its light
+    Raster<std::uint8_t> litMask_; // the verdict of exact shadows: 255 where a pixel is lit
     Raster<SurfaceSample> surfaces_;
     bool isOnGround(std::size_t wordAt) const;
 
@@ -191,7 +195,7 @@ DrawStatistics SoftwareBackend::draw(const FrameDrawing& frame) {
     sizeTargets(frame);
     sizeShadowDepth(*frame.plan);
     GNOMON_CHECK(!frame.wantsLight); // light needs maps that are drawn before the image
-    const ImageBuffers buffers = imageBuffers(frame);
+    const ImageBuffers buffers = imageBuffers();
     const auto occlusion = drawVisible(frame, buffers);
     litPixels_ = receivers_.collect(frame, buffers, shadowDepth_);
     const Milliseconds before = watch.elapsed();
@@ -222,20 +226,10 @@ void SoftwareBackend::sizeTargets(const FrameDrawing& frame) {
     else
         surfaces_ = {};
     words_.resize(picture_.pixels.size());
-    if (frame.wantsLight) {
+    if (frame.wantsLight)
         fit(light_);
-        fit(undecidedLight_);
-    } else {
-        light_ = undecidedLight_ = {};
-    }
-}
-
-ImageBuffers SoftwareBackend::imageBuffers(const FrameDrawing& frame) {
-    ImageBuffers buffers = {&rasterizer_, &pass_, &words_, &picture_};
-    if (!frame.wantsLight) return buffers;
-    buffers.light = &light_;
-    buffers.undecidedLight = &undecidedLight_;
-    return buffers;
+    else
+        light_ = {};
 }
 
 /// Computes the colours of the image from its words, and the surfaces if requested.
@@ -254,37 +248,40 @@ void SoftwareBackend::shade(const FrameDrawing& frame) {
 PassStatistics SoftwareBackend::drawImage(const FrameDrawing& frame) {
     const Stopwatch watch;
     sizeTargets(frame);
-    const auto occlusion = drawVisible(frame, imageBuffers(frame));
+    const auto occlusion = drawVisible(frame, imageBuffers());
     shade(frame);
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
 }
 
-/// Lights the samples that are lit by their `statuses`. If an overlay or surfaces are requested, shades the image again
-/// instead.
-void SoftwareBackend::lightDecided(const FrameDrawing& frame, std::span<const std::uint8_t> statuses) {
+/// Sets the mask of the lit pixels from the `statuses` of the samples.
+void SoftwareBackend::keepVerdict(std::span<const std::uint8_t> statuses) {
     const exact::SampleList& samples = exact_.samples();
+    litMask_.width = picture_.width;
+    litMask_.height = picture_.height;
+    litMask_.pixels.assign(picture_.pixels.size(), 0);
     litPixels_ = 0;
-    const bool isShadedAgain = frame.overlay != Overlay::None || frame.wantsSurfaces;
-    if (!isShadedAgain) {
-        constexpr std::size_t kGrain = 16384;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), kGrain), [&](const auto& range) {
-            std::uint64_t lit = 0;
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                if (exact::isDark(statuses[i])) continue;
-                picture_.pixels[samples.pixel[i]] = unpacked(samples.color[i]);
-                if (frame.wantsLight) light_.pixels[samples.pixel[i]] = undecidedLight_.pixels[samples.pixel[i]];
-                ++lit;
-            }
-            litPixels_.fetch_add(lit, std::memory_order_relaxed);
-        });
-        return;
-    }
-    Raster<std::uint8_t> mask(picture_.width, picture_.height);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        if (!exact::isDark(statuses[i])) mask.pixels[samples.pixel[i]] = 255;
-    FrameDrawing lit = frame;
-    lit.litMask = &mask;
-    shade(lit);
+    constexpr std::size_t kGrain = 16384;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), kGrain), [&](const auto& range) {
+        std::uint64_t lit = 0;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            if (exact::isDark(statuses[i])) continue;
+            litMask_.pixels[samples.pixel[i]] = 255;
+            ++lit;
+        }
+        litPixels_.fetch_add(lit, std::memory_order_relaxed);
+    });
+}
+
+/// Shades the image by the mask of the lit pixels. Returns true if it uses the headlight.
+bool SoftwareBackend::shadeDecided(const FrameDrawing& frame) {
+    const std::uint64_t lit = litPixels_;
+    FrameDrawing decided = frame;
+    decided.litMask = &litMask_;
+    const bool isHeadlit = lit < frame.minLitPixels.value_or(0);
+    if (isHeadlit) decided.shading = plan::Shading::Headlight;
+    shade(decided);
+    litPixels_ = lit; // of the samples, whatever the shading counts
+    return isHeadlit;
 }
 
 DrawStatistics SoftwareBackend::drawExactly(const FrameDrawing& frame) {
@@ -292,20 +289,22 @@ DrawStatistics SoftwareBackend::drawExactly(const FrameDrawing& frame) {
     DrawStatistics statistics;
     shadowDepth_ = {};
     sizeTargets(frame);
-    const auto occlusion = drawUndecided(frame, imageBuffers(frame), exact_.samples(), undecided_);
-    statistics.image = {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
+    const auto occlusion = collectSamples(frame, imageBuffers(), exact_.samples(), undecided_);
     const Stopwatch shadowWatch;
     if (frame.rays != nullptr) {
-        lightDecided(frame, tracedStatuses(frame, *frame.rays, exact_.samples(), pass_.drawn()));
+        keepVerdict(tracedStatuses(frame, *frame.rays, exact_.samples(), pass_.drawn()));
     } else {
         gatherExactCasters(frame, pass_, casters_);
         const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
         const hierarchy::GridPoint origin = frame.space.originCell;
         statistics.exact =
             exact_.decide({casters_, {origin.x, origin.y, origin.z}, planes, plan::cellSide(*frame.plan)});
-        lightDecided(frame, exact_.statuses());
+        keepVerdict(exact_.statuses());
     }
     statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};
+    statistics.isHeadlit = shadeDecided(frame);
+    const Milliseconds image{watch.elapsed().count - statistics.shadows.time.count};
+    statistics.image = {image, frame.image->ranges.size(), std::nullopt, occlusion};
     statistics.deviceMemory = deviceMemory();
     return statistics;
 }

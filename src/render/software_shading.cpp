@@ -115,8 +115,7 @@ void Shading::colorGround(Work& work) const {
         const Rgb& bright = background_[row];
         Rgb dark = shadowed_[row];
         batch.litColor[i] = packed(bright);
-        const bool isKnown = shared_.litSource != LitSource::Undecided && shared_.litSource != LitSource::Awaited;
-        if (isKnown)
+        if (shared_.litSource != LitSource::Awaited)
             for (std::size_t c = 0; c < 3; ++c)
                 dark[c] = static_cast<std::uint8_t>(std::lround(
                     static_cast<float>(dark[c]) +
@@ -156,6 +155,7 @@ void Shading::shadeSquare(
         for (int x = box.x0; x < box.x1; ++x) {
             const std::uint32_t name = raster::visibleTriangle(row[x]);
             if (row[x] == 0 || isCapName(name)) {
+                if (target.undecided != nullptr) continue;
                 colors[x] = row[x] == 0 ? background : capColor(*frame_, name);
                 leaveUnshaded(picture.index(x, fromTop(y)), row[x] != 0, target);
                 continue;
@@ -199,6 +199,7 @@ void Shading::gatherTriangles(Work& work) const {
         take(batch.corner, i, a->position, origin);
         take(batch.edge1, i, b->position, a->position);
         take(batch.edge2, i, c->position, a->position);
+        if (shared_.litSource == LitSource::Undecided) continue;
         for (std::size_t k = 0; k < 3; ++k) {
             batch.normals[k][i] = work.corners[i][k]->normal;
             batch.colors[k][i] = work.corners[i][k]->color;
@@ -215,8 +216,12 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     if (batch.count == 0) return;
     gatherTriangles(work);
     shadePixels(shared_, batch);
+    if (target.undecided != nullptr) {
+        leaveUndecided(work, target);
+        batch.count = 0;
+        return;
+    }
     if (frame_->ground != nullptr) colorGround(work);
-    if (target.undecided != nullptr) leaveUndecided(work, target);
     if (target.awaited != nullptr) leaveAwaited(work, target);
     if (target.litPixels != nullptr) countLit(work, target);
     if (target.light != nullptr) keepLight(work, target);
@@ -260,17 +265,11 @@ std::array<float, 3> Shading::lightOfGround(float lit) const {
 
 void Shading::keepLight(const Work& work, const ShadingTarget& target) const {
     const PixelBatch& batch = work.batch;
-    const bool isUndecided = target.undecided != nullptr;
-    const auto& shown = isUndecided ? batch.shadowLight : batch.light;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const std::size_t at = target.picture->index(work.columns[i], fromTop(work.rows[i]));
-        if (isGround(work, i)) {
-            target.light->pixels[at] = lightOfGround(isUndecided ? 0 : batch.lit[i]);
-            if (isUndecided) target.undecidedLight->pixels[at] = lightOfGround(1);
-            continue;
-        }
-        target.light->pixels[at] = {shown[0][i], shown[1][i], shown[2][i]};
-        if (isUndecided) target.undecidedLight->pixels[at] = {batch.light[0][i], batch.light[1][i], batch.light[2][i]};
+        target.light->pixels[at] = isGround(work, i)
+                                       ? lightOfGround(batch.lit[i])
+                                       : std::array{batch.light[0][i], batch.light[1][i], batch.light[2][i]};
     }
 }
 
@@ -285,7 +284,6 @@ bool Shading::countsAsLit(const Work& work, std::size_t i) const {
 }
 
 void Shading::countLit(const Work& work, const ShadingTarget& target) const {
-    if (target.undecided != nullptr) return;
     const PixelBatch& batch = work.batch;
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -321,7 +319,6 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     points.pixel = work.pixels.data();
     points.triangle = work.triangles.data();
     points.tolerance = work.tolerances.data();
-    points.color = batch.litColor.data();
     if (undecided.points != nullptr)
         undecided.points->add(points);
     else

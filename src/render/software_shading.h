@@ -20,9 +20,9 @@ constexpr Rgb unpacked(std::uint32_t color) {
         static_cast<std::uint8_t>(color >> 16U)};
 }
 
-/// Pixels whose shadow is computed later.
+/// Pixels whose shadow is computed before they are shaded.
 struct UndecidedPixels {
-    exact::SampleList* samples = nullptr; // receives the pixels that face the light, with their lit colours
+    exact::SampleList* samples = nullptr; // receives the pixels that face the light
     std::uint32_t tolerance = 0;          // as in exact::meet
     std::vector<float> sliceEnds;         // view depths of the ends of the slices of the sample grids, nearest first
     exact::VisiblePoints* points =
@@ -46,13 +46,13 @@ struct AwaitedPixels {
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
-    // If not null, pixels are shaded in shadow and the candidates for light are collected here.
+    // If not null, the visible points are only collected here. All other results are then unchanged.
     UndecidedPixels* undecided = nullptr;
-    // The same for pixels whose maps are drawn later. A pixel that needs no map gets its final colour immediately.
+    // If not null, pixels are shaded in shadow, and those whose maps are drawn later are collected here. A pixel that
+    // needs no map gets its final colour immediately.
     AwaitedPixels* awaited = nullptr;
     std::atomic<std::uint64_t>* litPixels = nullptr; // counts the pixels that are known to be at least partly lit
     LightPicture* light = nullptr;                   // with `wantsLight`: the light of `picture`
-    LightPicture* undecidedLight = nullptr;          // with `wantsLight`: the light of undecided pixels if they are lit
     const shadow::TileMask* tiles = nullptr;         // the tiles to shade; null: all pixels
 };
 

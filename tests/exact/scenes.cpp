@@ -90,7 +90,6 @@ SceneBatch::SceneBatch(const Scene& scene, std::size_t begin, std::size_t end) {
         pixel_[i - begin] = static_cast<std::uint32_t>(i);
         triangle_[i - begin] = point.triangle;
         tolerance_[i - begin] = point.tolerance;
-        color_[i - begin] = ~pixel_[i - begin];
     }
     batch_.count = end - begin;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -104,7 +103,6 @@ SceneBatch::SceneBatch(const Scene& scene, std::size_t begin, std::size_t end) {
     batch_.pixel = pixel_.data();
     batch_.triangle = triangle_.data();
     batch_.tolerance = tolerance_.data();
-    batch_.color = color_.data();
 }
 
 void fill(SampleList& samples, const Scene& scene, const SampleSpace& space) {

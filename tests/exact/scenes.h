@@ -67,7 +67,7 @@ private:
     std::array<std::array<std::int32_t, ShearedPoints::kMost>, 9> edges_{};
     std::array<float, ShearedPoints::kMost> second_{}, third_{};
     std::array<std::int32_t, ShearedPoints::kMost> map_{};
-    std::array<std::uint32_t, ShearedPoints::kMost> pixel_{}, triangle_{}, tolerance_{}, color_{};
+    std::array<std::uint32_t, ShearedPoints::kMost> pixel_{}, triangle_{}, tolerance_{};
     PointBatch batch_;
 };
 

@@ -173,7 +173,9 @@ TEST(Repeatability, AFrameDependsOnlyOnItsHistory) {
         const Frame frame = model.renderer().render(asked.view, asked.quality, asked.options, history);
         ASSERT_TRUE(model.backend().picture().pixels == freshPicture(model.file(), asked, history).pixels);
         const bool isLast = history.maps && history.maps == histories.back().maps;
-        if (!isLast) EXPECT_EQ(reusedMaps(frame), 0) << "the texture holds other maps";
+        if (!isLast) {
+            EXPECT_EQ(reusedMaps(frame), 0) << "the texture holds other maps";
+        }
         unmatched += history.maps && !isLast ? 1 : 0;
         reused += reusedMaps(frame);
         histories.push_back(frame.history);
@@ -282,12 +284,37 @@ TEST(Repeatability, AGroundThatIsTurnedOnInBackLightIsDrawn) {
     }
 }
 
-// A camera that walks out from under a roof, and back.
-TEST(Repeatability, AWalkKeepsItsShading) {
+tests::TinyModel roofed() {
     tests::SceneMesh scene;
     scene.addGround(96, 8);
     scene.addBox({-24, 8, -24}, {24, 9, 24});
-    DrawnModel model(scene.model());
+    return scene.model();
+}
+
+// The number of lit pixels decides, before the shading (exact shadows and rays) or with a second image (maps).
+TEST(Repeatability, AutoShadesADarkStillWithTheHeadlight) {
+    DrawnModel model(roofed());
+    for (const ShadowMode mode : {ShadowMode::Maps, ShadowMode::Exact, ShadowMode::Rays}) {
+        for (const bool isAccumulated : {false, true}) {
+            plan::Quality quality;
+            quality.shadows = mode;
+            quality.look.shading = plan::Shading::Auto;
+            FrameOptions options;
+            options.isAccumulated = isAccumulated;
+            const Frame frame = model.draw(underTheRoof(), quality, options);
+            EXPECT_TRUE(frame.isSunless);
+            EXPECT_EQ(frame.history.isSunless, std::optional(true));
+            const render::Picture picture = model.backend().picture();
+            quality.look.shading = plan::Shading::Headlight;
+            EXPECT_FALSE(model.draw(underTheRoof(), quality, options).history.isSunless);
+            EXPECT_TRUE(model.backend().picture().pixels == picture.pixels);
+        }
+    }
+}
+
+// A camera that walks out from under a roof, and back.
+TEST(Repeatability, AWalkKeepsItsShading) {
+    DrawnModel model(roofed());
     plan::Quality quality;
     quality.look.shading = plan::Shading::Auto;
     for (const double start : {16.0, 32.0}) {

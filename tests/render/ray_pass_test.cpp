@@ -78,7 +78,7 @@ TEST(RayPass, DecidesEachSample) {
     std::vector<std::uint64_t> words(picture.pixels.size());
     exact::SampleList samples;
     UndecidedPixels undecided;
-    drawUndecided(frame.drawing(), {&rasterizer, &pass, &words, &picture}, samples, undecided);
+    collectSamples(frame.drawing(), {&rasterizer, &pass, &words, &picture}, samples, undecided);
     raytrace::KeptTrees trees;
     std::vector<raytrace::PageClusters> clusters;
     for (const lod::ClusterRange& range : frame.drawing().image->ranges)

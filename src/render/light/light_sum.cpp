@@ -61,7 +61,7 @@ void addLight(LightPicture& light, const LightPicture& other) {
 
 Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
     constexpr std::uint64_t kLight = sizeof(LightPicture::pixels[0]);
-    constexpr std::uint64_t kHeld = sizeof(Sums) + sizeof(std::uint16_t) + 2 * kLight;
+    constexpr std::uint64_t kHeld = sizeof(Sums) + sizeof(std::uint16_t) + kLight;
     constexpr std::uint64_t kShown = kLight + sizeof(Rgb); // at least the size of the copy of a frame's light
     const std::uint64_t ofGround = hasGround ? sizeof(Sums) : 0;
     const std::uint64_t ofSky = hasSky ? kLight : 0;

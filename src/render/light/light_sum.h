@@ -37,8 +37,8 @@ class LightSum {
 public:
     static constexpr int kMost = 65535;
 
-    /// Returns the peak memory for an image with `pixels` pixels: the sums, the light of a frame in and out of shadow,
-    /// and copies. Ground and sky need more.
+    /// Returns the peak memory for an image with `pixels` pixels: the sums, the light of a frame, and copies. Ground
+    /// and sky need more.
     static Bytes bytes(std::uint64_t pixels, bool hasGround, bool hasSky);
 
     /// Clears the sum and frees its memory. With `hasGround`, also sums ground shadows. The frames contain the rows of

@@ -82,8 +82,8 @@ std::vector<Change> changes() {
         [](Asked& a, Random& r) { a.quality.shadowTexelsWidth = a.quality.shadowTexelsHeight = 128 << r.below(2); },
         [](Asked& a, Random& r) {
             a.quality.stabilize = r.below(3) == 0;
-            a.quality.warp.rule =
-                a.quality.stabilize ? shadow::WarpRule::None : shadow::kWarpRules.at(r.below(8)).value;
+            a.quality.warp.rule = a.quality.stabilize ? shadow::WarpRule::None
+                                                      : shadow::kWarpRules.at(r.below(shadow::kWarpRules.size())).value;
         },
         [](Asked& a, Random& r) { a.quality.near = r.below(2) == 0 ? std::nullopt : std::optional(2.5); },
         [](Asked& a, Random& r) {

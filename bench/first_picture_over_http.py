@@ -37,7 +37,7 @@ def watch(gnomon, model, options):
         rows = place / "rows.csv"
         subprocess.run(
             [gnomon, "bench", server.address(model.name), "--path", path, "--frames", str(options.seconds * 5),
-             "--warmup", "0", "--real-time", "--http-cache", "0", "--size", options.size, "--csv", rows],
+             "--warmup", "0", "--no-wait", "--http-cache", "0", "--size", options.size, "--csv", rows],
             check=True, stdout=subprocess.DEVNULL, env={**os.environ, "NO_PROXY": "127.0.0.1", "no_proxy": "127.0.0.1"})
         with open(rows, newline="") as file:
             return list(csv.DictReader(file)), server.body_bytes

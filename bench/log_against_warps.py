@@ -42,7 +42,7 @@ def wrong(options, folder, light, words):
     stats = folder / "stats.json"
     command = [options.gnomon, "render", options.model, "-o", folder / "a.png", "--stats", stats, "--oracle", "exact", "--samples", "1",
                "--shadows", "maps", "--cull-casters", "on", "--eye", options.eye, "--target", options.target,
-               "--near", options.near, "--far", options.far, "--size", f"{options.size}x{options.size}",
+               "--shadow-near", options.near, "--shadow-far", options.far, "--size", f"{options.size}x{options.size}",
                "--shadow-texels", options.texels, "--light", ",".join(f"{c:.6f}" for c in light), *words]
     subprocess.run([str(word) for word in command], check=True, capture_output=True, timeout=300)
     row = json.loads(stats.read_text())

@@ -136,7 +136,7 @@ int run(int argc, char** argv) {
         sum.undrawnPages / kMega,
         sum.passedPages / kMega);
     std::printf(
-        "with --real-time: %.2f, %.2f of them pages of which nothing is refined; read / drawn %.2f\n",
+        "with --no-wait: %.2f, %.2f of them pages of which nothing is refined; read / drawn %.2f\n",
         sum.pages / kMega,
         (sum.pages - sum.refinedPages) / kMega,
         sum.pages / sum.clusters);

@@ -21,7 +21,7 @@ GNOMON_API std::string version();
 
 /// The options of a view and its quality, as in `gnomon render`. Keys are the option names without dashes, and values
 /// have the format of the command line: {{"size", "800x600"}, {"eye", "60,2,100"}, {"shadows", "exact"}}. `gnomon
-/// render --help` lists all options. Missing options have their defaults.
+/// render --help-all` lists all options. Missing options have their defaults.
 using Options = std::map<std::string, std::string>;
 
 /// A callback for the progress of long tasks: `done` of `total` units of a stage are finished. Any thread can call it.

@@ -12,6 +12,7 @@
 #include "settings/codec.h"
 #include "settings/contradictions.h"
 #include "settings/files/named_files.h"
+#include "settings/old_names.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
 #include "telemetry/shortfall.h"
@@ -58,7 +59,7 @@ bench::WalkOptions walkOf(const BenchOptions& options) {
     if (walk.isRealTime && isProven)
         throw settings::UsageError{
             "--oracle",
-            "--oracle and --real-time contradict each other: a frame held against rays waits for its pages"};
+            "--oracle and --no-wait contradict each other: a frame that is compared with rays waits for its pages"};
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
         walk.oracle = validation::Oracle::SameDetail;
@@ -90,7 +91,9 @@ std::vector<bench::BenchRun> runsOf(const BenchOptions& options) {
     if (validation::isOfMaps(options.walk.oracle) && !options.report.empty())
         settings::requireDirectionalLight(fixed, "--report");
     requireNoWindow(fixed);
-    settings::requireSound(settings::Request{options.model, fixed, {.path = options.path}});
+    settings::Request request{options.model, fixed, {}};
+    request.output.path = options.path;
+    settings::requireSound(request);
     std::vector<bench::BenchRun> runs =
         bench::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
     if (runs.size() == 1 && !options.report.empty()) runs = bench::reportRuns(runs.front().settings, options.isQuick);
@@ -178,8 +181,8 @@ private:
         options_.walk.provenFrames = std::min(options_.walk.provenFrames, options_.walk.frames);
         if (options_.walk.frames < wanted)
             printMessage(
-                "--quick walks " + std::to_string(options_.walk.frames) + " of " + std::to_string(wanted) +
-                " frames a run: so many triangles take their time");
+                "--quick draws " + std::to_string(options_.walk.frames) + " of " + std::to_string(wanted) +
+                " frames per run, because a frame of this model takes long");
     }
 
     /// Returns a progress display whose stage has `frames` frames.
@@ -244,56 +247,67 @@ void runBench(BenchOptions options) {
     Bench(options).run();
 }
 
+/// Returns the options whose list of values a bench sweeps.
+std::string sweptOptions() {
+    constexpr int kPerLine = 5;
+    std::string options;
+    int count = 0;
+    for (const settings::Setting& setting : settings::table())
+        if (setting.description().isSwept) options += (count++ % kPerLine == 0 ? "\n  " : " ") + setting.option();
+    return options;
+}
+
 } // namespace
 
 void addBenchCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "bench",
-        "Walk a camera path for every combination of settings and log every frame.\n"
-        "A promise is perspective aliasing over [near, far]: texel width over pixel width, projection aside.");
+        "bench", "Measure frame times and shadow errors along a camera path, for combinations of options");
     auto options = std::make_shared<BenchOptions>();
     addModel(*command, options->model);
-    command->add_option("--path", options->path, "A camera path")->required();
-    const auto count = [&](const char* flag, int& value, const char* help, int least) {
-        command->add_option(flag, value, help)->check(CLI::Range(least, 1000000))->capture_default_str();
+    command->add_option("--path", options->path, "Camera path, such as gnomon path writes")
+        ->required()
+        ->type_name("FILE.json");
+    const auto count = [&](const char* flag, int& value, const char* help, int min) {
+        command->add_option(flag, value, help)->check(CLI::Range(min, 1000000))->type_name("N")->capture_default_str();
     };
-    count("--frames", options->walk.frames, "Frames of a run, evenly over the path", 1);
-    command
-        ->add_option(
-            "--repetitions",
-            options->repetitions,
-            "How often a run is walked [1; for a report, which states its noise, 3]")
-        ->check(CLI::Range(1, 1000000));
+    count("--frames", options->walk.frames, "Frames per run, evenly spaced along the path", 1);
+    command->add_option("--repetitions", options->repetitions, "Repetitions of each run")
+        ->check(CLI::Range(1, 1000000))
+        ->type_name("R")
+        ->default_str("1, or 3 with --report");
     count("--warmup", options->walk.warmup, "Frames before each repetition that are not logged", 0);
-    command->add_flag("--real-time", options->walk.isRealTime, "Frames do not wait for pages");
-    addOracleOption(*command, options->walk.oracle);
     command->add_flag(
-        "--quick",
-        options->isQuick,
-        "A look, not a measurement, in two minutes: at most 8 frames a run, fewer the more triangles they draw");
+        settings::withOldNames("--no-wait"),
+        options->walk.isRealTime,
+        "Do not wait for pages; draw coarser triangles until they arrive");
+    addOracleOption(*command, options->walk.oracle);
+    command->add_flag("--quick", options->isQuick, "First impression within two minutes: at most 8 frames per run");
     CLI::Option* shadowMaps = command->add_option_function<std::string>(
         "--shadow-maps",
         [options](const std::string& text) { options->shadowMaps = text; }, // a plain option ignores empty text
-        "A list: --z-partitions of these counts, faces off");
-    command->add_option("--csv", options->csv, "Write a row per frame here");
-    command->add_option("--json-file", options->json, "Write the runs here, shaped like Google Benchmark's JSON");
+        "List of numbers of shadow maps: --z-partitions with these numbers, without face partitions");
+    shadowMaps->type_name("K,...");
+    command->add_option("--csv", options->csv, "Write one row per frame")->type_name("FILE.csv");
+    command->add_option("--json-file", options->json, "Write the runs in the format of Google Benchmark")
+        ->type_name("FILE.json");
     CLI::Option* images = command->add_option(
-        "--images",
-        options->images,
-        "Write six pictures of each run's middle frame into this folder: as drawn, with traced shadows, their "
-        "difference, texels, aliasing, partitions");
-    command->add_flag("--all-images", options->hasAllImages, "With --images: every frame of each run")->needs(images);
-    command->add_option(
-        "--report",
-        options->report,
-        "Write a page into this folder: what accuracy costs in time; where nothing is swept, a standard set of runs");
-    command->add_option(
-        "--budget-ms",
-        options->budgetMs,
-        "Print the most accurate setting whose median, and its noise, is under this, and again when walked once more");
-    command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench");
-    command->add_option("--fail-above", options->failAbovePercent, "Exit 1 if a median grew by more percent than this")
+        "--images", options->images, "Write six pictures of the middle frame of each run to a folder");
+    images->type_name("DIR");
+    command->add_flag("--all-images", options->hasAllImages, "With --images: write every frame of each run")
+        ->needs(images);
+    command->add_option("--report", options->report, "Write a web page to a folder: error against frame time per run")
+        ->type_name("DIR");
+    command->add_option("--budget-ms", options->budgetMs, "Print the most accurate run with a frame time below T ms")
+        ->type_name("T");
+    command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench")
+        ->type_name("FILE.json");
+    command
+        ->add_option("--fail-above", options->failAbovePercent, "Max growth of a median since --baseline, in percent")
+        ->type_name("PERCENT")
         ->capture_default_str();
+    command->footer(
+        "These options accept a list such as --shadows maps,exact. Each combination of values is one run:" +
+        sweptOptions() + "\nWithout a list, --report compares a standard set of runs.");
     options->settings.addTo(*command);
     shadowMaps->excludes("--z-partitions");
     addCommonOptions(*command, options->common);

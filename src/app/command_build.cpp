@@ -94,7 +94,9 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.scratchBytesPerSecond = parseBytes(command.scratchRate)->count;
     options.isInMemory = command.isInMemory;
     options.isResumed = command.isResumed;
-    options.onDamage = [](const std::string& damage) { printWarning(damage + "; the build starts anew"); };
+    options.onDamage = [](const std::string& damage) {
+        printWarning(damage + "; the build starts again from the beginning");
+    };
     options.onKeptFolder = printWarning;
     const std::map<std::string, Simplifier> simplifiers{
         {"quadric", Simplifier::Quadric},
@@ -140,28 +142,38 @@ CLI::Validator chunkSize() {
         [](std::string& text) {
             const auto triangles = parseCount(text);
             const bool isGood = triangles && *triangles >= 64 && *triangles <= (1U << 26U);
-            return isGood ? std::string() : "not a count from 64 to 64M (like 200k): " + text;
+            return isGood ? std::string() : "expected a count from 64 to 64M such as 200k, found '" + text + "'";
         },
         "COUNT"};
 }
 
 /// Adds the options that change the hierarchy of the model.
 void addShapeOptions(CLI::App& command, BuildCommand& options) {
-    command.add_option("--cluster-triangles", options.clusterTriangles, "Most triangles of a cluster")
+    command.add_option("--cluster-triangles", options.clusterTriangles, "Max triangles per cluster, from 8 to 256")
         ->check(CLI::Range(8, 256))
+        ->type_name("N")
         ->capture_default_str();
-    command.add_option("--chunk-triangles", options.chunkTriangles, "Most triangles of a part that is built by itself")
+    command
+        .add_option(
+            "--chunk-triangles",
+            options.chunkTriangles,
+            "Max triangles per chunk, the part of a mesh that one thread builds")
         ->check(chunkSize())
+        ->type_name("N")
         ->capture_default_str();
     command
         .add_option(
             "--simplifier",
             options.simplifier,
-            "Edge collapse by quadric error (own is its old name), or one of the two that it is compared with")
+            "Simplifier: quadric (the simplifier of Gnomon; its old name is own), meshopt or openmesh")
         ->check(CLI::IsMember({"quadric", "meshopt", "openmesh", "own"}))
+        ->type_name("NAME")
         ->capture_default_str();
-    command.add_option("--error", options.error, "Stored errors: bounds, lower bounds, or the simplifier's claims")
+    command
+        .add_option(
+            "--error", options.error, "Stored errors: measured (bounds), tight (lower bounds) or estimated (no bounds)")
         ->check(CLI::IsMember({"measured", "tight", "estimated"}))
+        ->type_name("KIND")
         ->capture_default_str();
 }
 
@@ -169,56 +181,58 @@ void addShapeOptions(CLI::App& command, BuildCommand& options) {
 
 void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
     auto options = std::make_shared<BuildCommand>();
-    CLI::App* command = program.add_subcommand("build", "Turn a mesh into a level-of-detail model (.gnm)");
-    command->add_option("INPUT", options->inputs, "PLY, OBJ, STL, OFF or glTF; several make one model")->required();
-    command->add_option("-o,--output", options->output, "The .gnm to write")->required();
-    command
-        ->add_option("--fields", options->fields, "Scalar properties of a PLY's vertices to keep, up to four: NAME,...")
+    CLI::App* command = program.add_subcommand("build", "Convert a mesh to a model with levels of detail (.gnm)");
+    command->add_option("INPUT", options->inputs, "Meshes: PLY, OBJ, STL, OFF or glTF; several inputs become one model")
+        ->required();
+    command->add_option("-o,--output", options->output, "Model to write")->required()->type_name("MODEL.gnm");
+    command->add_option("--fields", options->fields, "Scalar vertex properties of a PLY to store, at most four")
         ->delimiter(',')
-        ->allow_extra_args(false);
-    command
-        ->add_option("--textures", options->textures, "The base colours of a glTF's textures, as they are at vertices")
+        ->allow_extra_args(false)
+        ->type_name("NAME,...");
+    command->add_option("--textures", options->textures, "Textures: bake (their colours at vertices) or off")
         ->check(CLI::IsMember({"bake", "off"}))
+        ->type_name("MODE")
         ->capture_default_str();
     command
         ->add_option(
-            "--source-root",
-            options->sourceRoot,
-            "Folder that textures, buffers and material libraries may come from (default: the folder of the source)")
-        ->check(CLI::ExistingDirectory);
-    command->add_option("--memory", options->memory, "Peak resident size of the process")
+            "--source-root", options->sourceRoot, "Folder that textures, buffers and material libraries may come from")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR")
+        ->default_str("the folder of the source");
+    command->add_option("--memory", options->memory, "Max resident memory of the process")
         ->check(memorySize())
+        ->type_name("SIZE")
         ->capture_default_str();
-    CLI::Option* folder =
-        command->add_option("--tmp", options->temporary, "Folder for temporary files (default: beside the output)")
-            ->check(CLI::ExistingDirectory);
-    CLI::Option* resume =
-        command->add_flag("--resume", options->isResumed, "Go on with what a killed build of the same model left");
+    CLI::Option* folder = command->add_option("--tmp", options->temporary, "Folder for temporary files")
+                              ->check(CLI::ExistingDirectory)
+                              ->type_name("DIR")
+                              ->default_str("the folder of MODEL.gnm");
+    CLI::Option* resume = command->add_flag("--resume", options->isResumed, "Continue a build that was killed");
     command->add_flag("--in-memory", options->isInMemory, "Build without temporary files")
         ->excludes(folder)
         ->excludes(resume);
     addShapeOptions(*command, *options);
     command
-        ->add_option("--max-stuck", options->maxStuckPercent, "Fail if more percent of the triangles never get coarser")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
-    command
         ->add_option(
-            "--up",
-            options->up,
-            "x, y, z, -x, -y, -z, X,Y,Z or auto: what the source says, else a guess by its coordinates and shape")
+            "--max-stuck", options->maxStuckPercent, "Max percentage of triangles that no coarser level replaces")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("PERCENT")
         ->capture_default_str();
-    command->add_option("--unit", options->unit, "The length of a coordinate of 1")
+    command->add_option("--up", options->up, "Up direction: x, y, z, -x, -y, -z, X,Y,Z or auto")
+        ->type_name("AXIS")
+        ->capture_default_str();
+    command->add_option("--unit", options->unit, "Unit of the coordinates: m, cm, mm, ft or in")
         ->check(CLI::IsMember({"m", "cm", "mm", "ft", "in"}))
+        ->type_name("UNIT")
         ->capture_default_str();
     command->add_flag(
         "--keep-strays",
         options->keepsStrays,
-        "Include triangles far outside of the part that holds 99.9% of the triangles, with a coarser grid");
+        "Include triangles far outside the part with 99.9% of the triangles; the grid becomes coarser");
     command->add_option("--scratch-rate", options->scratchRate, "What a slower disk would do: bytes a second")
         ->check(memorySize())
         ->group(""); // an option for measurements, which the help does not list
-    command->add_flag("--json", options->isJson, "Print a JSON report on stdout");
+    command->add_flag("--json", options->isJson, "Print one JSON document on stdout");
     addCommonOptions(*command, options->common);
     command->callback([options, buildBy] { run(*options, buildBy); });
 }

@@ -39,15 +39,16 @@ void runExplain(const ExplainOptions& options) {
 } // namespace
 
 void addExplainCommand(CLI::App& program) {
-    CLI::App* command =
-        program.add_subcommand("explain", "Show the plan of one frame, and why it leaves out what it leaves out");
+    CLI::App* command = program.add_subcommand(
+        "explain", "Print the plan of a frame: its passes, and the reason for each skipped pass");
     auto options = std::make_shared<ExplainOptions>();
     addModel(*command, options->model);
-    command->add_flag("--json", options->json, "Print one JSON document");
+    command->add_flag("--json", options->json, "Print one JSON document on stdout");
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
-    command->footer("A promise is the perspective aliasing over [near, far]: the largest width of a texel over that of "
-                    "a pixel, projection aside. `sheared` is that of z with the texel's shear.");
+    command->footer(
+        "A promise is a bound on perspective aliasing: the max width of a texel divided by the width of a\n"
+        "pixel, from --shadow-near to --shadow-far. `sheared` is the bound in z with the shear of the texel.");
     command->callback([options] {
         const ThreadLimit limit(options->common);
         runExplain(*options);

@@ -16,9 +16,10 @@ void addInfoCommand(CLI::App& program) {
     };
 
     auto options = std::make_shared<Options>();
-    CLI::App* command = program.add_subcommand("info", "Show what a model holds: levels, errors, bounds, size, hash");
+    CLI::App* command =
+        program.add_subcommand("info", "Print the properties of a model: levels, errors, bounds, size, hash");
     addModel(*command, options->model);
-    command->add_flag("--json", options->json, "Print one JSON document");
+    command->add_flag("--json", options->json, "Print one JSON document on stdout");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const hierarchy::ModelFile file(options->model);

@@ -5,6 +5,7 @@
 #include "gl/shader_library.h"
 #include "hierarchy/source/access.h"
 #include "settings/contradictions.h"
+#include "settings/old_names.h"
 #include "settings/table.h"
 
 #include <filesystem>
@@ -26,6 +27,15 @@ CLI::Validator shaderFolder() {
         ""};
 }
 
+/// Returns the placeholder of the value of a setting for CLI11, with the list of its words if it has one:
+/// "KIND:{off,maps}".
+std::string typeOf(const settings::Setting& setting) {
+    std::string type = setting.description().form;
+    for (const std::string& word : setting.words())
+        type += (&word == &setting.words().front() ? ":{" : ",") + word;
+    return setting.words().empty() ? type : type + "}";
+}
+
 } // namespace
 
 void SettingOptions::addTo(CLI::App& command) {
@@ -34,9 +44,11 @@ void SettingOptions::addTo(CLI::App& command) {
         const settings::Description& description = setting.description();
         // CLI11 would ignore an empty text if it converted the text to a value itself.
         const auto take = [this, &setting](const std::string& text) { texts_[setting.name()] = text; };
-        CLI::Option* option = command.add_option_function<std::string>(setting.option(), take, description.help);
+        CLI::Option* option =
+            command.add_option_function<std::string>(settings::withOldNames(setting.option()), take, description.help);
         if (description.isRepeated) option->join(';');
-        option->group("View and quality")->type_name(description.form)->default_str(setting.text(defaults));
+        option->type_name(typeOf(setting))
+            ->default_str(description.usually.empty() ? setting.text(defaults) : description.usually);
     }
     command.get_option(settings::named("shaders").option())->check(shaderFolder());
 }
@@ -68,7 +80,8 @@ std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string
     if (shadowMaps && facesText != texts_.end() && facesText->second != faces.text(settings::Settings()))
         throw settings::UsageError{
             "--shadow-maps",
-            "--shadow-maps turns faces off, so " + faces.option() + " " + facesText->second + " contradicts it"};
+            "--shadow-maps and " + faces.option() + " " + facesText->second +
+                " contradict each other: --shadow-maps has no face partitions"};
     std::vector<settings::Axis> axes;
     for (const settings::Setting& setting : settings::table()) {
         const auto text = texts_.find(setting.name());
@@ -81,17 +94,20 @@ std::vector<settings::Axis> SettingOptions::axes(const std::optional<std::string
 }
 
 void addColorOptions(CLI::App& command, settings::ValueColorWords& words) {
-    command.add_option("--color-by", words.by, "A value of the surface as its colour, with a legend [none]")
-        ->type_name(enumerated(settings::kColorBys, "|", "|") + "|FIELD");
-    command.add_option("--colormap", words.map, "The colours of --color-by [viridis]")
-        ->type_name(enumerated(plan::kColorMaps, "|", "|"));
-    command.add_option("--color-range", words.range, "Values of the map's ends [all that there can be]")
-        ->type_name("LO,HI");
+    command.add_option("--color-by", words.by, "Colour by vertex, height, slope, error or a field")
+        ->type_name("VALUE|" + enumerated(settings::kColorBys, "|", "|"))
+        ->default_str("none");
+    command.add_option("--colormap", words.map, "Colours of --color-by: " + enumerated(plan::kColorMaps, ", ", " or "))
+        ->type_name("NAME|" + enumerated(plan::kColorMaps, "|", "|"))
+        ->default_str("viridis");
+    command.add_option("--color-range", words.range, "Values at the two ends of --colormap")
+        ->type_name("LO,HI")
+        ->default_str("all values of the model");
 }
 
 void requireNoWindow(const settings::Settings& settings) {
     if (settings.backend == settings::Backend::Window)
-        throw settings::UsageError{"--backend", "--backend window is for gnomon view"};
+        throw settings::UsageError{"--backend", "--backend window works only with gnomon view"};
 }
 
 CLI::Validator seedText() {
@@ -105,27 +121,32 @@ CLI::Validator seedText() {
 
 void addServerOptions(CLI::App& command) {
     hierarchy::Access& access = hierarchy::commonAccess();
-    command.add_option("--cacert", access.authorityFile, "Of https://: the certificates to trust, not the system's")
+    command
+        .add_option(
+            "--cacert",
+            access.authorityFile,
+            "Certificates to trust for https:// models, in place of those of the system")
         ->type_name("FILE.pem")
         ->check(CLI::ExistingFile);
     command
         .add_option_function<std::string>(
             "--http-cache",
             [&access](const std::string& text) { access.cache = *parseBytes(text); },
-            "What is kept on disk of models on servers, all together; 0: nothing")
+            "Max size of the disk cache for models on servers; 0 turns the cache off")
         ->check(memorySize())
+        ->type_name("SIZE")
         ->default_str("1G");
 }
 
 void addModel(CLI::App& command, std::string& model) {
-    command.add_option("MODEL", model, "A .gnm file, or the http:// or https:// address of one")->required();
+    command.add_option("MODEL", model, "A .gnm file, or its http:// or https:// address")->required();
     addServerOptions(command);
 }
 
 CLI::Validator memorySize() {
     return {
         [](std::string& text) {
-            return parseBytes(text) ? std::string() : "not a memory size (like 512M or 2G): " + text;
+            return parseBytes(text) ? std::string() : "expected a memory size such as 512M or 2G, found '" + text + "'";
         },
         "SIZE"};
 }

@@ -41,7 +41,8 @@ void runMake(const MakeOptions& options) {
         const auto count = parseCount(options.triangles);
         if (!count)
             throw settings::UsageError{
-                "--triangles", "--triangles: not a count: " + options.triangles + " (write 250000, 13M or 1G)"};
+                "--triangles",
+                "--triangles: expected a count such as 250000, 13M or 1G, found '" + options.triangles + "'"};
         triangles = *count;
     }
     const auto progress = makeProgress(options.common);
@@ -61,20 +62,17 @@ void runMake(const MakeOptions& options) {
 
 void addMakeCommand(CLI::App& program) {
     auto options = std::make_shared<MakeOptions>();
-    CLI::App* command = program.add_subcommand("make", "Make a seeded test model of any size, as a stream");
-    command
-        ->add_option(
-            "KIND",
-            options->kind,
-            "statue: a closed bust of weathered stone. plant: a power plant in a "
-            "yard, many small open parts. planes: 15 aeroplanes over a ground")
+    CLI::App* command = program.add_subcommand("make", "Generate a test model of any size from a seed");
+    command->add_option("KIND", options->kind, "statue (closed), plant (many parts) or planes (15 aeroplanes)")
         ->required()
         ->check(CLI::IsMember(make::modelNames()));
-    command->add_option("-o,--output", options->output, "The PLY to write")->required();
-    command->add_option(
-        "--triangles", options->triangles, "How many, within 2%; 13M and 1G are counts too [1M; planes 275k]");
-    command->add_option("--seed", options->seed, "Another seed, another model of the kind")
+    command->add_option("-o,--output", options->output, "PLY to write")->required()->type_name("FILE.ply");
+    command->add_option("--triangles", options->triangles, "Triangles within 2%, such as 13M")
+        ->type_name("N")
+        ->default_str("1M; planes 275k");
+    command->add_option("--seed", options->seed, "Seed of the model")
         ->check(seedText())
+        ->type_name("S")
         ->capture_default_str();
     addCommonOptions(*command, options->common);
     command->callback([options] { runMake(*options); });

@@ -13,12 +13,12 @@ void addManualCommand(CLI::App& program, bool isSilent) {
     };
 
     auto options = std::make_shared<Options>();
-    CLI::App* command = program.add_subcommand("manual", "Print a manual page, or what a shell completes");
+    CLI::App* command = program.add_subcommand("manual", "Print a manual page or a shell completion");
     command->group(""); // not in the help: only makers of packages need it
-    command->add_option("FORMAT", options->format, "What to print")
+    command->add_option("FORMAT", options->format, "Kind of output: man, bash, zsh or fish")
         ->required()
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
-    command->add_option("COMMAND", options->names, "The command whose page is printed");
+    command->add_option("COMMAND", options->names, "Command of the manual page");
     command->callback([options, &program, isSilent] {
         const manual::CommandWords words = manual::commandWords(program);
         std::string text;

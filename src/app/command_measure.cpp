@@ -40,8 +40,9 @@ void runMeasure(const MeasureOptions& options) {
     for (const std::string& pixel : options.pixels)
         task.pixels.push_back(pixelOf(pixel, task.settings.imageSize));
     if (task.points.empty() == task.pixels.empty())
-        throw settings::UsageError{"--point", "say what to measure: --point X,Y,Z or --pixel X,Y, once for each point"};
-    if (task.takesVertices && task.pixels.empty()) throw settings::UsageError{"--vertices", "--vertices is of --pixel"};
+        throw settings::UsageError{"--point", "measure needs points: give --point X,Y,Z or --pixel X,Y once per point"};
+    if (task.takesVertices && task.pixels.empty())
+        throw settings::UsageError{"--vertices", "--vertices needs --pixel X,Y"};
     const auto progress = makeProgress(options.common, Polling::No);
     progress->stage("measure", "points", task.points.size() + task.pixels.size());
     const auto [of, measure] = task::measurePoints(task);
@@ -65,14 +66,15 @@ void addMeasureCommand(CLI::App& program) {
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     };
-    addPlaces("--point", options->points, "The next point, source's coordinates; repeat it")->type_name("X,Y,Z");
-    addPlaces("--pixel", options->pixels, "The next point: what this pixel shows; repeat it")->type_name("X,Y");
-    command->add_flag("--vertices", options->task.takesVertices, "Of --pixel: the nearest vertex of what is drawn");
-    CLI::Option* json = command->add_flag("--json", options->json, "Print one JSON document");
-    command->add_flag("--csv", options->csv, "Print a row of CSV a point")->excludes(json);
+    addPlaces("--point", options->points, "Point in coordinates of the source; once per point")->type_name("X,Y,Z");
+    addPlaces("--pixel", options->pixels, "Point of the surface in this pixel; once per point")->type_name("X,Y");
+    command->add_flag("--vertices", options->task.takesVertices, "Replace each --pixel by the nearest drawn vertex");
+    CLI::Option* json = command->add_flag("--json", options->json, "Print one JSON document on stdout");
+    command->add_flag("--csv", options->csv, "Print one CSV row per point on stdout")->excludes(json);
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
-    command->footer("Points lie on the model's grid; `within` is how far one may be from the source's surface.");
+    command->footer("Points are on the grid of the model. `within` is the max distance of a point from the surface\n"
+                    "of the source.");
     command->callback([options] { runMeasure(*options); });
 }
 

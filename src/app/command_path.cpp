@@ -24,7 +24,7 @@ path::CameraPath sourcePath(const std::string& file, const std::string& sourceRo
             ? read::openMeshSources({file}, gibibytes(2), {}, read::Textures::Off, sourceRoot)->summary().cameras
             : hierarchy::camerasOf(hierarchy::ModelFile(file));
     if (cameras.empty())
-        throw Error(file, "no camera of its source can be used", "a glTF with a camera in its scene", "none");
+        throw Error(file, "the source of the model has no camera", "a glTF whose scene has a camera", "none");
     return path::pathThrough(cameras);
 }
 
@@ -39,19 +39,30 @@ void addPathCommand(CLI::App& program) {
         CommonOptions common;
     };
 
-    CLI::App* command = program.add_subcommand("path", "Find a camera path that suits a model");
+    CLI::App* command =
+        program.add_subcommand("path", "Compute a camera path for a model: a walk, an orbit or a flight");
     auto options = std::make_shared<Options>();
     addModel(*command, options->model);
-    command->add_option("--kind", options->path.kind, settings::kPathKindHelp)->required();
-    command->add_option("-o,--output", options->output, "The path, JSON")->required();
-    command->add_option("--storey", options->path.walk.storey, "Of a walk: only there; 0 is the lowest");
-    command->add_option("--eye-height", options->path.walk.eyeHeight, "Of a walk; 1.7 where metres fit the model");
+    command->add_option("--kind", options->path.kind, "Path: walk, orbit, flyby, approach or source (its cameras)")
+        ->required()
+        ->type_name("KIND|walk|orbit|flyby|approach|source");
+    command->add_option("-o,--output", options->output, "Camera path to write")->required()->type_name("PATH.json");
+    command->add_option("--storey", options->path.walk.storey, "Only storey of a walk; 0 is the lowest storey")
+        ->type_name("N")
+        ->default_str("all storeys");
     command
-        ->add_option(
-            "--source-root",
-            options->sourceRoot,
-            "Folder that files of a glTF may come from (default: the folder of the glTF)")
-        ->check(CLI::ExistingDirectory);
+        ->add_option("--eye-height", options->path.walk.eyeHeight, "Height of the eye in a walk, in units of the model")
+        ->type_name("H")
+        ->default_str("1.7 m");
+    command
+        ->add_option("--source-root", options->sourceRoot, "Folder that textures and buffers of a glTF may come from")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR")
+        ->default_str("the folder of the glTF");
+    command->footer(
+        "A walk follows floors through rooms, doors and stairs at 1.4 m/s, for at most one minute. Around a\n"
+        "model without floors it walks on the ground. The other paths take 12 s. `source` writes the cameras\n"
+        "of a glTF, one second apart.");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         settings::checkPathOptions(options->path);

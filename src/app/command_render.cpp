@@ -48,8 +48,7 @@ void runRender(const RenderOptions& options) {
 
 /// Adds the options that say which pictures are drawn.
 void addPictures(CLI::App& command, settings::Output& output) {
-    command
-        .add_option("-o,--output", output.picture, "The picture, a PNG; of many frame%04d.png, or - for a y4m stream")
+    command.add_option("-o,--output", output.picture, "PNG to write; a series needs frame%04d.png, or - (y4m)")
         ->required()
         ->type_name("FILE.png");
     std::vector<std::string> overlays;
@@ -59,38 +58,57 @@ void addPictures(CLI::App& command, settings::Output& output) {
         .add_option_function<std::string>(
             "--overlay",
             [&output](const std::string& word) { output.overlay = *valueOf(render::kOverlays, word); },
-            "What is painted over the picture")
+            "Picture of internal data: none, partitions, texels or aliasing of shadow maps, lod, clusters, residency "
+            "(missing pages) or projection")
         ->check(CLI::IsMember(overlays))
+        ->type_name("KIND")
         ->default_str("none");
-    command.add_option("--path", output.path, "Draw pictures along this camera path, to frame%04d.png or to - (y4m)");
-    command.add_option("--frames", output.frames, "Pictures of --path, evenly over it [60]")
-        ->check(CLI::Range(1, 1000000));
-    command.add_option("--turntable", output.turntable, "Draw so many pictures all around the target, likewise")
-        ->check(CLI::Range(1, 1000000));
-    command.add_option("--time", output.time, "--camera is a path; draw its camera at so many seconds");
-    command
-        .add_option(
-            "--samples",
-            output.samples,
-            "Frames that each picture is the mean of, each with its own place in the pixels [16; 1 beside --stats, "
-            "--oracle, --reference, --depth, --shadow-depth and --overlay]")
-        ->check(CLI::Range(1, settings::kMostSamples));
+    command.add_option("--path", output.path, "Camera path, along which --frames pictures are drawn")
+        ->type_name("FILE.json");
+    command.add_option("--frames", output.frames, "Number of pictures along --path, evenly spaced in time")
+        ->check(CLI::Range(1, 1000000))
+        ->type_name("N")
+        ->default_str("60");
+    command.add_option("--turntable", output.turntable, "Number of pictures on a full circle around the target")
+        ->check(CLI::Range(1, 1000000))
+        ->type_name("N");
+    command.add_option("--time", output.time, "Time in seconds of the view, if --camera is a camera path")
+        ->type_name("T");
+    command.add_option("--samples", output.samples, "Frames that are averaged to one picture")
+        ->check(CLI::Range(1, settings::kMostSamples))
+        ->type_name("N")
+        ->default_str(std::to_string(settings::kUsualSamples));
 }
 
 /// Adds the options of what is written and compared beside one picture.
 void addFiles(CLI::App& command, settings::Output& output) {
-    command.add_option("--stats", output.statistics, "Write the frame's row of the log here, as JSON")
+    command
+        .add_option(
+            "--stats", output.statistics, "Write the time, the counts and the errors of the frame to a JSON file")
         ->type_name("FILE.json");
-    command.add_option("--reference", output.reference, "Compare with this PNG; exit 1 if it differs more")
+    command
+        .add_option(
+            "--reference",
+            output.reference,
+            "PNG that the picture is compared with; a larger difference is an error (exit 1)")
         ->type_name("FILE.png");
     command
         .add_option(
-            "--reference-threshold", output.referenceThreshold, "Largest mean difference, fraction of full scale")
+            "--reference-threshold",
+            output.referenceThreshold,
+            "Max mean difference from --reference, from 0 (identical) to 1 (black and white)")
         ->check(CLI::Range(0.0, 1.0))
+        ->type_name("X")
         ->capture_default_str();
-    command.add_option("--depth", output.depth, "Write view depth here, a PFM; infinity where nothing is")
+    command
+        .add_option(
+            "--depth",
+            output.depth,
+            "Write the depth of each pixel to a PFM file, in units of the model; the background is infinite")
         ->type_name("FILE.pfm");
-    command.add_option("--shadow-depth", output.shadowDepth, "Write each shadow map into this folder, as PFM")
+    command
+        .add_option(
+            "--shadow-depth", output.shadowDepth, "Write the depth of each shadow map to this folder, as PFM files")
         ->type_name("DIR");
     addOracleOption(command, output.oracle);
 }
@@ -98,7 +116,8 @@ void addFiles(CLI::App& command, settings::Output& output) {
 } // namespace
 
 void addRenderCommand(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("render", "Draw one picture of a model with its shadows");
+    CLI::App* command =
+        program.add_subcommand("render", "Draw a picture of a model with its shadows, or a series of pictures");
     auto options = std::make_shared<RenderOptions>();
     auto words = std::make_shared<RenderWords>();
     auto request = std::make_shared<settings::Request>();

@@ -52,8 +52,7 @@ void runPosition(const PositionOptions& options) {
     place.height = options.height;
     const sun::CivilTime time = settings::parsed(settings::moment(), "--time", options.time);
     if (time.year < 1600 || time.year > 2600)
-        printWarning(
-            "--time: outside the years from 1600 to 2600 how far the Earth's turn lags behind clocks is a guess");
+        printWarning("--time: the rotation of the Earth is an estimate outside the years 1600 to 2600");
     const sun::SunPosition position = sun::sunPosition(sun::julianDate(time), place, options.air);
     const sun::SunDay day = sun::sunDay(time, place, options.air);
     const auto moment = [&time](const std::optional<sun::JulianDate>& date) {
@@ -98,16 +97,16 @@ void runHours(HoursOptions options, task::SunHoursTeam& team) {
     if (!options.error.empty()) task.error = settings::parsed(settings::positiveNumber(), "--error", options.error);
     const bool isOfView = task.points.empty() && !task.isOfVertices;
     if (isOfView && task.error)
-        throw settings::UsageError{"--error", "--error is of --points and --vertices; of a view --error-pixels"};
+        throw settings::UsageError{"--error", "--error needs --points or --vertices; use --error-pixels for a view"};
     if (!isOfView && !(task.pfm + task.report).empty())
-        throw settings::UsageError{"--pfm", "--pfm and --report are of a view"};
+        throw settings::UsageError{"--pfm", "--pfm and --report need a view; remove --points and --vertices"};
     if (!task.points.empty() && (task.csv.empty() || !task.output.empty()))
-        throw settings::UsageError{"--points", "--points writes --csv FILE, and nothing else"};
+        throw settings::UsageError{"--points", "--points needs --csv FILE.csv as the only output"};
     if (task.isOfVertices && (task.output.empty() || !task.csv.empty()))
-        throw settings::UsageError{"--vertices", "--vertices writes -o OUT.ply, and nothing else"};
+        throw settings::UsageError{"--vertices", "--vertices needs -o OUT.ply as the only output"};
     if ((task.output + task.pfm + task.csv + task.report).empty())
         throw settings::UsageError{
-            "--output", "sun hours writes nothing: say -o IMAGE.png, --pfm FILE, --csv FILE or --report DIR"};
+            "--output", "sun hours needs an output: -o IMAGE.png, --pfm FILE, --csv FILE or --report DIR"};
     settings::requireExtension("--output", task.output, task.isOfVertices ? ".ply" : ".png");
     settings::requireApart(
         {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--points", task.points}},
@@ -122,28 +121,44 @@ void runHours(HoursOptions options, task::SunHoursTeam& team) {
     requirePrinted("the files that were asked for are complete");
 }
 
+void addPlace(CLI::App& command, std::string& place) {
+    command.add_option("--at", place, "Latitude and longitude in degrees, north and east positive")
+        ->required()
+        ->type_name("LAT,LON");
+}
+
 void addHoursCommand(CLI::App& group, const std::shared_ptr<task::SunHoursTeam>& team) {
     auto options = std::make_shared<HoursOptions>();
-    CLI::App* command = group.add_subcommand("hours", "Count the hours of sun over a period, by exact shadows");
+    CLI::App* command = group.add_subcommand("hours", "Compute the hours of sun per point of a model over a period");
     task::SunHoursTask& task = options->task;
     addModel(*command, task.model);
-    command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
-    command->add_option("--from", options->from, "ISO 8601 with an offset: 2026-06-21T00:00+02:00")->required();
-    command->add_option("--to", options->to, "The period's end, likewise")->required();
-    command->add_option("--step", options->step, "How often it is looked, such as 5m, 90s or 1h")->required();
-    command->add_option("-o,--output", task.output, "Hours as colours, with a legend")->type_name("FILE.png");
-    command->add_option("--pfm", task.pfm, "Hours of each pixel; -1 where nothing is")->type_name("FILE.pfm");
-    command->add_option("--csv", task.csv, "Each point: where, steps, hours, first and last sun")
+    addPlace(*command, options->at);
+    command->add_option("--from", options->from, "Start of the period, such as 2026-06-21T00:00+02:00")
+        ->required()
+        ->type_name("TIME");
+    command->add_option("--to", options->to, "End of the period")->required()->type_name("TIME");
+    command->add_option("--step", options->step, "Time between two positions of the Sun, such as 5m, 90s or 1h")
+        ->required()
+        ->type_name("TIME");
+    command->add_option("-o,--output", task.output, "Picture of the hours with a legend, or a PLY with --vertices")
+        ->type_name("FILE.png");
+    command->add_option("--pfm", task.pfm, "Write the hours of each pixel; -1 is background")->type_name("FILE.pfm");
+    command->add_option("--csv", task.csv, "Write position, hours, first and last sun of each point")
         ->type_name("FILE.csv");
-    command->add_option("--report", task.report, "A page with a slider over the times")->type_name("DIR");
+    command->add_option("--report", task.report, "Write a web page with a slider over the times to a folder")
+        ->type_name("DIR");
     CLI::Option* points =
-        command->add_option("--points", task.points, "Of points instead: lines that begin with x,y,z");
+        command->add_option("--points", task.points, "Compute for points: x,y,z per line, in place of a view");
     points->type_name("FILE.csv");
-    command->add_flag("--vertices", task.isOfVertices, "Of all vertices of a level of detail; -o is a PLY")
+    command->add_flag("--vertices", task.isOfVertices, "Compute for all vertices, in place of a view")
         ->excludes(points);
-    command->add_option("--error", options->error, "Of --points, --vertices: the level's error, world units [finest]");
-    command->add_flag("--resume", task.isResumed, "Go on with what a killed run left");
-    command->add_flag("--json", options->isJson, "Print what was counted as JSON on stdout");
+    command
+        ->add_option(
+            "--error", options->error, "With --points or --vertices: max geometric error in units of the model")
+        ->type_name("E")
+        ->default_str("the finest level");
+    command->add_flag("--resume", task.isResumed, "Continue a run that was killed");
+    command->add_flag("--json", options->isJson, "Print a summary as one JSON document on stdout");
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     command->callback([options, team] { runHours(*options, *team); });
@@ -151,16 +166,24 @@ void addHoursCommand(CLI::App& group, const std::shared_ptr<task::SunHoursTeam>&
 
 void addPositionCommand(CLI::App& group) {
     auto options = std::make_shared<PositionOptions>();
-    CLI::App* command = group.add_subcommand("position", "Where the sun stands at a time, when it rises and sets");
-    command->add_option("--at", options->at, "LAT,LON in degrees, north and east positive")->required();
-    command->add_option("--time", options->time, "ISO 8601 with an offset: 2026-06-21T12:00+02:00")->required();
-    command->add_option("--height", options->height, "Metres above the ellipsoid of WGS 84, default 0")
-        ->check(CLI::Range(-11000.0, 100000.0));
-    command->add_option("--pressure", options->air.pressure, "Hectopascals, default 1010; 0: no refraction")
-        ->check(CLI::Range(0.0, 2000.0));
-    command->add_option("--temperature", options->air.temperature, "Degrees Celsius, default 10")
-        ->check(CLI::Range(-100.0, 100.0));
-    command->add_flag("--json", options->json, "Print one JSON document");
+    CLI::App* command = group.add_subcommand("position", "Print the position of the Sun, sunrise and sunset");
+    addPlace(*command, options->at);
+    command->add_option("--time", options->time, "Date and time, such as 2026-06-21T12:00+02:00")
+        ->required()
+        ->type_name("TIME");
+    command->add_option("--height", options->height, "Height above the WGS84 ellipsoid in metres")
+        ->check(CLI::Range(-11000.0, 100000.0))
+        ->type_name("M")
+        ->capture_default_str();
+    command->add_option("--pressure", options->air.pressure, "Air pressure in hPa; 0 is no refraction")
+        ->check(CLI::Range(0.0, 2000.0))
+        ->type_name("HPA")
+        ->capture_default_str();
+    command->add_option("--temperature", options->air.temperature, "Temperature in degrees Celsius")
+        ->check(CLI::Range(-100.0, 100.0))
+        ->type_name("C")
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print one JSON document on stdout");
     addCommonOptions(*command, options->common);
     command->callback([options] { runPosition(*options); });
 }
@@ -168,7 +191,7 @@ void addPositionCommand(CLI::App& group) {
 } // namespace
 
 void addSunCommand(CLI::App& program, const std::shared_ptr<task::SunHoursTeam>& team) {
-    CLI::App* group = program.add_subcommand("sun", "Tell where the sun stands, and how long it shines on what");
+    CLI::App* group = program.add_subcommand("sun", "Compute the position of the Sun, or the hours of sun on a model");
     group->require_subcommand(1);
     if (!team) addPositionCommand(*group);
     addHoursCommand(*group, team ? team : std::make_shared<task::SunHoursTeam>());

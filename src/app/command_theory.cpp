@@ -43,9 +43,11 @@ void addEval(CLI::App& theory) {
     };
 
     auto options = std::make_shared<Options>();
-    CLI::App* command = theory.add_subcommand("eval", "Answer rows of theory inputs, as the golden rows are made");
-    command->add_option("ROWS.json", options->rows, R"({"rows": [{"id", "family", "inputs"}, ...]})")->required();
-    command->add_option("-o,--output", options->output, "Write the answers here instead of stdout");
+    CLI::App* command = theory.add_subcommand("eval", "Evaluate the equations for rows of inputs");
+    command->add_option("ROWS.json", options->rows, R"(Inputs: {"rows": [{"id", "family", "inputs"}, ...]})")
+        ->required();
+    command->add_option("-o,--output", options->output, "Write the results to a file, not to stdout")
+        ->type_name("OUT.json");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);
@@ -69,7 +71,7 @@ int runQuietly(const std::string& python, std::vector<std::string> arguments, bo
         argv.push_back(argument.data());
     argv.push_back(nullptr);
     const pid_t child = ::fork();
-    if (child < 0) throw Error(python, "cannot start a process");
+    if (child < 0) throw Error(python, "cannot start the process");
     if (child == 0) {
         ::prctl(PR_SET_PDEATHSIG, SIGTERM); // ends the child if this process is killed
         const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -111,10 +113,10 @@ void writeFigures(const std::string& folder) {
     writeTextFile(script, std::string(theory::kFiguresScript));
     const std::optional<std::string> python = plottingPython();
     if (!python) {
-        printMessage("the data is written, but no SVG and PNG: install python3-matplotlib, then python3 " + script);
+        printMessage("wrote the CSV files, but no SVG and PNG; install python3-matplotlib, then run python3 " + script);
         return;
     }
-    if (runQuietly(*python, {script, folder}, true) != 0) throw Error(script, "the plots could not be drawn");
+    if (runQuietly(*python, {script, folder}, true) != 0) throw Error(script, "the script that draws the plots failed");
     for (const theory::Figure& figure : figures)
         std::printf("%s/%s.svg\n%s/%s.png\n", shown.c_str(), figure.name.c_str(), shown.c_str(), figure.name.c_str());
     requirePrinted("what is in " + folder + " is complete");
@@ -128,8 +130,8 @@ void addFigures(CLI::App& theory) {
 
     auto options = std::make_shared<Options>();
     CLI::App* command =
-        theory.add_subcommand("figures", "Data (CSV) and plots (SVG, PNG) of the paper's figures and of our own");
-    command->add_option("-o,--output", options->folder, "The folder to write to")->required();
+        theory.add_subcommand("figures", "Write the figures of the paper and of Gnomon as CSV, SVG and PNG");
+    command->add_option("-o,--output", options->folder, "Folder to write")->required()->type_name("DIR");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);
@@ -174,19 +176,23 @@ void printTable(const TableOptions& options) {
 
 void addTable(CLI::App& theory) {
     auto options = std::make_shared<TableOptions>();
-    CLI::App* command = theory.add_subcommand(
-        "table", "Storage factor, maps, M_x and M_z (one pixel, one texel) of every scheme for k = 1 to 8");
-    command->add_option("--near", options->frustum.near, "Near depth of the shadow range")->required();
-    command->add_option("--far", options->frustum.far, "Far depth of the shadow range")->required();
-    command->add_option("--fov-y", options->fovYDegrees, "Full vertical angle in degrees")->required();
-    command->add_option("--light", options->light, "Direction towards the light in camera space: right,up,view")
+    CLI::App* command =
+        theory.add_subcommand("table", "Print the storage factor and the errors M_x and M_z of all schemes");
+    command->add_option("--near", options->frustum.near, "Near depth of the view frustum")->required()->type_name("N");
+    command->add_option("--far", options->frustum.far, "Far depth of the view frustum")->required()->type_name("F");
+    command->add_option("--fov-y", options->fovYDegrees, "Full vertical angle of view in degrees")
+        ->required()
+        ->type_name("DEG");
+    command->add_option("--light", options->light, "Direction to the light in camera space: right,up,view")
         ->type_name("x,y,z")
         ->required();
-    command->add_option("--aspect", options->frustum.aspect, "Width over height of the image")->capture_default_str();
-    command->add_flag("--json", options->asJson, "One JSON document on stdout");
+    command->add_option("--aspect", options->frustum.aspect, "Width of the image divided by its height")
+        ->type_name("A")
+        ->capture_default_str();
+    command->add_flag("--json", options->asJson, "Print one JSON document on stdout");
     command->footer(
-        "auto* is auto in the orientation about the light that costs least; the others are in the plain one. log is "
-        "logarithmic rows, on faces (FP) the least that maps can need.");
+        "auto* is auto with the best orientation of the map about the light; all other rows use the default\n"
+        "orientation. log has logarithmic rows; with faces (FP) its values are lower bounds.");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);
@@ -197,7 +203,7 @@ void addTable(CLI::App& theory) {
 } // namespace
 
 void addTheoryCommand(CLI::App& program) {
-    CLI::App* theory = program.add_subcommand("theory", "The shadow theory by itself: equations, figures, tables");
+    CLI::App* theory = program.add_subcommand("theory", "Compute tables and figures of the shadow theory");
     theory->require_subcommand(1);
     addEval(*theory);
     addFigures(*theory);

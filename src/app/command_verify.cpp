@@ -69,26 +69,34 @@ void addVerifyCommand(CLI::App& program) {
     };
 
     auto options = std::make_shared<Options>();
-    CLI::App* command = program.add_subcommand("verify", "Check a model: checksums, structure, errors, cracks");
+    CLI::App* command =
+        program.add_subcommand("verify", "Check a model: checksums, structure, cracks and stored errors");
     addModel(*command, options->verify.model);
-    command->add_option(
-        "--source", options->verify.source, "What the model was built from: compare distances with stored errors");
+    command
+        ->add_option(
+            "--source", options->verify.source, "Meshes of the model, whose distances are compared with stored errors")
+        ->type_name("INPUT");
     command
         ->add_option(
             "--source-root",
             options->verify.sourceRoot,
-            "Folder that files of --source may come from (default: the folder of the source)")
-        ->check(CLI::ExistingDirectory);
-    command->add_option("--cuts", options->verify.cuts, "Random view-dependent cuts to look at for cracks")
+            "Folder that textures, buffers and material libraries of --source may come from")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR")
+        ->default_str("the folder of the source");
+    command->add_option("--cuts", options->verify.cuts, "Number of random views that are searched for cracks")
         ->check(CLI::Range(0, 1'000'000))
+        ->type_name("N")
         ->capture_default_str();
-    command->add_option("--seed", options->verify.seed, "Other cuts, other samples")
+    command->add_option("--seed", options->verify.seed, "Seed of the random views and samples")
         ->check(seedText())
+        ->type_name("S")
         ->capture_default_str();
-    command->add_option("--memory", options->memory, "Peak resident size of the process")
+    command->add_option("--memory", options->memory, "Max resident memory of the process")
         ->check(memorySize())
+        ->type_name("SIZE")
         ->capture_default_str();
-    command->add_flag("--json", options->json, "Print one JSON document");
+    command->add_flag("--json", options->json, "Print one JSON document on stdout");
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const auto progress = makeProgress(options->common);

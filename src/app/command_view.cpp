@@ -30,9 +30,9 @@ void requireSound(const viewer::ViewerOptions& options) {
     if (settings.backend == settings::Backend::Osmesa || settings.backend == settings::Backend::Egl)
         throw settings::UsageError{
             "--backend",
-            settings::optionText("backend", settings) + " draws into no window; take auto, software or window"};
+            settings::optionText("backend", settings) + " draws to no window; use auto, software or window"};
     if (!hierarchy::isAddress(options.file) && !std::filesystem::exists(options.file))
-        throw Error(options.file, "this model cannot be opened", "a file", "none");
+        throw Error(options.file, "cannot open the model", "a file", "none");
 }
 
 } // namespace
@@ -47,37 +47,43 @@ void addViewCommand(CLI::App& program) {
         std::string buildMemory = "2G";
     };
 
-    CLI::App* command = program.add_subcommand("view", "Walk through a model in a window; H there lists the keys");
+    CLI::App* command =
+        program.add_subcommand("view", "Open a window and walk through a model; the key H lists all keys");
     auto options = std::make_shared<Options>();
     viewer::ViewerOptions& viewer = options->viewer;
-    command
-        ->add_option(
-            "MODEL", viewer.file, "A .gnm or its http(s):// address, or a mesh: it is built into MESH.gnm beside it")
+    command->add_option("MODEL", viewer.file, "A .gnm file, its http(s):// address, or a mesh, which becomes MESH.gnm")
         ->required();
     addServerOptions(*command);
     command
-        ->add_option(
-            "--target-ms",
-            viewer.targetMs,
-            "Hold this frame time in motion by less detail, maps, texels, resolution; 0 is none")
+        ->add_option("--target-ms", viewer.targetMs, "Max frame time in motion in ms; 0 is no limit")
         ->check(CLI::Range(0.0, 10000.0))
+        ->type_name("T")
         ->capture_default_str();
-    command->add_option("--samples", viewer.samples, "At rest, frames that the picture becomes the mean of")
+    command->add_option("--samples", viewer.samples, "Frames that are averaged while the camera rests")
         ->check(CLI::Range(1, settings::kMostSamples))
+        ->type_name("N")
         ->capture_default_str();
-    command->add_option("--path", viewer.path, "Play this camera path from the start");
-    CLI::Option* frames =
-        command->add_option("--frames", options->frames, "Play it in so many frames, as bench does, not by the clock");
-    command->add_option("--images", viewer.images, "Write each played frame into this folder, and end with --path");
-    command->add_option("--csv", viewer.csv, "Write a row per frame here, in the columns of bench");
-    command->add_option("--build-memory", options->buildMemory, "Peak resident size while a mesh is built")
+    command->add_option("--path", viewer.path, "Camera path to play at the start")->type_name("FILE.json");
+    CLI::Option* frames = command->add_option(
+        "--frames", options->frames, "Play --path in this number of frames, as bench does, and not in real time");
+    frames->type_name("N");
+    command
+        ->add_option(
+            "--images", viewer.images, "Write each frame of --path to this folder, and close the window at its end")
+        ->type_name("DIR");
+    command->add_option("--csv", viewer.csv, "Write one row per frame, with the columns of bench")
+        ->type_name("FILE.csv");
+    command->add_option("--build-memory", options->buildMemory, "Max resident memory while a mesh is converted")
+        ->type_name("SIZE")
         ->capture_default_str();
     command
         ->add_option(
             "--source-root",
             viewer.sourceRoot,
-            "Folder that files of a mesh may come from (default: the folder of the mesh)")
-        ->check(CLI::ExistingDirectory);
+            "Folder that textures, buffers and material libraries of a mesh may come from")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR")
+        ->default_str("the folder of the mesh");
     addColorOptions(*command, options->colors);
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);

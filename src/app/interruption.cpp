@@ -39,12 +39,12 @@ extern "C" void onSignal(int /*signal*/) {
         printMessage("out of memory");
         TemporaryName::removeAllAndExit(1);
     } catch (const std::system_error& error) {
-        printMessage(std::string("the system refuses: ") + error.what());
+        printMessage(std::string("the operating system refused: ") + error.what());
         TemporaryName::removeAllAndExit(1);
     } catch (const std::exception& error) {
         printMessage(std::string("ended by ") + error.what());
     } catch (...) {
-        printMessage("ended by what no one has caught");
+        printMessage("ended by an unknown exception");
     }
     std::abort();
 }

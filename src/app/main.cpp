@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
     const auto run = [&] {
         runProgram(
             {"gnomon",
-             "Low-error shadow maps for meshes of a million to a billion triangles.",
+             "Draw meshes of a million to a billion triangles with correct shadows.",
              {addMakeCommand,
               [](CLI::App& program) { addBuildCommand(program); },
               addInfoCommand,

@@ -8,15 +8,13 @@ void addOracleOption(CLI::App& command, validation::Oracle& oracle) {
         .add_option_function<std::string>(
             "--oracle",
             [&oracle](const std::string& text) { oracle = valueOf(validation::kOracles, text).value(); },
-            "Hold the shadows against ray-traced ones, and the picture against the finest level in those; `full` "
-            "traces the finest level, which --memory has to hold, and 83 bytes a triangle beside it; `exact` decides "
-            "each pixel in integers")
+            "Compare with ground truth: rays, full (finest) or exact (integers)")
         ->expected(0, 1)
         ->check(
             [](const std::string& text) {
                 return valueOf(validation::kOracles, text)
                            ? ""
-                           : "it takes nothing, `full` or `exact`, not '" + text + "'; put MODEL before it";
+                           : "expected no value, full or exact, found '" + text + "'; write MODEL before this option";
             },
             "")
         ->default_str(kFlagAlone)

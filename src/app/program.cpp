@@ -1,6 +1,7 @@
 #include "app/program.h"
 
 #include "app/console.h"
+#include "app/help_text.h"
 #include "app/interruption.h"
 #include "app/option_errors.h"
 #include "core/printable.h"
@@ -8,6 +9,7 @@
 #include "core/progress.h"
 #include "manual/version.h"
 #include "settings/removed_words.h"
+#include "settings/usage_error.h"
 
 #include <algorithm>
 #include <exception>
@@ -38,11 +40,16 @@ void runProgram(const Program& about, int argc, char** argv) {
     requireUsualFloatingPoint();
     CLI::App program(about.description, about.name);
     const std::string versionLine = std::string(about.name) + " " GNOMON_VERSION;
+    program.set_help_flag("-h,--help", "Print the everyday options");
+    program.set_help_all_flag("--help-all", "Print all options");
     CLI::Option* version = program.set_version_flag("--version", versionLine, "Print the version");
     bool isJson = false;
-    program.add_flag("--json", isJson, "Beside --version: how the program was compiled, as JSON")->needs(version);
+    program.add_flag("--json", isJson, "With --version: print how the program was compiled, as JSON")->needs(version);
     program.require_subcommand(1);
-    program.get_formatter()->column_width(38);
+    program.formatter_fn([](const CLI::App* command, const std::string& name, CLI::AppFormatMode mode) {
+        const auto detail = mode == CLI::AppFormatMode::All ? HelpDetail::All : HelpDetail::Everyday;
+        return helpText(manual::commandWords(*command), name, detail);
+    });
     for (const auto& add : about.commands)
         add(program);
     for (const char* const word : std::span(argv, static_cast<std::size_t>(argc)))

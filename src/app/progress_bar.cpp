@@ -127,11 +127,13 @@ private:
 } // namespace
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
-    command.add_option("--threads", options.threads, "Worker threads; 0 is all cores")
+    command.add_option("--threads", options.threads, "Number of threads; 0 is one per core")
         ->check(CLI::Range(0, 1024))
+        ->type_name("N")
         ->capture_default_str();
-    command.add_option("--progress", options.progress, "How progress is shown on stderr")
+    command.add_option("--progress", options.progress, "Progress on stderr: auto, bar, json or none")
         ->check(CLI::IsMember({"auto", "bar", "json", "none"}))
+        ->type_name("STYLE")
         ->capture_default_str();
 }
 

@@ -1,6 +1,7 @@
 #include "manual/command_words.h"
 
 #include "core/error.h"
+#include "settings/old_names.h"
 
 #include <algorithm>
 
@@ -25,12 +26,24 @@ std::vector<std::string> choicesOf(const std::string& type) {
     return choices;
 }
 
-OptionWords optionWords(const CLI::Option& option) {
+/// Returns the long names of `option` without its old names.
+std::vector<std::string> currentNames(const CLI::Option& option) {
+    const std::vector<std::string>& all = option.get_lnames();
+    std::vector<std::string> names;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(names), [&](const std::string& name) {
+        const std::string now(settings::currentName(name));
+        return now == name || std::find(all.begin(), all.end(), now) == all.end();
+    });
+    return names;
+}
+
+OptionWords optionWords(const CLI::Option& option, const std::string& command) {
     OptionWords words;
     for (const std::string& name : option.get_snames())
         words.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames())
+    for (const std::string& name : currentNames(option))
         words.names.push_back("--" + name);
+    if (option.nonpositional()) words.place = settings::helpPlace(command, words.names.back().substr(2));
     if (words.names.empty()) words.names.push_back(option.get_name(true));
     // CLI11 appends its check to a type: "TEXT:{auto,bar}", "INT:INT in [0 - 1024]".
     const std::string type = option.get_type_name();
@@ -38,19 +51,27 @@ OptionWords optionWords(const CLI::Option& option) {
     if (takesValue) words.choices = choicesOf(type);
     if (takesValue) words.value = type.substr(0, type.find(':'));
     if (takesValue && words.value.empty()) words.value = "VALUE";
-    words.byDefault = option.get_default_str();
+    const bool isFlagToo = option.get_items_expected_min() == 0; // the default text is then the value of the bare flag
+    if (!isFlagToo) words.byDefault = option.get_default_str();
     words.description = option.get_description();
     words.isRequired = option.get_required();
+    words.isRepeated = option.get_items_expected_max() > 1;
     return words;
 }
 
 CommandWords wordsOf(const CLI::App& command, std::vector<std::string> path) {
     CommandWords words;
     words.description = command.get_description();
+    words.notes = command.get_footer();
+    while (words.notes.ends_with('\n'))
+        words.notes.pop_back();
     for (const CLI::Option* option : command.get_options()) {
         if (option->get_group().empty()) continue;
-        (option->nonpositional() ? words.options : words.arguments).push_back(optionWords(*option));
+        (option->nonpositional() ? words.options : words.arguments).push_back(optionWords(*option, command.get_name()));
     }
+    std::sort(words.options.begin(), words.options.end(), [](const OptionWords& a, const OptionWords& b) {
+        return a.place.rank < b.place.rank;
+    });
     for (const CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) {
         if (below->get_group().empty()) continue;
         std::vector<std::string> longer = path;

@@ -2,6 +2,8 @@
 // line and prints --help.
 #pragma once
 
+#include "settings/help_table.h"
+
 #include <string>
 #include <vector>
 
@@ -13,24 +15,27 @@ namespace gnomon::manual {
 
 /// An option or a positional argument.
 struct OptionWords {
-    std::vector<std::string> names;   // "-o", "--output"; the single name of a positional argument
+    std::vector<std::string> names;   // "-o", "--output", without old names; the single name of a positional argument
     std::string value;                // placeholder of its value: "TEXT", "INT"; empty for a flag
     std::vector<std::string> choices; // the allowed values, if there is a short list
     std::string byDefault;
     std::string description;
     bool isRequired = false;
+    bool isRepeated = false; // takes several values: INPUT...
+    settings::HelpPlace place{settings::Group::Input, settings::Tier::Everyday, 0};
 };
 
 /// A command with its subcommands. The program itself has an empty path.
 struct CommandWords {
     std::vector<std::string> path; // for example {"sun", "hours"}
     std::string description;
+    std::string notes;                  // what follows the options
     std::vector<OptionWords> arguments; // positional arguments
-    std::vector<OptionWords> options;
+    std::vector<OptionWords> options;   // in the order of settings::helpTable()
     std::vector<CommandWords> commands;
 };
 
-/// Returns the commands and options of `program`, except hidden ones.
+/// Returns the commands and options of `program`, except hidden ones and old names. `program` can also be a subcommand.
 CommandWords commandWords(const CLI::App& program);
 
 /// Returns the command of `program` with the given path. Throws Error if there is none.

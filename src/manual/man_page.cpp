@@ -55,6 +55,20 @@ void addOption(std::string& out, const OptionWords& option, bool isArgument) {
     out += "\n";
 }
 
+/// Appends the options of `command`, with a heading per group.
+void addOptions(std::string& out, const CommandWords& command) {
+    out += ".SH OPTIONS\n";
+    for (const settings::GroupNames& group : settings::kGroups) {
+        bool isFirst = true;
+        for (const OptionWords& option : command.options) {
+            if (option.place.group != group.group) continue;
+            if (isFirst) out += ".SS " + std::string(group.title) + "\n";
+            addOption(out, option, false);
+            isFirst = false;
+        }
+    }
+}
+
 /// Returns the first line of a description, because the NAME section may have only one line.
 std::string firstLine(const std::string& text) {
     std::string line = text.substr(0, text.find('\n'));
@@ -86,10 +100,9 @@ std::string manPage(const CommandWords& command, const std::string& program, con
         for (const CommandWords& below : command.commands)
             out += ".TP\n\\fB" + plain(below.path.back()) + "\\fR\n" + plain(below.description) + "\n";
     }
-    out += ".SH OPTIONS\n";
-    for (const OptionWords& option : command.options)
-        addOption(out, option, false);
-    out += ".SH EXIT STATUS\n0 on success, 1 where the work failed, 2 where the command line is wrong.\n";
+    addOptions(out, command);
+    if (!command.notes.empty()) out += ".SH NOTES\n.nf\n" + plain(command.notes) + "\n.fi\n";
+    out += ".SH EXIT STATUS\n0: success. 1: the work failed. 2: the command line is wrong.\n";
     std::string also;
     if (!command.path.empty()) also += ".BR " + plain(program) + " (1)";
     for (const CommandWords& below : command.commands)

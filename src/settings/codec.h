@@ -113,7 +113,8 @@ Codec<std::optional<T>> ifGiven(Codec<T> codec) {
             return std::nullopt;
         },
         [write = codec.write](const std::optional<T>& value) { return value ? write(*value) : std::string(); },
-        codec.expected};
+        codec.expected,
+        codec.words};
 }
 
 /// Returns the codec for the words of a list (core/words.h). A value without a word has an empty text.

@@ -42,20 +42,20 @@ OptionUse transparent() {
 }
 
 std::vector<Contradiction> cameraContradictions() {
-    const char* const path = "the path has the cameras";
+    const char* const path = "the path contains the cameras";
     return {
-        {{"camera"}, {{"eye"}, {"target"}, {"view"}, {"fov-y"}}, "the file has the whole camera"},
-        {{"view"}, {{"eye"}, {"target"}}, "the view frames the model from a side"},
+        {{"camera"}, {{"eye"}, {"target"}, {"view"}, {"fov-y"}}, "the camera file contains all values of the camera"},
+        {{"view"}, {{"eye"}, {"target"}}, "--view sets the position of the camera"},
         {kPath, {{"camera"}, {"eye"}, {"target"}, {"view"}, {"fov-y"}}, path},
-        {kPath, {kTurntable}, "each of them gives the cameras"},
+        {kPath, {kTurntable}, "each of them sets the cameras"},
     };
 }
 
 std::vector<Contradiction> lightContradictions() {
     return {
-        {{"sun"}, {kLight}, "each of them is the light"},
-        {{"light-at"}, {kLight, {"sun"}}, "each of them is the light"},
-        {{"light-at"}, {{"sun-angle"}}, "a lamp is a point"},
+        {{"sun"}, {kLight}, "each of them sets the light"},
+        {{"light-at"}, {kLight, {"sun"}}, "each of them sets the light"},
+        {{"light-at"}, {{"sun-angle"}}, "the light of a lamp has no width"},
         {{"light-at"},
          {kWarp, {"eta"}, {"z-partitions"}, {"split-lambda"}, {"face-partitions"}, {"stabilize"}},
          "the maps of a lamp are the faces of a cube around it"},
@@ -72,23 +72,23 @@ std::vector<Contradiction> lightContradictions() {
                return quality.shadows == plan::ShadowMode::Auto && quality.mapsBecause.has_value();
            },
            [](const Request&) { return std::string("options of shadow maps"); }}},
-         "there is no sun to cast shadows"},
+         "this shading has no sun and no shadows"},
     };
 }
 
 std::vector<Contradiction> mapContradictions() {
     return {
-        {{"eta"}, {{"warp", [](const Request& r) { return r.settings.isWarpGiven; }}}, "eta is a warp of its own"},
+        {{"eta"}, {{"warp", [](const Request& r) { return r.settings.isWarpGiven; }}}, "--eta sets the warp"},
         {{"stabilize"},
          {kWarp, {"eta", [](const Request& r) { return r.settings.eta.value_or(-1) != -1; }}},
          "stabilised slices have no warp"},
-        {{"near"},
-         {{"far",
+        {{"shadow-near"},
+         {{"shadow-far",
            [](const Request& r) {
                const plan::Quality& quality = r.settings.quality;
                return quality.near && quality.far && !(*quality.near < *quality.far);
            }}},
-         "near must be below far"},
+         "--shadow-near must be below --shadow-far"},
         {kShadowDepth,
          {{"shadows", [](const Request& r) { return r.settings.quality.shadows == plan::ShadowMode::Exact; }}},
          "exact shadows have no maps"},
@@ -104,18 +104,18 @@ std::vector<Contradiction> outputContradictions() {
     const std::vector<OptionUse> ofOnePicture = {kStats, kReference, kDepth, kShadowDepth, kOracle, kTime};
     return {
         {kColorBy, {kOverlay, kPath, kTurntable}, "it colours one picture without an overlay"},
-        {kPath, ofOnePicture, "it is of one picture"},
-        {kTurntable, ofOnePicture, "it is of one picture"},
+        {kPath, ofOnePicture, "it needs a single picture"},
+        {kTurntable, ofOnePicture, "it needs a single picture"},
         {samples([](const Request& r) { return r.output.samples.value_or(1) > 1; }),
          ofOneFrame,
-         "it is of one frame; use --samples 1, or draw a picture without it"},
+         "it needs a single frame; use --samples 1"},
         {{"sky", [](const Request& r) { return r.settings.quality.sky.directions > 0; }},
          asksForOneFrame,
-         "the light of the sky is the mean of several frames"},
+         "the light of the sky needs several frames"},
         {{"sun-angle", [](const Request& r) { return r.settings.sunAngleDegrees.value_or(0) > 0; }},
          asksForOneFrame,
-         "the light of a disc is the mean of several frames"},
-        {transparent(), {kOverlay, kColorBy}, "their legend lies on the background"},
+         "the light of a disc needs several frames"},
+        {transparent(), {kOverlay, kColorBy}, "their legend needs a background"},
         {transparent(),
          {{"output",
            [](const Request& r) { return r.output.isSeries() && r.output.picture == "-"; },

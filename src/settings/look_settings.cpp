@@ -89,24 +89,22 @@ std::vector<Setting> lookSettings() {
         plain(
             &Settings::projection,
             {.name = "projection",
-             .form = enumerated(kProjections, "|", "|"),
-             .help = "Lines of sight from the eye, or parallel ones, by which all is as large as at the target; as the "
-                     "camera file or path says, else perspective, if not given"},
+             .form = "KIND",
+             .help = "Projection: " + enumerated(kProjections, ", ", " or "),
+             .usually = "from the camera file or path, else perspective"},
             ifGiven(oneOf(kProjections))),
         look(
             &plan::Look::shading,
             {.name = "shading",
-             .form = {},
-             .help =
-                 "Where light comes from: lit, sun and sky (auto); headlight, the eye; flat, as lit with a triangle's "
-                 "own normal; unlit, colours as they are",
+             .form = "MODE",
+             .help = "Shading: auto, lit (sun), headlight, flat or unlit",
              .offer = {.title = "shading"}},
             oneOf(plan::kShadings)),
         look(
             &plan::Look::ambient,
             {.name = "ambient",
              .form = "F",
-             .help = "Light of sky and ground, a multiple of the usual",
+             .help = "Factor for the light of sky and ground, from 0 to 10",
              .offer = {.title = "ambient light", .least = 0.25, .most = 4}},
             number(
                 "a number from 0 to " + shortest(kMostAmbient),
@@ -115,28 +113,28 @@ std::vector<Setting> lookSettings() {
             &plan::Look::background,
             {.name = "background",
              .form = "COLOUR|sky|white|transparent",
-             .help = "What is seen where no model is; COLOUR as #rrggbb, transparent as the PNG's alpha"},
+             .help = "Colour such as #336699, sky, white or transparent"},
             background()),
         look(
             &plan::Look::ground,
             {.name = "ground",
              .form = {},
-             .help = "A plane under the model that shows its shadow and nothing else (software backend)",
+             .help = "Shadow of the model on a plane under it",
              .offer = {.title = "shadow on the ground"}},
             onOff()),
         plain(
             &Settings::sections,
             {.name = "section",
              .form = "PX,PY,PZ,NX,NY,NZ",
-             .help = "Cut away what lies beyond the plane through this point, along this direction; up to six times "
-                     "(software backend)",
+             .help = "Plane (point and normal) that cuts away the side of its normal; up to six times (software "
+                     "backend)",
              .isRepeated = true},
             sections()),
         plain(
             &Settings::sectionCasters,
             {.name = "section-casters",
              .form = {},
-             .help = "Whether what sections cut away still casts its shadow: cut, it does not",
+             .help = "Geometry that --section cuts away casts no shadow (cut) or its shadow (keep)",
              .offer = {.title = "casters of sections"}},
             oneOf(kSectionCasters)),
     };

@@ -15,8 +15,8 @@ void checkPathOptions(const PathOptions& options) {
     if (std::find(kKinds.begin(), kKinds.end(), options.kind) == kKinds.end())
         refuse("--kind", options.kind, "walk, orbit, flyby, approach or source");
     const auto& [storey, eyeHeight] = options.walk;
-    if (storey && options.kind != "walk") throw UsageError{"--storey", "--storey is for --kind walk"};
-    if (eyeHeight && options.kind != "walk") throw UsageError{"--eye-height", "--eye-height is for --kind walk"};
+    if (storey && options.kind != "walk") throw UsageError{"--storey", "--storey needs --kind walk"};
+    if (eyeHeight && options.kind != "walk") throw UsageError{"--eye-height", "--eye-height needs --kind walk"};
     if (storey && *storey < 0) refuse("--storey", std::to_string(*storey), "0 or more");
     if (eyeHeight && !(*eyeHeight > 0 && std::isfinite(*eyeHeight)))
         refuse("--eye-height", formatted("%g", *eyeHeight), "a height above 0");

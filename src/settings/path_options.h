@@ -7,11 +7,6 @@
 
 namespace gnomon::settings {
 
-inline constexpr const char* kPathKindHelp =
-    "walk, orbit, flyby, approach or source. A walk goes over floors at eye height, 1.4 m/s, for a minute at most: "
-    "through rooms, doors and stairs, or around a thing that has no floor. Orbit, flyby and approach take 12 s. Source "
-    "writes the cameras of the source, a glTF, a second apart";
-
 /// The kind of the camera path and the options of a walk.
 struct PathOptions {
     std::string kind; // "walk", "orbit", "flyby", "approach" or "source"

@@ -5,6 +5,7 @@
 #include "path/camera_path.h"
 #include "path/outline.h"
 #include "settings/codec.h"
+#include "settings/old_names.h"
 #include "settings/sun_settings.h"
 #include "settings/table.h"
 
@@ -25,6 +26,17 @@ shadow::Warp warpOf(const Settings& settings) {
     }
     if (settings.tsmFocus.value_or(0) > 0) warp.tsmFocus = settings.tsmFocus;
     return warp;
+}
+
+/// Returns `given` with the current names of renamed settings.
+SettingTexts currentTexts(const SettingTexts& given) {
+    SettingTexts texts;
+    for (const auto& [name, text] : given)
+        if (!texts.emplace(currentName(name), text).second) {
+            const std::string option = "--" + std::string(currentName(name));
+            throw UsageError{option, option + ": given twice, also by its old name"};
+        }
+    return texts;
 }
 
 } // namespace
@@ -69,7 +81,8 @@ plan::View viewOf(
         view.camera.eye = settings.eye.value_or(view.camera.eye);
         view.camera.target = settings.target.value_or(0.5 * (corners.front() + corners.back()));
     }
-    if (view.camera.eye == view.camera.target) throw UsageError{"--eye", "--eye and --target are the same point"};
+    if (view.camera.eye == view.camera.target)
+        throw UsageError{"--eye", "--eye and --target are the same point; change one of them"};
     return view;
 }
 
@@ -85,7 +98,7 @@ void setSections(const Settings& settings, plan::View& view) {
 void requireDirectionalLight(const Settings& settings, const std::string& option) {
     if (settings.lightAt)
         throw UsageError{
-            "--light-at", "--light-at and " + option + " contradict each other: it is of a light that is a direction"};
+            "--light-at", "--light-at and " + option + " contradict each other: it needs a light at infinite distance"};
 }
 
 Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model) {
@@ -121,7 +134,8 @@ void requireMapsFor(const std::string& option, const SettingTexts& texts) {
             "--shadows", "--shadows exact and " + option + " contradict each other: exact shadows have no maps"};
 }
 
-Settings settingsOf(const SettingTexts& texts, bool withSwept) {
+Settings settingsOf(const SettingTexts& given, bool withSwept) {
+    const SettingTexts texts = currentTexts(given);
     std::size_t known = 0;
     for (const Setting& setting : table()) {
         if (!texts.contains(setting.name())) continue;
@@ -129,11 +143,10 @@ Settings settingsOf(const SettingTexts& texts, bool withSwept) {
         if (setting.description().isOfMaps) requireMapsFor(setting.option(), texts);
     }
     if (known != texts.size()) // an unknown name is reported before invalid values
-        for (const auto& given : texts)
-            if (std::none_of(
-                    table().begin(), table().end(), [&](const Setting& each) { return each.name() == given.first; })) {
-                refuseRemovedOption("--" + given.first);
-                throw UsageError{"--" + given.first, "--" + given.first + ": there is no such option"};
+        for (const auto& [name, text] : texts)
+            if (!isSetting(name)) {
+                refuseRemovedOption("--" + name);
+                throw UsageError{"--" + name, "--" + name + ": there is no such option"};
             }
     Settings result;
     for (const Setting& setting : table()) {

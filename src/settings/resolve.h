@@ -14,10 +14,10 @@ namespace gnomon::settings {
 /// The texts of the given options, by the name of the setting.
 using SettingTexts = std::map<std::string, std::string>;
 
-/// Returns settings with the values of `texts`, and the default for all others. Without `withSwept`, settings that a
-/// bench sweeps have their default too. Throws UsageError for an invalid text, for an unknown name, and for options of
-/// shadow maps together with exact shadows.
-Settings settingsOf(const SettingTexts& texts, bool withSwept = true);
+/// Returns settings with the values of `given`, and the default for all others. Old names of settings are accepted.
+/// Without `withSwept`, settings that a bench sweeps have their default too. Throws UsageError for an invalid text, for
+/// an unknown name, and for options of shadow maps together with exact shadows.
+Settings settingsOf(const SettingTexts& given, bool withSwept = true);
 
 /// Throws UsageError if `texts` request exact shadows, because `option` applies to shadow maps only. The message names
 /// `option`.

@@ -34,9 +34,10 @@ struct Offer {
 
 /// The name, the help and the properties of a setting.
 struct Description {
-    std::string name; // "error-pixels"
-    std::string form; // placeholder for the value in the help: "T"; empty: the list of words
-    std::string help;
+    std::string name;             // "error-pixels"
+    std::string form;             // placeholder for the value in the help: "T"; empty: the list of words
+    std::string help;             // one clause; it names each word of a form that is not this list
+    std::string usually{};        // the default in words, if there is no default value or if it does not explain itself
     bool isRepeated = false;      // may be given several times; its text is all of them with semicolons between
     bool isSwept = false;         // a bench takes a list of values
     bool isOfMaps = false;        // it says how shadow maps are, and contradicts shadows without them

@@ -102,50 +102,43 @@ std::vector<Setting> sunSettings() {
             &Settings::sun,
             {.name = "sun",
              .form = "LAT,LON,TIME",
-             .help = "The light is the sun's at a place, in degrees, and a time, ISO 8601 with an offset: "
-                     "47.4,8.5,2026-06-21T12:00+02:00",
+             .help = "Sunlight at a place and time: 47.4,8.5,2026-06-21T12:00+02:00",
              .statedAs = "sun"},
             ifGiven(sunTime())),
         plain(
             &Settings::lightAt,
             {.name = "light-at",
              .form = "x,y,z",
-             .help =
-                 "The light is a lamp at a point of the model, which falls off with the square of the distance; its "
-                 "shadows are exact, by rays or, with --shadows maps, by a map for each face of a cube",
+             .help = "Position of a lamp that replaces the sun; its light decreases with the square of the distance",
              .statedAs = "light_at"},
             ifGiven(vector())),
         plain(
             &Settings::north,
             {.name = "north",
              .form = "DEG",
-             .help =
-                 "Of --sun: where true north is, in degrees clockwise, seen from above, from the model's, which is -z "
-                 "where y is up and y where z is; 0 if not given",
+             .help = "Direction of true north in degrees, clockwise seen from above, from -z if y is up and from y if "
+                     "z is up",
+             .usually = "0",
              .statedAs = "north"},
             ifGiven(number("an angle from -360 to 360 degrees", [](double v) { return std::abs(v) <= 360; }))),
         plain(
             &Settings::sunAngleDegrees,
             {.name = "sun-angle",
              .form = "DEG",
-             .help =
-                 "How wide the light's disc is seen, in degrees, for penumbrae in pictures of several frames; 0 is a "
-                 "point; the sun's with --sun, else 0, if not given"},
+             .help = "Angular width of the light in degrees, for soft shadow edges in pictures; 0 is a point",
+             .usually = "that of the Sun with --sun, else 0"},
             ifGiven(number("an angle from 0 to 90 degrees", [](double v) { return v >= 0 && v <= 90; }))),
         quality(
             &plan::Quality::lightError,
             {.name = "light-error",
              .form = "E",
-             .help = "Of --sun-angle: largest error of the share of the disc that reaches a point beside a straight "
-                     "edge; says how many frames"},
+             .help =
+                 "Max error of the light from --sun-angle, a fraction from 0.003 to 0.5; a smaller error needs more "
+                 "frames"},
             number("a number from 0.003 to 0.5", [](double v) { return v >= 0.003 && v <= 0.5; })),
         quality(
             &plan::Quality::sky,
-            {.name = "sky",
-             .form = "N[,uniform|overcast]",
-             .help =
-                 "Light of the sky from so many directions, each with its shadows, in pictures of several frames; 0: "
-                 "nothing hides it"},
+            {.name = "sky", .form = "N[,MODEL]", .help = "Number of directions of sky light, or N,overcast"},
             skyLight()),
     };
 }
@@ -158,7 +151,8 @@ void requireSunUp(const SunTime& asked) {
     if (asked.position.elevationRefracted > 0) return;
     throw UsageError{
         "--sun",
-        formatted("--sun: the sun is down then, at %.1f degrees; ", asked.position.elevation) + upTimes(asked)};
+        formatted("--sun: the sun is below the horizon at this time, at %.1f degrees; ", asked.position.elevation) +
+            upTimes(asked)};
 }
 
 namespace {
@@ -171,7 +165,8 @@ glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
         if (!(std::abs(cell[axis]) < kMostCells))
             throw UsageError{
                 "--light-at",
-                "--light-at: it is too far away for a point; --light " + direction().write(at) + " is as good"};
+                "--light-at: the lamp is too far from the model; use --light " + direction().write(at) +
+                    " in its place"};
     return grid.origin + cell * grid.step();
 }
 

@@ -46,40 +46,42 @@ std::vector<Setting> cameraSettings() {
             &Settings::imageSize,
             {.name = "size",
              .form = "WxH",
-             .help = "Image in pixels, WxH",
+             .help = "Size of the picture in pixels",
              .statedAs = "image_size",
              .limit = Limit::ImageSize},
             imageSize()),
         plain(
             &Settings::cameraFile,
-            {.name = "camera", .form = "FILE", .help = "A camera file: one keyframe as JSON"},
+            {.name = "camera", .form = "FILE.json", .help = "Camera file; the key I of the window writes one"},
             text()),
         plain(
             &Settings::eye,
-            {.name = "eye", .form = "x,y,z", .help = "Where the eye is, x,y,z; frames the model if not given"},
+            {.name = "eye", .form = "x,y,z", .help = "Position of the camera", .usually = "the whole model is in view"},
             ifGiven(vector())),
         plain(
             &Settings::target,
-            {.name = "target", .form = "x,y,z", .help = "What it looks at, x,y,z"},
+            {.name = "target",
+             .form = "x,y,z",
+             .help = "Point that the camera looks at",
+             .usually = "the centre of the model"},
             ifGiven(vector())),
         plain(
             &Settings::up,
             {.name = "up",
-             .form = "AXIS|x,y,z",
-             .help = "What is up: x, y, z, -x, -y, -z, a direction, or auto: guessed; as stored in the "
-                     "model if not given"},
+             .form = "AXIS",
+             .help = "Up direction: x, y, z, -x, -y, -z, a vector X,Y,Z, or auto (an estimate from the shape)",
+             .usually = "as stored in the model"},
             ifGiven(upDirection())),
         plain(
             &Settings::side,
-            {.name = "view",
-             .form = enumerated(path::kViewSides, "|", "|"),
-             .help = "The side from which the model is framed; from the front, a little right and above if not given"},
+            {.name = "view", .form = "SIDE", .help = "View from the " + enumerated(path::kViewSides, ", ", " or ")},
             ifGiven(oneOf(path::kViewSides))),
         plain(
             &Settings::fovYDegrees,
             {.name = "fov-y",
-             .form = "DEGREES",
-             .help = "Full vertical angle in degrees; 60 if not given",
+             .form = "DEG",
+             .help = "Full vertical angle of view in degrees",
+             .usually = "60",
              .limit = Limit::FieldOfView},
             ifGiven(number("an angle above 0 and below 180 degrees", [](double v) { return v > 0 && v < 180; }))),
     };
@@ -89,8 +91,8 @@ Setting lightSetting() {
     return {
         {.name = "light",
          .form = "x,y,z",
-         .help =
-             "Direction towards the light, x,y,z; 0.4,1,0.3 of a model with y up, the same turned with it of others",
+         .help = "Direction to the light",
+         .usually = "0.4,1,0.3 if y is up",
          .statedAs = "light",
          .limit = Limit::LightDirection},
         direction(),
@@ -107,17 +109,19 @@ std::vector<Setting> sceneSettings() {
     return {
         quality(
             &Quality::near,
-            {.name = "near",
+            {.name = "shadow-near",
              .form = "D|auto",
-             .help = "Where the depth range of the shadows' promise begins, or auto; clips nothing",
+             .help = "Start of the depth range with guaranteed shadow resolution, in units of the model; it clips "
+                     "nothing",
              .statedAs = "near_and_far",
              .limit = Limit::NearDepth},
             orAuto(distance())),
         quality(
             &Quality::far,
-            {.name = "far",
+            {.name = "shadow-far",
              .form = "D|auto",
-             .help = "Where it ends, or auto",
+             .help = "End of the depth range with guaranteed shadow resolution, in units of the model; it clips "
+                     "nothing",
              .statedAs = "near_and_far",
              .limit = Limit::FarDepth},
             orAuto(distance())),
@@ -125,7 +129,8 @@ std::vector<Setting> sceneSettings() {
             &Quality::nearFloor,
             {.name = "near-floor",
              .form = "D",
-             .help = "The least automatic near; far/10000 if not given",
+             .help = "Min automatic value of --shadow-near, in units of the model",
+             .usually = "--shadow-far / 10000",
              .statedAs = "near_floor"},
             ifGiven(distance())),
         lightSetting(),
@@ -133,7 +138,8 @@ std::vector<Setting> sceneSettings() {
             &Quality::maxTriangles,
             {.name = "max-triangles",
              .form = "N",
-             .help = "A cap that raises the error evenly",
+             .help = "Max number of drawn triangles, such as 2M; Gnomon raises --error-pixels to respect it",
+             .usually = "no limit",
              .statedAs = "max_triangles"},
             ifGiven(count())),
     };
@@ -146,7 +152,8 @@ std::vector<Setting> fixedMapSettings() {
             &Settings::eta,
             {.name = "eta",
              .form = "H",
-             .help = "The warp as eta in [-1, 1] of Lloyd et al. 2006: 0 is LSPSM, -1 none, 1 PSM",
+             .help = "Parameter of the warp from -1 to 1 (Lloyd et al. 2006): -1 is none, 0 is LSPSM, 1 is PSM",
+             .usually = "from --warp",
              .isOfMaps = true,
              .statedAs = "eta"},
             ifGiven(number("a number from -1 to 1", [](double v) { return v >= -1 && v <= 1; }))),
@@ -154,8 +161,8 @@ std::vector<Setting> fixedMapSettings() {
             &Settings::tsmFocus,
             {.name = "tsm-focus",
              .form = "D|auto",
-             .help =
-                 "With --warp tsm: distance of the focus from near; at depth sqrt(near far) of each slice if not given",
+             .help = "With --warp tsm: distance of the focus from the near plane of a slice, in units of the model",
+             .usually = "at the depth sqrt(near * far)",
              .isOfMaps = true,
              .statedAs = "tsm_focus"},
             ifGiven(distanceOrZero())),
@@ -163,7 +170,7 @@ std::vector<Setting> fixedMapSettings() {
             &Quality::splitLambda,
             {.name = "split-lambda",
              .form = "L",
-             .help = "Slice depths: 1 self-similar, 0 evenly spaced",
+             .help = "Depths of the splits between slices: 0 is evenly spaced, 1 is logarithmic",
              .isOfMaps = true,
              .statedAs = "split_lambda"},
             number("a number from 0 to 1", [](double v) { return v >= 0 && v <= 1; })),
@@ -171,7 +178,7 @@ std::vector<Setting> fixedMapSettings() {
             &Quality::maxAliasing,
             {.name = "max-aliasing",
              .form = "M",
-             .help = "With auto: the promise to stay under (perspective aliasing over [near, far])",
+             .help = "Max perspective aliasing (texel width / pixel width) that the auto values stay below",
              .isOfMaps = true,
              .statedAs = "max_aliasing"},
             positiveNumber()),
@@ -183,17 +190,13 @@ std::vector<Setting> machineSettings() {
     return {
         plain(
             &Settings::backend,
-            {.name = "backend",
-             .form = "BACKEND:" + enumerated(kBackends, "|", "|"),
-             .help = "What draws: the software rasteriser, or OpenGL by OSMesa, EGL or the window; auto: software for "
-                     "one picture, "
-                     "else a GPU if there is one that can draw the requested options"},
+            {.name = "backend", .form = "NAME", .help = "Renderer: auto, software, osmesa, egl (GPU), window"},
             oneOf(kBackends)),
         plain(
             &Settings::memory,
             {.name = "memory",
              .form = "SIZE",
-             .help = "Peak resident size of the process; with OpenGL, of tables, page cache and sums of pictures alone",
+             .help = "Max resident memory of the process; with OpenGL, of tables, page cache and sums of pictures only",
              .statedAs = "memory_cap",
              .limit = Limit::PageMemory},
             memory()),
@@ -201,25 +204,21 @@ std::vector<Setting> machineSettings() {
             &Settings::gpuMemory,
             {.name = "gpu-memory",
              .form = "SIZE",
-             .help = "What the GPU holds: image, maps and geometry",
+             .help = "Max GPU memory for image, shadow maps and geometry",
              .changesPicture = false,
              .statedAs = "gpu_memory_cap",
              .limit = Limit::DrawingMemory},
             memory()),
         plain(
             &Settings::shaderFolder,
-            {.name = "shaders", .form = "PATH", .help = "Read shaders from this folder instead of the built-in ones"},
+            {.name = "shaders", .form = "DIR", .help = "Folder with shaders that replace the built-in shaders"},
             text()),
     };
 }
 
 Setting shadowsSetting() {
     return {
-        {.name = "shadows",
-         .form = {},
-         .help = "None, shadow maps, exact ones (software backend), the ray-traced reference; auto: exact with the "
-                 "software backend, maps with OpenGL or beside an option of maps",
-         .isSwept = true},
+        {.name = "shadows", .form = "KIND", .help = "Shadows: off, maps, exact, rays (slow) or auto", .isSwept = true},
         oneOf(plan::kShadowModes),
         [](const Settings& settings) {
             const Quality& quality = settings.quality;
@@ -232,8 +231,8 @@ Setting shadowsSetting() {
 Setting warpSetting() {
     return {
         {.name = "warp",
-         .form = {},
-         .help = "How a map is warped",
+         .form = "RULE",
+         .help = "Warp of a shadow map: none, lspsm, psm, tsm, minimax, log (logarithmic rows) or auto",
          .isSwept = true,
          .isOfMaps = true,
          .offer = {.title = "warp"}},
@@ -249,7 +248,7 @@ Setting shadowTexelsSetting() {
     return {
         {.name = "shadow-texels",
          .form = "WxH",
-         .help = "A count: all maps together, gutters included",
+         .help = "Texels of all shadow maps, with borders",
          .isSwept = true,
          .isOfMaps = true,
          .limit = Limit::ShadowTexels,
@@ -272,7 +271,7 @@ std::vector<Setting> sweptSettings() {
             &Quality::errorPixels,
             {.name = "error-pixels",
              .form = "T",
-             .help = "Level of detail: largest geometric error on the screen",
+             .help = "Max geometric error on the screen in pixels",
              .isSwept = true,
              .offer = {.title = "error pixels", .least = kLeastOfferedErrorPixels, .most = kMostOfferedErrorPixels}},
             positiveNumber()),
@@ -282,7 +281,7 @@ std::vector<Setting> sweptSettings() {
             &Quality::zPartitions,
             {.name = "z-partitions",
              .form = "K|auto",
-             .help = "Slices along the view",
+             .help = "Number of slices along the view, each with its own shadow maps",
              .isSwept = true,
              .isOfMaps = true,
              .offer = {.title = "slices", .least = 1, .most = kMaxSlices}},
@@ -291,7 +290,7 @@ std::vector<Setting> sweptSettings() {
             &Quality::facePartitions,
             {.name = "face-partitions",
              .form = {},
-             .help = "Split along the frustum's faces",
+             .help = "Partitions along the faces of the view frustum",
              .isSwept = true,
              .isOfMaps = true,
              .offer = {.title = "faces"}},
@@ -306,8 +305,8 @@ std::vector<Setting> moreSweptSettings() {
         quality(
             &Quality::filter,
             {.name = "filter",
-             .form = "TEXELS",
-             .help = "PCF kernel, its ends weighted; 0 is none",
+             .form = "N",
+             .help = "Width of the filter (PCF) of shadow maps in texels; 0 is no filter",
              .isSwept = true,
              .isOfMaps = true,
              .offer = {.title = "filter texels", .least = 0, .most = 9, .steps = {0, 2, 3, 5}}},
@@ -315,8 +314,9 @@ std::vector<Setting> moreSweptSettings() {
         quality(
             &Quality::cullCasters,
             {.name = "cull-casters",
-             .form = {},
-             .help = "What maps draw: all (off), what can shadow their part (on), what is looked up (receivers)",
+             .form = "MODE",
+             .help = "Triangles that a shadow map draws: off (all), on (those that can shadow its part of the view), "
+                     "receivers (those that can shadow visible surfaces) or auto",
              .isSwept = true,
              .changesPicture = false,
              .offer = {.title = "caster culling"}},
@@ -325,8 +325,7 @@ std::vector<Setting> moreSweptSettings() {
             &Quality::occlusion,
             {.name = "occlusion",
              .form = {},
-             .help = "Draw the image without what it hides, the same to the last bit (software backend); auto: where "
-                     "much lies behind what is seen",
+             .help = "Skip clusters behind visible surfaces (software backend); the picture stays identical",
              .isSwept = true,
              .changesPicture = false},
             oneOf(plan::kChoices)),
@@ -334,7 +333,7 @@ std::vector<Setting> moreSweptSettings() {
             &Quality::stabilize,
             {.name = "stabilize",
              .form = {},
-             .help = "Texel-snapped, unwarped slices",
+             .help = "Slices without warp that move by whole texels, so that shadow edges do not flicker",
              .isSwept = true,
              .isOfMaps = true,
              .offer = {.title = "stabilised slices"}},

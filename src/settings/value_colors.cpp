@@ -27,9 +27,7 @@ ValueColors valueColors(const ValueColorWords& words) {
     if (!words.range.empty()) colors.range = parsed(valueRange(), "--color-range", words.range);
     const bool hasScale = colors.by != ColorBy::None && colors.by != ColorBy::Vertex;
     if (!hasScale && colors.range)
-        throw UsageError{
-            "--color-range",
-            "--color-range is of --color-by height, slope, error or a field: what else is shown has none"};
+        throw UsageError{"--color-range", "--color-range needs --color-by height, slope, error or a field"};
     return colors;
 }
 

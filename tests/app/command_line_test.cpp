@@ -38,7 +38,7 @@ TEST(CommandLine, WhatIsPastedIsWhatWasGiven) {
     }
     // clang-format off
     const std::vector<std::string> given = {
-        "--size", "64x48", "--near", "0.5", "--far", "90", "--near-floor", "0.01", "--light", "-1,2,0.5",
+        "--size", "64x48", "--shadow-near", "0.5", "--shadow-far", "90", "--near-floor", "0.01", "--light", "-1,2,0.5",
         "--max-triangles", "10k", "--eta", "-0.25", "--split-lambda", "0.5", "--max-aliasing", "2", "--backend",
         "software", "--memory", "512M", "--gpu-memory", "2G", "--shaders", folder};
     // clang-format on

@@ -205,11 +205,11 @@ TEST(Termination, ForWantOfMemoryOrThreadsIsAFailureAndAllElseAFault) {
     const Ending threads =
         ended([] { throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)); });
     EXPECT_EQ(threads.status, 1);
-    EXPECT_TRUE(threads.said.starts_with("gnomon: the system refuses: ")) << threads.said;
+    EXPECT_TRUE(threads.said.starts_with("gnomon: the operating system refused: ")) << threads.said;
     const Ending fault = ended([] { throw std::logic_error("a fault"); });
     EXPECT_EQ(fault.signal, SIGABRT);
     EXPECT_EQ(fault.said, "gnomon: ended by a fault\n");
-    EXPECT_EQ(ended([] { throw 3; }).said, "gnomon: ended by what no one has caught\n");
+    EXPECT_EQ(ended([] { throw 3; }).said, "gnomon: ended by an unknown exception\n");
 }
 
 TEST(OracleOption, IsAFlagOrNamesHowFarItGoes) {

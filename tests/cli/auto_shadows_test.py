@@ -46,7 +46,8 @@ class AutoShadows(ProgramTest):
         self.assertIn("the software backend draws exact shadows", plan["shadows_because"])
 
     def test_the_warp_that_is_left_open_has_logarithmic_rows_where_they_can_be_drawn(self):
-        far_apart = ("--warp", "auto", "--eye", "-3,0.3,0.2", "--target", "5,0.2,0", "--near", "0.05", "--far", "50")
+        far_apart = ("--warp", "auto", "--eye", "-3,0.3,0.2", "--target", "5,0.2,0",
+                     "--shadow-near", "0.05", "--shadow-far", "50")
 
         def told(*words, slices="auto"):
             return self.expect(0, "", "explain", self.sundial, *SIZE, *far_apart, "--z-partitions", slices, *words).stdout

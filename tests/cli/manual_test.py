@@ -20,7 +20,7 @@ def printed(*words):
 
 def long_options(text):
     """Those that lines of --help or of a page begin with."""
-    return set(re.findall(r"^ {2,8}(?:-\w, ?)?(--[a-z][a-z-]*)", text, re.M))
+    return set(re.findall(r"^ {2,10}(?:-\w, ?)?(--[a-z][a-z-]*)", text, re.M))
 
 
 class ManualPages(unittest.TestCase):
@@ -31,7 +31,7 @@ class ManualPages(unittest.TestCase):
             page = subprocess.run(["groff", "-man", "-Tascii", "-P-c", "-P-b", "-P-u", "-ww"],
                                   input=printed("man", *command), capture_output=True, text=True)
             self.assertEqual(page.stderr, "", command)
-            help_text = run(*command, "--help").stdout
+            help_text = run(*command, "--help-all").stdout
             self.assertGreaterEqual(len(long_options(help_text)), 1, command)
             self.assertEqual(long_options(page.stdout), long_options(help_text), command)
 
@@ -42,6 +42,13 @@ class ManualPages(unittest.TestCase):
 
 
 class Completions(unittest.TestCase):
+    def test_in_bash_name_every_option_of_help(self):
+        script = printed("bash")
+        for command in COMMANDS:
+            words = re.search(rf"^        '{' '.join(command)}'\) options='([^']*)'", script, re.M)[1].split()
+            listed = sorted(word for word in words if word.startswith("--"))
+            self.assertEqual(listed, sorted(long_options(run(*command, "--help-all").stdout)), command)
+
     CASES = [  # what is typed, some of what is offered, what is not
         ("gnomon ", {"build", "render", "sun"}, {"hours", "manual"}),
         ("gnomon re", {"render"}, {"build"}),

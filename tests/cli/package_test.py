@@ -16,7 +16,7 @@ def commands():
     """Every command of the program with those below it, as --help lists them."""
     def below(path):
         help_text = run(*path, "--help").stdout
-        listed = help_text.partition("Subcommands:\n")[2]
+        listed = help_text.partition("Commands:\n")[2]
         for name in re.findall(r"^  ([a-z]+) ", listed, re.M):
             yield [*path, name]
             yield from below([*path, name])

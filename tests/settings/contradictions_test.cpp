@@ -44,25 +44,25 @@ TEST(Contradictions, OfCameras) {
              r.settings.eye = glm::dvec3(1, 2, 3);
          },
          "--camera",
-         "--camera a.json and --eye 1,2,3 contradict each other: the file has the whole camera"},
+         "--camera a.json and --eye 1,2,3 contradict each other: the camera file contains all values of the camera"},
         {[](Request& r) {
              r.settings.side = path::ViewSide::Left;
              r.settings.target = glm::dvec3(5);
          },
          "--view",
-         "--view left and --target 5,5,5 contradict each other: the view frames the model from a side"},
+         "--view left and --target 5,5,5 contradict each other: --view sets the position of the camera"},
         {[](Request& r) {
              r.output.path = "walk.json";
              r.settings.fovYDegrees = 30;
          },
          "--path",
-         "--path and --fov-y 30 contradict each other: the path has the cameras"},
+         "--path and --fov-y 30 contradict each other: the path contains the cameras"},
         {[](Request& r) {
              r.output.path = "walk.json";
              r.output.turntable = 3;
          },
          "--path",
-         "--path and --turntable contradict each other: each of them gives the cameras"},
+         "--path and --turntable contradict each other: each of them sets the cameras"},
     });
 }
 
@@ -74,13 +74,13 @@ TEST(Contradictions, OfLights) {
              r.settings.isLightGiven = true;
          },
          "--light-at",
-         "--light-at 0,9,0 and --light 0.4,1,0.3 contradict each other: each of them is the light"},
+         "--light-at 0,9,0 and --light 0.4,1,0.3 contradict each other: each of them sets the light"},
         {[](Request& r) {
              r.settings.lightAt = glm::dvec3(0, 9, 0);
              r.settings.sunAngleDegrees = 1;
          },
          "--light-at",
-         "--light-at 0,9,0 and --sun-angle 1 contradict each other: a lamp is a point"},
+         "--light-at 0,9,0 and --sun-angle 1 contradict each other: the light of a lamp has no width"},
         {[](Request& r) {
              r.settings.lightAt = glm::dvec3(0, 9, 0);
              r.settings.quality.zPartitions = 2;
@@ -99,13 +99,13 @@ TEST(Contradictions, OfLights) {
              r.settings.quality.shadows = plan::ShadowMode::Maps;
          },
          "--shading",
-         "--shading unlit and --shadows maps contradict each other: there is no sun to cast shadows"},
+         "--shading unlit and --shadows maps contradict each other: this shading has no sun and no shadows"},
         {[](Request& r) {
              r.settings.quality.look.shading = plan::Shading::Unlit;
              askForMaps(r.settings);
          },
          "--shading",
-         "--shading unlit and options of shadow maps contradict each other: there is no sun to cast shadows"},
+         "--shading unlit and options of shadow maps contradict each other: this shading has no sun and no shadows"},
         {[](Request& r) { r.settings.north = 10; }, "--north", "--north 10 needs --sun LAT,LON,TIME"},
     });
 }
@@ -132,10 +132,10 @@ TEST(Contradictions, OfMaps) {
              r.settings.isWarpGiven = true;
          },
          "--eta",
-         "--eta 0.25 and --warp auto contradict each other: eta is a warp of its own"},
+         "--eta 0.25 and --warp auto contradict each other: --eta sets the warp"},
         {[](Request& r) { r.settings.quality.near = r.settings.quality.far = 2; },
-         "--near",
-         "--near 2 and --far 2 contradict each other: near must be below far"},
+         "--shadow-near",
+         "--shadow-near 2 and --shadow-far 2 contradict each other: --shadow-near must be below --shadow-far"},
         {[](Request& r) { r.settings.tsmFocus = 0; }, "--tsm-focus", "--tsm-focus auto needs --warp tsm"},
         {[](Request& r) {
              r.output.shadowDepth = "maps";
@@ -159,26 +159,25 @@ TEST(Contradictions, OfOutputs) {
         {[](Request& r) { r.output = {.picture = "a%d.png", .path = "walk.json", .frames = 3}; }, ""},
         {[](Request& r) { r.output = {.samples = 2, .statistics = "s.json"}; },
          "--samples",
-         "--samples 2 and --stats contradict each other: it is of one frame; use --samples 1, or draw a picture "
-         "without it"},
+         "--samples 2 and --stats contradict each other: it needs a single frame; use --samples 1"},
         {[](Request& r) {
              r.output.samples = 1;
              r.settings.quality.sky.directions = 8;
          },
          "--sky",
-         "--sky 8 and --samples 1 contradict each other: the light of the sky is the mean of several frames"},
+         "--sky 8 and --samples 1 contradict each other: the light of the sky needs several frames"},
         {[](Request& r) {
              r.output.reference = "b.png";
              r.settings.sunAngleDegrees = 0.5;
          },
          "--sun-angle",
-         "--sun-angle 0.5 and --reference contradict each other: the light of a disc is the mean of several frames"},
+         "--sun-angle 0.5 and --reference contradict each other: the light of a disc needs several frames"},
         {[](Request& r) { r.output = {.colors = {.by = ColorBy::Slope}, .turntable = 2}; },
          "--color-by",
          "--color-by and --turntable contradict each other: it colours one picture without an overlay"},
         {[](Request& r) { r.output = {.turntable = 2, .depth = "d.pfm"}; },
          "--turntable",
-         "--turntable and --depth contradict each other: it is of one picture"},
+         "--turntable and --depth contradict each other: it needs a single picture"},
         {[](Request& r) {
              r.output = {.picture = "-", .turntable = 2};
              r.settings.quality.look.background.kind = plan::Background::Kind::Transparent;
@@ -190,7 +189,7 @@ TEST(Contradictions, OfOutputs) {
              r.settings.quality.look.background.kind = plan::Background::Kind::Transparent;
          },
          "--background",
-         "--background transparent and --overlay contradict each other: their legend lies on the background"},
+         "--background transparent and --overlay contradict each other: their legend needs a background"},
         {[](Request& r) { r.output.frames = 3; },
          "--frames",
          "--frames needs --path FILE.json; --turntable N gives the number of its pictures"},

@@ -78,8 +78,8 @@ std::vector<EveryRow> sceneRows() {
          "front, back, left, right, top, bottom or iso"},
         {"fov-y", "", {"60", "0.001", "179.999"}, {"0", "180", "-60", "nan"}, "an angle above 0 and below 180 degrees"},
         {"projection", "", {"perspective", "orthographic"}, {"", "isometric"}, "perspective or orthographic"},
-        {"near", "auto", {"auto", "0.5", "1e-15", "1e+15"}, {"0", "-1", "1e16", "inf", "Auto"}, nullptr},
-        {"far", "auto", {"auto", "90"}, {"0", "1e-16", "far"}, nullptr},
+        {"shadow-near", "auto", {"auto", "0.5", "1e-15", "1e+15"}, {"0", "-1", "1e16", "inf", "Auto"}, nullptr},
+        {"shadow-far", "auto", {"auto", "90"}, {"0", "1e-16", "far"}, nullptr},
         {"near-floor", "", {"0.01"}, {"auto", "0", "-0.01"}, "a distance from 1e-15 to 1e15"},
         {"light", "0.4,1,0.3", {"0,1,0", "-1,-1,-1"}, {"0,0,0", "up"}, "x,y,z, a direction of a finite length above 0"},
         {"sun",
@@ -248,7 +248,7 @@ TEST(EveryRow, IsCalledInALogAsItsOptionIsButForDashes) {
 TEST(EveryRow, StatedByABenchIsNotSweptByIt) {
     for (const Setting& each : table())
         EXPECT_FALSE(each.description().isSwept && !each.description().statedAs.empty()) << each.name();
-    EXPECT_EQ(named("near").description().statedAs, named("far").description().statedAs);
+    EXPECT_EQ(named("shadow-near").description().statedAs, named("shadow-far").description().statedAs);
 }
 
 TEST(EveryRow, ChangesThePictureButForThoseThatSayTheyDoNot) {

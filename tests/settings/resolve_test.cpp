@@ -78,7 +78,7 @@ TEST(Resolve, EtaAndTheFocusSettleTheWarp) {
 TEST(Resolve, TheViewHasOneCamera) {
     Settings settings;
     settings.eye = settings.target = glm::dvec3(1, 2, 3);
-    EXPECT_EQ(objection(settings), "--eye and --target are the same point");
+    EXPECT_EQ(objection(settings), "--eye and --target are the same point; change one of them");
     EXPECT_TRUE(isPosed(settings));
     settings.eye = settings.target = std::nullopt;
     settings.cameraFile = "camera.json";
@@ -124,7 +124,7 @@ TEST(Resolve, ASideFramesTheModelAndContradictsAnotherCamera) {
     settings.eye = glm::dvec3(5);
     EXPECT_EQ(
         objection(settings),
-        "--view left and --eye 5,5,5 contradict each other: the view frames the model from a side");
+        "--view left and --eye 5,5,5 contradict each other: --view sets the position of the camera");
     settings.eye.reset();
     settings.camera = Camera();
     EXPECT_FALSE(isFramed(settings));

@@ -49,7 +49,7 @@ TEST(SettingsTable, TheDefaultsAreThoseOfAFrame) {
     EXPECT_EQ(named("memory").text(settings), "1G");
     EXPECT_EQ(named("light").text(settings), "0.4,1,0.3");
     EXPECT_EQ(named("eta").text(settings), "");
-    EXPECT_EQ(named("near").text(settings), "auto");
+    EXPECT_EQ(named("shadow-near").text(settings), "auto");
 }
 
 TEST(SettingsTable, OptionsToPasteAreThoseThatAreNotTheDefault) {

@@ -203,8 +203,8 @@ def exact_shadows_are_the_oracles(i):
 
 
 def far_beyond_everything(i):
-    exact = ("--shadows", "exact", "--near", "0.001")
-    equal(i.picture("a.gnm", None, *exact, "--far", "1e5"), i.picture("a.gnm", None, *exact, "--far", "4e6"), "other pixels")
+    exact = ("--shadows", "exact", "--shadow-near", "0.001")
+    equal(i.picture("a.gnm", None, *exact, "--shadow-far", "1e5"), i.picture("a.gnm", None, *exact, "--shadow-far", "4e6"), "other pixels")
 
 
 def camera_of_a_file(i):

@@ -130,8 +130,8 @@ class Session:
 
 
 def keys_of_help(program):
-    """The keys that `gnomon view --help` lists, as xdotool calls them."""
-    text = subprocess.run([program, "view", "--help"], check=True, capture_output=True, text=True).stdout
+    """The keys that `gnomon view --help-all` lists, as xdotool calls them."""
+    text = subprocess.run([program, "view", "--help-all"], check=True, capture_output=True, text=True).stdout
     names = re.findall(r"^  (\S+) {2,}", text[text.index("Keys:"):], re.MULTILINE)
     translated = {"]": "bracketright", "[": "bracketleft", ".": "period", ",": "comma", "Space": "space",
                   "Esc": "Escape", "Enter": "Return", "Backspace": "BackSpace"}

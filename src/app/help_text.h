@@ -1,0 +1,17 @@
+// The texts of --help and --help-all, from the words of the command line.
+#pragma once
+
+#include "manual/command_words.h"
+
+namespace gnomon::app {
+
+/// The max number of columns of a line of help.
+inline constexpr std::size_t kHelpColumns = 100;
+
+enum class HelpDetail : std::uint8_t { Everyday, All };
+
+/// Returns the help of `command`, whose full name is `name`: "gnomon sun hours". Everyday: one line per everyday
+/// option, after the name of its group. All: all options with the titles of their groups, and the notes.
+std::string helpText(const manual::CommandWords& command, const std::string& name, HelpDetail detail);
+
+} // namespace gnomon::app

@@ -295,7 +295,7 @@ ChunkTree treeOf(const CellCounts& counts, std::uint64_t limit, const std::strin
         throw LimitError(
             Limit::ChunkTriangles,
             {path,
-             "chunks of too few triangles for this model",
+             "the chunks are too small for this model",
              "at most " + std::to_string(kMaxChunks) + " chunks",
              std::to_string(tree.chunkCount())});
     return tree;

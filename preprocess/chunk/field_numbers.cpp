@@ -1,5 +1,7 @@
 #include "preprocess/chunk/field_numbers.h"
 
+#include "core/formatted.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +55,11 @@ void endRanges(const std::string& path, std::vector<hierarchy::Field>& fields) {
     for (hierarchy::Field& field : fields) {
         if (field.least > field.greatest) field.least = field.greatest = 0; // no triangle uses any vertex
         if (!std::isfinite(field.greatest - field.least))
-            throw Error(path, "the values of field " + field.name + " lie too far apart");
+            throw Error(
+                path,
+                "the range of field " + field.name + " is too large; do not store this field",
+                "max - min below 1.8e308",
+                formatted("%g to %g", field.least, field.greatest));
     }
 }
 

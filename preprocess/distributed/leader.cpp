@@ -62,7 +62,13 @@ void Leader::take(const Letter& letter) {
         member.report.host = hello.host;
         member.report.threads = hello.threads;
         member.isThere = true;
-        if (hello.key != key_) throw Error(nameOf(letter.from), "it builds something else", key_, hello.key);
+        if (hello.key != key_)
+            throw Error(
+                nameOf(letter.from),
+                "it has other inputs, other options or another version than rank 0; start all ranks with the same "
+                "command line",
+                key_,
+                hello.key);
         break;
     }
     case Subject::Ready:
@@ -79,7 +85,7 @@ void Leader::take(const Letter& letter) {
         break;
     }
     default:
-        throw Error(nameOf(letter.from), "it sends what it should not");
+        throw Error(nameOf(letter.from), "it sent an unexpected message; use the same version on all hosts");
     }
 }
 

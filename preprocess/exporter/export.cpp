@@ -117,7 +117,7 @@ CutLimit limitFor(const ModelFile& file, std::uint64_t most, std::optional<Bytes
     }
     throw Error(
         file.path(),
-        "no cut is that small",
+        "no level of detail has so few triangles",
         "at least " + std::to_string(file.summary().coarsestTriangles) + " triangles, those of the coarsest cut",
         std::to_string(most));
 }
@@ -130,7 +130,7 @@ CutLimit limitOf(const ModelFile& file, double error) {
     if (error >= least) return {error, {0, 0}};
     throw Error(
         file.path(),
-        "no cut is that exact",
+        "no level of detail is so accurate",
         formatted("an error of 0, or of at least %g, half a cell of the grid", least),
         formatted("%g", error));
 }

@@ -25,9 +25,14 @@ bool fitsFloats(const Field& field) {
 void requirePlyNames(const std::string& model, const std::vector<Field>& fields, std::span<const VertexValues> values) {
     for (const Field& field : fields) {
         for (const VertexValues& property : values)
-            if (property.name == field.name) throw Error(model, "has a field of that name already: " + field.name);
+            if (property.name == field.name)
+                throw Error(model, "the model has two fields with this name: " + field.name);
         if (!std::ranges::all_of(field.name, [](char c) { return c > ' ' && c < 0x7F; }))
-            throw Error(model, "a field's name is no name of a property", "letters without blanks", field.name);
+            throw Error(
+                model,
+                "a field cannot become a PLY property, because of its name",
+                "letters without blanks",
+                field.name);
     }
 }
 

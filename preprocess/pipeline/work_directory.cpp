@@ -138,8 +138,8 @@ void WorkDirectory::Names::make(const std::string& folder) {
     if (::lstat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode) || info.st_uid != ::geteuid())
         throw Error(
             folder,
-            "this is no place for temporary files",
-            "a folder of the user's own",
+            "cannot use this folder for temporary files",
+            "a folder of this user",
             S_ISDIR(info.st_mode) ? "another user's" : "a file or a link");
 }
 
@@ -176,7 +176,7 @@ WorkDirectory::WorkDirectory(const WorkDirectoryOptions& options, Progress& prog
     lock_.emplace(folder_ + "/lock", File::Mode::Lock);
     if (!lock_->tryLock()) {
         names_.leave();
-        throw Error(folder_, "another build is at work there");
+        throw Error(folder_, "another build uses this folder; wait for its end");
     }
     removeLeftovers(options.output);
     std::optional<scratch::RecordLog> records;
@@ -220,7 +220,7 @@ void WorkDirectory::expectProcesses(std::uint32_t count) {
     if (place_.firstPart + count >= scratch::kMaxParts)
         throw Error(
             folder_,
-            "too many processes have worked there",
+            "too many processes used this folder",
             "fewer than " + std::to_string(scratch::kMaxParts),
             std::to_string(place_.firstPart + count));
     for (; expected_ < count; ++expected_)
@@ -242,7 +242,8 @@ std::optional<scratch::RecordLog> WorkDirectory::resumed(const std::string& key)
     if (!found || found->records().empty()) return {};
     const std::vector<std::byte>& first = found->records().front();
     const std::string before(reinterpret_cast<const char*>(first.data()), first.size());
-    if (before != key) throw Error(folder_, "cannot resume, input or options changed: " + differenceOf(key, before));
+    if (before != key)
+        throw Error(folder_, "cannot resume, because the input or the options changed: " + differenceOf(key, before));
     try {
         for (std::size_t i = 1; i < found->records().size(); ++i)
             log_.addEncoded(found->records()[i]);

@@ -25,7 +25,7 @@ void FaceColorSplitter::requireRoom() const {
     if (needed > memoryLimit_.count || mesh_.positions.size() > kMostVertices)
         throw Error(
             path_,
-            "too large for faces with colours, which are read whole (colours of vertices are streamed)",
+            "too large: face colours are read into memory as a whole (vertex colours are streamed)",
             "at most " + readableBytes(memoryLimit_) + " of memory",
             "a need for more than " + readableBytes({needed}));
 }

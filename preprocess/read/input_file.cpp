@@ -31,7 +31,8 @@ void requireRereadable(const std::string& path) {
     // Opening a missing file or a folder throws its own Error.
     const bool isSomethingElse =
         type == Type::fifo || type == Type::socket || type == Type::character || type == Type::block;
-    if (isSomethingElse) throw Error(path, "a source is read several times", "a file", nameOf(type));
+    if (isSomethingElse)
+        throw Error(path, "a source must be a file, because it is read several times", "a file", nameOf(type));
 }
 
 InputFile::InputFile(const std::string& path)

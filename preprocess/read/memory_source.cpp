@@ -76,7 +76,7 @@ void requireRoomForWhole(const std::string& path, std::uint64_t fileBytes, Bytes
     if (fileBytes <= memoryLimit.count / kBytesPerFileByte) return;
     throw Error(
         path,
-        "too large for a format that is read whole (convert it to PLY, which is streamed)",
+        "too large: this format is read into memory as a whole; convert the file to PLY, which is streamed",
         "at most " + readableBytes(memoryLimit) + " of memory",
         "a need for up to " + readableBytes({fileBytes * kBytesPerFileByte}));
 }

@@ -164,14 +164,14 @@ public:
 
     /// Delivers the vertices [begin, end) in index order. This function is thread-safe, also during a pass.
     virtual void readVertexRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const VertexSink& /*sink*/) {
-        throw Error(summary().path, "its vertices cannot be read from anywhere");
+        throw Error(summary().path, "its vertices cannot be read in any order");
     }
 
     /// Delivers the triangles of the faces [begin, end). This function is thread-safe, also during a pass. Returns
     /// false if a face has a defect. Also returns false if a face is not a triangle although the size of the file
     /// implied that all faces are triangles. Only a complete pass can then read the input or report the defect.
     virtual bool readFaceRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const TriangleSink& /*sink*/) {
-        throw Error(summary().path, "its faces cannot be read from anywhere");
+        throw Error(summary().path, "its faces cannot be read in any order");
     }
 
     /// Makes all later passes over files poll `progress`, so that the user can stop them. `progress` must outlive the

@@ -107,7 +107,10 @@ public:
     }
 
     void takeRowIndex(const RowIndex& index) override {
-        if (index.parts.size() != parts_.size()) throw Error(summary_.path, "another process has other inputs");
+        if (index.parts.size() != parts_.size())
+            throw Error(
+                summary_.path,
+                "another process reads other input files; start all processes with the same command line");
         for (std::size_t i = 0; i < parts_.size(); ++i)
             parts_[i]->takeRowIndex({{index.parts[i]}});
     }
@@ -212,10 +215,14 @@ constexpr std::array kOtherFormats = {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& suffix) {
     if (startsWith(path, "\x89GNM"))
-        throw Error(path, "a built model already, not a mesh: render, view and info take it as it is");
+        throw Error(path, "this file is already a model (.gnm): use it with gnomon render, view or info");
     for (const OtherFormat& format : kOtherFormats)
         if (format.suffix == suffix) throw Error(path, format.advice);
-    throw Error(path, "not a mesh that can be read", "PLY, OBJ, STL, OFF or glTF", "something else");
+    throw Error(
+        path,
+        "unknown mesh format",
+        "PLY, OBJ, STL, OFF or glTF",
+        suffix.empty() ? "a name without suffix" : "the suffix " + quotedForMessage(suffix));
 }
 
 /// Opens `path` with the reader for its first bytes, else for its suffix.
@@ -232,7 +239,7 @@ std::unique_ptr<MeshSource> openByFormat(
     const bool isGltf = suffix == ".gltf" || suffix == ".glb" || startsWith(path, "glTF");
     const bool isOther = suffix == ".obj" || suffix == ".off" || suffix == ".stl";
     if (!isGltf && !isOther) refuse(path, suffix);
-    if (!fields.empty()) throw Error(path, "only a PLY has fields", "none", fields.front());
+    if (!fields.empty()) throw Error(path, "only a PLY can have fields", "none", fields.front());
     if (isGltf) return readGltf(path, room, textures == Textures::Bake, sourceRoot);
     if (suffix == ".obj") return openObj(path, room, sourceRoot);
     return suffix == ".off" ? readOff(path, room) : readStl(path, room);

@@ -19,7 +19,7 @@ void requireBelievable(const hierarchy::ModelFile& file) {
     if (decoded > most)
         throw Error(
             file.path(),
-            "its pages take more memory once decoded than so small a file may ask for",
+            "the decoded pages are too large for a file of this size",
             "at most " + readableBytes(most),
             readableBytes(decoded));
 }

@@ -96,7 +96,7 @@ void LockedEdges::numberPositions(const LoadedModel& model) {
         firstVertex_.push_back(static_cast<std::uint32_t>(vertices));
         vertices += page.vertices.size();
     }
-    if (vertices > kNone) throw Error("the model has too many vertices to look for cracks");
+    if (vertices > kNone) throw Error("the model has too many vertices for the search for cracks");
     places.reserve(vertices);
     for (const Page& page : model.pages)
         for (const Vertex& vertex : page.vertices)

@@ -26,7 +26,11 @@ TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Pro
     TriangleSoup soup;
     source.readVertices([&](const read::VertexBlock& block) {
         if (soup.positions.size() + block.positions.size() > 0xFFFFFFFFU)
-            throw Error(source.summary().path, "too many vertices to be compared with");
+            throw Error(
+                source.summary().path,
+                "too many vertices for a comparison",
+                "at most 4294967295",
+                std::to_string(source.summary().vertexCount));
         for (const glm::dvec3& position : block.positions)
             soup.positions.push_back(position - grid.origin);
         progress.advance(0); // polls for interruption; vertices do not count as progress

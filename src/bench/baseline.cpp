@@ -41,7 +41,8 @@ Baseline readBaseline(const std::string& path) {
     const auto context = part("context");
     const auto benchmarks = part("benchmarks");
     if (!context.is_object() || !benchmarks.is_array())
-        throw Error(path, "this is no bench result", R"({"context": {...}, "benchmarks": [...]})", "something else");
+        throw Error(
+            path, "this file is not a bench result", R"({"context": {...}, "benchmarks": [...]})", "something else");
     for (const auto& [key, value] : context.items())
         if (value.is_string()) baseline.context[key] = value.get<std::string>();
     for (const auto& run : benchmarks) {
@@ -50,7 +51,7 @@ Baseline readBaseline(const std::string& path) {
         if (!isRun)
             throw Error(
                 path + ": benchmark " + std::to_string(baseline.p50Ms.size()),
-                "this is no run",
+                "this entry is not a run",
                 R"({"name": text, "p50": number, ...})",
                 "something else");
         baseline.p50Ms[run["name"].get<std::string>()] = run["p50"].get<double>();
@@ -61,7 +62,7 @@ Baseline readBaseline(const std::string& path) {
 
 void requireComparable(const Baseline& baseline, const std::map<std::string, std::string>& context) {
     const auto requireAlike = [&](const std::string& key, const std::string& now, const std::string& before) {
-        if (now != before) throw Error(baseline.path, "another bench than this one: " + key, now, before);
+        if (now != before) throw Error(baseline.path, "the baseline is of another bench: " + key, now, before);
     };
     const auto requireStated = [&](const std::string& key) {
         const auto before = baseline.context.find(key);
@@ -97,7 +98,7 @@ void requireComplete(const Baseline& baseline, std::span<const report::RunSummar
         if (now.pagesDamaged == 0 && missing == 0) continue;
         throw Error(
             baseline.path,
-            now.name + " drew without some pages, so its times compare with none",
+            now.name + " drew without some pages, so its times cannot be compared",
             "none damaged and none missing",
             std::to_string(now.pagesDamaged) + " damaged, " + std::to_string(missing) + " missing");
     }
@@ -121,7 +122,8 @@ void requireNotSlower(
                 "a median of at most " + std::to_string(before->second * (1 + failAbovePercent / 100)) + " ms",
                 std::to_string(now.p50Ms) + " ms");
     }
-    if (!hasCompared) throw Error(baseline.path, "it has none of these runs", summaries.front().name, "other names");
+    if (!hasCompared)
+        throw Error(baseline.path, "the baseline has none of these runs", summaries.front().name, "other names");
 }
 
 } // namespace gnomon::bench

@@ -16,10 +16,10 @@ bool isFinite(const glm::dvec3& v) {
 
 CameraBasis cameraBasis(const Camera& camera) {
     if (!isFinite(camera.eye) || !isFinite(camera.target) || !isFinite(camera.up))
-        throw Error("camera", "eye, target and up must be finite");
+        throw Error("camera", "eye, target and up must be finite numbers");
     const glm::dvec3 toTarget = camera.target - camera.eye;
     const double length = glm::length(toTarget);
-    if (!(length > 0)) throw Error("camera", "eye and target coincide");
+    if (!(length > 0)) throw Error("camera", "eye and target are the same point");
     CameraBasis basis;
     basis.view = toTarget / length;
     glm::dvec3 side = glm::cross(basis.view, camera.up);

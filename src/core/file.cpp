@@ -110,12 +110,12 @@ File::File(const std::string& path, Mode mode, std::string toldPath) : File(-1, 
     struct stat info {};
 
     if (::fstat(descriptor_, &info) != 0) throwSystemError(path_, "cannot stat");
-    if (S_ISDIR(info.st_mode)) throw Error(path_, "cannot open: is a directory");
+    if (S_ISDIR(info.st_mode)) throw Error(path_, "cannot open: this is a folder, not a file");
     if (mode == Mode::Update && info.st_nlink > 1)
         throw Error(
             path_,
-            "cannot be changed, since other names (hard links) lead to the same file",
-            "one name",
+            "cannot overwrite a file with several hard links; choose another name",
+            "1 link",
             std::to_string(info.st_nlink));
 }
 
@@ -280,7 +280,7 @@ std::string readTextFile(const std::string& path, Bytes most) {
     std::size_t length = 0;
     for (;;) {
         if (std::max<std::uint64_t>(length, file.size()) > most.count)
-            throw Error(path, "too large for a text", "at most " + readableBytes(most), "more");
+            throw Error(path, "too large for a text file", "at most " + readableBytes(most), "more");
         if (length == text.size()) text.resize(std::max<std::size_t>({file.size() + 1, 2 * length, 4096}));
         const std::size_t got = file.readSome(std::as_writable_bytes(std::span(text)).subspan(length));
         if (got == 0) break;

@@ -38,7 +38,7 @@ PreparedFolder::PreparedFolder(const std::string& path) {
         made_.push_back(std::make_unique<TemporaryName>(
             folder.string(), [&] { return std::filesystem::create_directory(folder, failure); }));
     std::filesystem::create_directories(path, failure);
-    if (failure) throw Error(path, "cannot make the folder: " + failure.message());
+    if (failure) throw Error(path, "cannot create the folder: " + failure.message());
     if (::access(path.c_str(), W_OK | X_OK) != 0)
         throw Error(path, std::string("cannot write into the folder: ") + std::strerror(errno));
 }

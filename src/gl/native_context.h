@@ -44,16 +44,18 @@ std::unique_ptr<NativeContext> makeEglContext(const std::function<void(const std
 /// open, because drivers crash when they are unloaded.
 class Library {
 public:
-    explicit Library(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {}
+    explicit Library(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+        if (handle_ == nullptr) reason_ = ::dlerror(); // NOLINT(concurrency-mt-unsafe): it is of this thread
+    }
 
     bool isOpen() const { return handle_ != nullptr; }
 
     /// Returns the function `symbol`. Throws Error if the library or the function is missing.
     template <class Function>
     Function function(const char* symbol) const {
-        if (handle_ == nullptr) throw Error(name_, "this library cannot be opened");
+        if (handle_ == nullptr) throw Error(name_, "cannot load this library: " + reason_);
         void* const address = ::dlsym(handle_, symbol);
-        if (address == nullptr) throw Error(name_, std::string("this library has no function ") + symbol);
+        if (address == nullptr) throw Error(name_, std::string("the library has no function ") + symbol);
         Function result = nullptr;
         static_assert(sizeof result == sizeof address);
         std::memcpy(&result, &address, sizeof result);
@@ -63,6 +65,7 @@ public:
 private:
     const char* name_;
     void* handle_;
+    std::string reason_; // why the library is not open
 };
 
 } // namespace gnomon::gl

@@ -88,7 +88,7 @@ Framebuffer::Framebuffer(const Api& api, std::span<const Texture* const> colors,
     api.namedFramebufferTexture(id(), GL_DEPTH_ATTACHMENT, depth.id(), 0);
     api.namedFramebufferDrawBuffers(id(), static_cast<GLsizei>(targets.size()), targets.data());
     if (api.checkNamedFramebufferStatus(id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("OpenGL", "this framebuffer cannot be drawn into");
+        throw Error("OpenGL", "the framebuffer is incomplete");
 }
 
 VertexArray::VertexArray(

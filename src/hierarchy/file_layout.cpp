@@ -108,7 +108,7 @@ std::map<std::string, Value> takeMap(ByteReader& in, Take take) {
     const std::uint64_t count = in.takeVarint();
     for (std::uint64_t i = 0; i < count; ++i) {
         std::string key = in.takeText();
-        if (!map.empty() && key <= map.rbegin()->first) throw Damage{"names out of order"};
+        if (!map.empty() && key <= map.rbegin()->first) throw Damage{"the names are not sorted"};
         map.emplace_hint(map.end(), std::move(key), take());
     }
     return map;
@@ -205,19 +205,20 @@ std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Fo
     for (std::uint64_t i = 0; i < footer.pageCount; ++i) {
         PageInfo page = takePageRow(in);
         if (std::ranges::adjacent_find(page.children, std::greater_equal()) != page.children.end())
-            throw Damage{"a page's children do not ascend"};
+            throw Damage{"the children of a page are not sorted"};
         if (const auto fault = rowFault(page, grid)) throw Damage{"page " + std::to_string(i) + ": " + *fault};
         page.offset = offset;
         offset += page.storedBytes;
-        if (!pages.empty() && page.level > pages.back().level) throw Damage{"pages are not coarsest first"};
+        if (!pages.empty() && page.level > pages.back().level)
+            throw Damage{"the pages are not sorted from coarse to fine"};
         pages.push_back(std::move(page));
     }
     in.expectEnd();
-    if (offset != footer.pageTable.offset) throw Damage{"the pages do not end where their table begins"};
+    if (offset != footer.pageTable.offset) throw Damage{"the page table does not follow the last page"};
     for (const PageInfo& page : pages)
         for (const std::uint32_t child : page.children)
             if (child >= pages.size() || pages[child].level >= page.level)
-                throw Damage{"a page is refined by one that is not finer"};
+                throw Damage{"the child of a page is not finer than the page"};
     return pages;
 }
 
@@ -273,7 +274,8 @@ Field takeField(ByteReader& in) {
 void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.up.direction = takeVector(in);
     constexpr double kRounding = 1e-6;
-    if (!(std::abs(glm::length(summary.up.direction) - 1) <= kRounding)) throw Damage{"up is no unit vector"};
+    if (!(std::abs(glm::length(summary.up.direction) - 1) <= kRounding))
+        throw Damage{"the up direction is not a unit vector"};
     const auto unit = in.take<std::uint8_t>();
     if (unit >= kUnits.size()) throw Damage{"unit " + std::to_string(unit) + " is unknown"};
     summary.unit = static_cast<Unit>(unit);
@@ -284,7 +286,7 @@ void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     for (LevelInfo& level : summary.levels) {
         level.maxAttributeError = in.take<double>();
         if (!std::isfinite(level.maxAttributeError) || level.maxAttributeError < 0)
-            throw Damage{"an error is no length"};
+            throw Damage{"an error is negative or not finite"};
     }
 }
 
@@ -312,7 +314,7 @@ ModelSummary decodeSummary(std::span<const std::byte> bytes, std::uint32_t versi
         level.clusters = in.takeVarint();
         level.groups = in.takeVarint();
         level.maxError = in.take<double>();
-        if (!std::isfinite(level.maxError) || level.maxError < 0) throw Damage{"an error is no length"};
+        if (!std::isfinite(level.maxError) || level.maxError < 0) throw Damage{"an error is negative or not finite"};
         summary.levels.push_back(level);
     }
     if (version > kOldestFormatVersion) takeWorldFrame(in, summary);

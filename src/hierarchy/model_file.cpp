@@ -78,7 +78,7 @@ Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Byte
                            footer.pageTable.bytes <= offset - footer.pageTable.offset &&
                            footer.summary.offset == footer.pageTable.offset + footer.pageTable.bytes &&
                            footer.summary.bytes == offset - footer.summary.offset;
-        if (!tiled) throw Damage{"the tables are not where they should be"};
+        if (!tiled) throw Damage{"the tables are at wrong offsets"};
         const Bytes needed{hierarchy::tableMemory(footer)};
         if (footer.summary.bytes > kMostSummaryBytes)
             throw Damage{
@@ -88,7 +88,7 @@ Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Byte
             throw LimitError(
                 Limit::PageMemory,
                 {atByte(source.name(), footer.pageTable.offset),
-                 "the page table alone takes more than the page memory",
+                 "the page table is larger than the memory for pages",
                  "at most " + readableBytes(tableMemory),
                  readableBytes(needed)});
         return footer;
@@ -132,7 +132,7 @@ ModelFile::ModelFile(std::unique_ptr<hierarchy::Source> source, Bytes tableMemor
         return decodeSummary(bytes, header.version);
     });
     if (flagsOf(summary_) != header.flags)
-        throw Error(atByte(path(), footer.summary.offset), "damaged summary: its flags are not the header's");
+        throw Error(atByte(path(), footer.summary.offset), "damaged summary: its flags differ from the header");
     pages_ = readTable(*source_, footer.pageTable, "page table", [&](std::span<const std::byte> bytes) {
         return decodePageTable(bytes, footer, summary_.grid);
     });
@@ -171,7 +171,7 @@ Page ModelFile::readPage(std::uint32_t page, PageFields& fields) const {
         if (!isAsWritten(*source_, {info.offset, info.storedBytes, info.checksum}, bytes))
             throw Damage{"wrong checksum"};
         Page decoded = decodePageBytes(bytes, info, fields);
-        if (!hasLayoutOf(fields.layout, summary_.fields)) throw Damage{"its fields are not those of the summary"};
+        if (!hasLayoutOf(fields.layout, summary_.fields)) throw Damage{"its fields differ from the summary"};
         return decoded;
     } catch (const Damage& damage) {
         throw PageDamage(atByte(path(), info.offset), "damaged page " + std::to_string(page) + ": " + damage.what);

@@ -51,7 +51,7 @@ Sphere takeSphere(ByteReader& in) {
     sphere.radius = in.take<double>();
     const bool finite = std::isfinite(sphere.center.x) && std::isfinite(sphere.center.y) &&
                         std::isfinite(sphere.center.z) && std::isfinite(sphere.radius);
-    if (!finite || sphere.radius < 0) throw Damage{"bounds are no sphere"};
+    if (!finite || sphere.radius < 0) throw Damage{"a bounding sphere is invalid"};
     return sphere;
 }
 
@@ -68,7 +68,7 @@ bool hasAttributeErrors(const Page& page) {
 
 double takeAttributeError(ByteReader& in) {
     const auto error = in.take<double>();
-    if (!std::isfinite(error) || error < 0) throw Damage{"an error of attributes is no length"};
+    if (!std::isfinite(error) || error < 0) throw Damage{"an error of attributes is negative or not finite"};
     return error;
 }
 
@@ -102,27 +102,28 @@ void takeGroups(ByteReader& in, const PageInfo& info, bool withAttributeErrors, 
         group.firstCluster = firstCluster;
         group.clusterCount = takeIndex(in);
         if (group.clusterCount == 0 || group.clusterCount > info.clusterCount - firstCluster)
-            throw Damage{"a group has clusters that are not there"};
+            throw Damage{"a group refers to missing clusters"};
         firstCluster += group.clusterCount;
         group.bounds = takeSphere(in);
         group.error = in.take<double>();
-        if (std::isnan(group.error) || group.error < 0) throw Damage{"an error is no length"};
+        if (std::isnan(group.error) || group.error < 0) throw Damage{"an error is negative or not finite"};
         if (withAttributeErrors) group.attributeError = takeAttributeError(in);
         page.groups.push_back(group);
     }
-    if (firstCluster != info.clusterCount) throw Damage{"clusters belong to no group"};
+    if (firstCluster != info.clusterCount) throw Damage{"a cluster has no group"};
 }
 
 void takeRefinements(ByteReader& in, const PageInfo& info, bool withAttributeErrors, Page& page) {
     for (std::uint32_t i = 0; i < info.refinementCount; ++i) {
         Refinement refinement;
         const std::uint32_t child = takeIndex(in);
-        if (child >= info.children.size()) throw Damage{"a refinement names a child page that is not there"};
+        if (child >= info.children.size()) throw Damage{"a refinement refers to a missing child page"};
         refinement.group.page = info.children[child];
         refinement.group.group = takeIndex(in);
         refinement.bounds = takeSphere(in);
         refinement.error = in.take<double>();
-        if (!std::isfinite(refinement.error) || refinement.error < 0) throw Damage{"an error is no length"};
+        if (!std::isfinite(refinement.error) || refinement.error < 0)
+            throw Damage{"an error is negative or not finite"};
         if (withAttributeErrors) refinement.attributeError = takeAttributeError(in);
         page.refinements.push_back(refinement);
     }
@@ -147,7 +148,7 @@ void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
         page.clusters.push_back(cluster);
     }
     if (vertices != info.vertexCount || triangles != info.triangleCount)
-        throw Damage{"the clusters' counts do not sum up to those of the page table"};
+        throw Damage{"the counts of the clusters differ from the page table"};
 }
 
 /// Returns the `result` of a zstd call. Throws bad_alloc if zstd reports that memory is exhausted.
@@ -227,18 +228,18 @@ std::span<const std::byte> unpack(
     const std::uint64_t size = in.takeVarint();
     const auto rest = in.take(in.remaining());
     if (packing == Packing::Plain) {
-        if (size != rest.size()) throw Damage{"the stored size is not the one promised"};
+        if (size != rest.size()) throw Damage{"the stored size differs from the page table"};
         return rest;
     }
     if (packing != Packing::Zstd) throw Damage{"unknown packing"};
-    if (size > rest.size() * kMaxExpansion) throw Damage{"more is promised than the stored bytes can hold"};
-    if (size > most) throw Damage{"more is promised than the counts of the page table can fill"};
+    if (size > rest.size() * kMaxExpansion) throw Damage{"the decompressed size is too large for the stored bytes"};
+    if (size > most) throw Damage{"the decompressed size is too large for the counts of the page table"};
     storage.resize(size);
     thread_local KeptContext<ZSTD_DCtx> kept(ZSTD_createDCtx, ZSTD_freeDCtx);
     const std::size_t got =
         withMemory(ZSTD_decompressDCtx(kept.made(), storage.data(), size, rest.data(), rest.size()));
     if (ZSTD_isError(got) != 0) throw Damage{std::string("cannot decompress: ") + ZSTD_getErrorName(got)};
-    if (got != size) throw Damage{"the decompressed size is not the one promised"};
+    if (got != size) throw Damage{"the decompressed size differs from the page table"};
     return storage;
 }
 
@@ -278,13 +279,13 @@ Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info, Pag
     takeGroups(in, info, withAttributeErrors, page);
     takeRefinements(in, info, withAttributeErrors, page);
     takeClusters(in, info, page);
-    if (page.clusters.empty()) throw Damage{"no cluster"};
+    if (page.clusters.empty()) throw Damage{"the page has no cluster"};
     decodeClusters(in, page, withFields ? &fields : nullptr);
     in.expectEnd();
     for (Group& group : page.groups)
         for (std::uint32_t c = 0; c < group.clusterCount; ++c)
             group.box.add(page.clusters[group.firstCluster + c].box);
-    if (!sameRow(describePage(page), info)) throw Damage{"bounds or errors are not those of the page table"};
+    if (!sameRow(describePage(page), info)) throw Damage{"bounds or errors differ from the page table"};
     return page;
 }
 

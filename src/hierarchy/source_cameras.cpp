@@ -82,7 +82,7 @@ std::vector<Camera> camerasOf(const ModelFile& model) {
         if (!camera)
             throw Error(
                 model.path(),
-                "a camera of its source is damaged",
+                "a stored camera of the source is damaged",
                 "a projection and 10 numbers",
                 "camera " + std::to_string(cameras.size()));
         cameras.push_back(*camera);

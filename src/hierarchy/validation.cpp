@@ -97,7 +97,7 @@ std::optional<std::string> tilingFault(const Page& page) {
         clusters += page.groups[i].clusterCount;
         if (clusters > page.clusters.size()) return place("group", i) + "reaches past the end";
     }
-    if (clusters != page.clusters.size()) return "clusters belong to no group";
+    if (clusters != page.clusters.size()) return "a cluster has no group";
     return {};
 }
 

@@ -81,7 +81,7 @@ std::size_t fieldNamed(const hierarchy::ModelFile& model, const std::string& nam
         known += ", " + printable(field.name);
     throw Error(
         model.path(),
-        "it has no such value to be coloured by; fields are kept by the build that is told to",
+        "the model has no such value for colours; fields are kept by the build that is told to",
         "one of " + known,
         "'" + printable(name) + "'");
 }
@@ -122,7 +122,7 @@ ValuePicture seenField(const frame::Renderer& renderer, const frame::Frame& fram
 render::Picture seenColors(const frame::Renderer& renderer, const frame::Frame& frame) {
     const hierarchy::ModelFile& model = renderer.model();
     if (!model.summary().hasColors)
-        throw Error(model.path(), "it has no colours to be shown", "colours of its vertices", "none");
+        throw Error(model.path(), "the model stores no vertex colours", "a source with colours", "none");
     render::Picture colors(frame.plan.view.width, frame.plan.view.height);
     const hierarchy::ResidentPages resident = renderer.residency().resident();
     eachSeen(renderer, frame, [&](const SeenPixel& seen) {

@@ -22,7 +22,7 @@ using namespace gnomon;
 app::Program programOf(const app::BuildBy& buildBy, const std::shared_ptr<mpi::SunTeam>& team, bool isSilent) {
     return {
         "gnomon-mpi",
-        "What gnomon does, by the processes of an MPI job: mpirun -n N gnomon-mpi COMMAND",
+        "Run a command of gnomon on all processes of an MPI job: mpirun -n N gnomon-mpi COMMAND",
         {[buildBy](CLI::App& program) { app::addBuildCommand(program, buildBy); },
          [team](CLI::App& program) { app::addSunCommand(program, team); },
          [isSilent](CLI::App& program) { app::addManualCommand(program, isSilent); }},
@@ -35,7 +35,7 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
     const auto build = [&](read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress) {
         if (options.isInMemory)
             throw settings::UsageError{
-                "", "a build without temporary files is of one process: others read what it writes"};
+                "", "a build without temporary files works only in one process; use gnomon build"};
         pipeline::BuildReport report = buildModel(source, options, leader, progress);
         leader.dismiss();
         isDismissed = true;
@@ -47,7 +47,7 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
     };
     const int code = app::exitCodeOf([&] {
         if (argc > 1 && std::string_view(argv[1]) == "bench")
-            throw settings::UsageError{"", "bench runs in one process: gnomon bench"};
+            throw settings::UsageError{"", "bench works only in one process; use gnomon bench"};
         app::runProgram(programOf(build, std::make_shared<mpi::SunTeam>(mailbox), false), argc, argv);
     });
     if (!isDismissed) leader.dismiss();
@@ -70,7 +70,7 @@ int help(distributed::Mailbox& mailbox, int argc, char** argv) {
     } catch (const Interrupted&) {
         helper.fail("interrupted");
     } catch (const hierarchy::Damage& damage) {
-        helper.fail("what rank 0 sends is not understood: " + damage.what);
+        helper.fail("rank 0 sent a damaged message: " + damage.what);
     } catch (const std::exception& error) {
         helper.fail(inWords(error));
     }

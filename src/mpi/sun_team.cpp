@@ -55,9 +55,15 @@ void SunTeam::takeAsLeader(const Letter& letter) {
         const distributed::Hello hello = distributed::decodedHello(letter.bytes);
         member.host = hello.host;
         if (hello.key != key_)
-            throw Error(nameOf(letter.from), "it works on something else than rank 0", key_, hello.key);
+            throw Error(
+                nameOf(letter.from),
+                "it has another model, other options or another version than rank 0; start all ranks with the same "
+                "command line",
+                key_,
+                hello.key);
     } catch (const hierarchy::Damage& damage) {
-        throw Error(nameOf(letter.from), "it sends what nobody understands: " + damage.what);
+        throw Error(
+            nameOf(letter.from), "it sent a damaged message; use the same version on all hosts: " + damage.what);
     }
 }
 

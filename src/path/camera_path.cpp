@@ -42,7 +42,8 @@ double numberOf(const ordered_json& object, const char* key, const std::string& 
 }
 
 Camera cameraOf(const ordered_json& object, const std::string& where) {
-    if (!object.is_object()) throw Error(where, "a camera is an object", "{\"eye\": ...}", object.type_name());
+    if (!object.is_object())
+        throw Error(where, "the camera is not a JSON object", "{\"eye\": ...}", object.type_name());
     Camera camera;
     camera.eye = vectorOf(object, "eye", where);
     camera.target = vectorOf(object, "target", where);
@@ -50,7 +51,7 @@ Camera cameraOf(const ordered_json& object, const std::string& where) {
     if (object.contains("fov_y")) camera.fovYRadians = radiansFromDegrees(numberOf(object, "fov_y", where));
     if (!(camera.fovYRadians > 0 && camera.fovYRadians < kPi))
         throw Error(
-            where, "\"fov_y\" is impossible", "above 0 and below 180 degrees", telemetry::jsonText(object["fov_y"]));
+            where, "\"fov_y\" is out of range", "above 0 and below 180 degrees", telemetry::jsonText(object["fov_y"]));
     if (object.contains("projection")) {
         const ordered_json& word = object["projection"];
         const auto projection = valueOf(kProjections, word.is_string() ? word.get<std::string>() : "");
@@ -59,7 +60,7 @@ Camera cameraOf(const ordered_json& object, const std::string& where) {
                 where, "unknown \"projection\"", enumerated(kProjections, ", ", " or "), telemetry::jsonText(word));
         camera.projection = *projection;
     }
-    cameraBasis(camera); // throws if eye and target coincide
+    cameraBasis(camera); // throws if eye and target are the same point
     return camera;
 }
 
@@ -103,7 +104,10 @@ ordered_json cameraDocument(const std::string& path) {
     for (const char* const suffix : {".gltf", ".glb"})
         if (path.ends_with(suffix))
             throw Error(
-                path, "not a file of cameras", "a file that the command path writes from it (kind source)", "a glTF");
+                path,
+                "this file is not a camera file",
+                "a file that the command path writes from it (kind source)",
+                "a glTF");
     return readJsonFile(path);
 }
 
@@ -111,7 +115,7 @@ CameraPath pathOf(const ordered_json& document, const std::string& path) {
     CameraPath result;
     if (!document.is_object() || !document.contains("keyframes") || !document["keyframes"].is_array() ||
         document["keyframes"].empty())
-        throw Error(path, "a camera path has keyframes", "{\"keyframes\": [...]}", "none");
+        throw Error(path, "the camera path has no keyframes", "{\"keyframes\": [...]}", "none");
     const ordered_json loop = document.value("loop", ordered_json(false));
     if (!loop.is_boolean()) throw Error(path, R"("loop")", "true or false", telemetry::jsonText(loop));
     result.loop = loop.get<bool>();
@@ -224,7 +228,9 @@ SavedViews readViews(const std::string& path) {
     const ordered_json document = readJsonFile(path);
     const bool isOne = document.is_object() && document.value("model", ordered_json()).is_string() &&
                        document.value("views", ordered_json()).is_array();
-    if (!isOne) throw Error(path, "no views of a model", R"({"model": ..., "views": [...]})", "something else");
+    if (!isOne)
+        throw Error(
+            path, "this file does not contain recent views", R"({"model": ..., "views": [...]})", "something else");
     SavedViews result{document["model"].get<std::string>(), {}};
     for (const ordered_json& view : document["views"])
         result.cameras.push_back(cameraOf(view, path + ": view " + std::to_string(result.cameras.size())));

@@ -86,8 +86,8 @@ WalkableFloor floorOf(const hierarchy::ModelFile& model, const Box& region, cons
     if (region.extent().y / grid.rise > 1e9)
         throw Error(
             model.path(),
-            "the eye is too low for a model as high",
-            "a millionth of its height or more",
+            "the eye height is too small for the height of the model",
+            formatted("at least %g", body.eyeHeight * (region.extent().y / grid.rise / 1e9)),
             formatted("%g", body.eyeHeight));
     const glm::dvec3 origin = model.summary().grid.origin;
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);

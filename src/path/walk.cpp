@@ -157,7 +157,7 @@ public:
         const std::vector<Storey> storeys = findStoreys(whole_);
         if (storeys.empty()) throw noFloor(model, kLevelPlace);
         if (*storey < 0 || static_cast<std::size_t>(*storey) >= storeys.size())
-            throw Error(model.path(), "no such storey", listOf(storeys), std::to_string(*storey));
+            throw Error(model.path(), "unknown storey", listOf(storeys), std::to_string(*storey));
         band_ = bandOf(storeys, static_cast<std::size_t>(*storey), body);
     }
 

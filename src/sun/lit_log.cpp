@@ -51,12 +51,12 @@ LitLog::LitLog(File file, const std::string& key, std::size_t receivers)
 
 LitLog::LitLog(const std::string& path, const std::string& key, std::size_t receivers, bool isResumed)
     : LitLog(File(path, File::Mode::Lock), key, receivers) {
-    if (!file_.tryLock()) throw Error(path, "another process is at work on it");
+    if (!file_.tryLock()) throw Error(path, "another process writes this log; wait for its end");
     if (const std::uintmax_t names = std::filesystem::hard_link_count(path); names > 1)
         throw Error(
             path,
-            "cannot be changed, since other names (hard links) lead to the same file",
-            "one name",
+            "cannot overwrite a file with several hard links; choose another name",
+            "1 link",
             std::to_string(names));
     if (hasLog() && isResumed) {
         requireKey(key);
@@ -80,7 +80,7 @@ bool LitLog::hasLog() const {
     Words head(kHeadWords);
     const std::size_t found = file_.readSomeAt(0, std::as_writable_bytes(std::span(head)));
     if (found >= sizeof(std::uint64_t) && head[0] != kMagic)
-        throw Error(file_.path(), "is no log of hours of sun, so it is left alone");
+        throw Error(file_.path(), "this file is not a log of sun hours, and is not overwritten");
     const std::uint64_t headBytes = kHeadWords * sizeof(std::uint64_t);
     // Otherwise, the process was killed before the key was written.
     return found == headBytes && file_.size() - headBytes >= head[1];
@@ -91,7 +91,10 @@ void LitLog::requireKey(const std::string& key) const {
     file_.readAt(sizeof(kMagic), std::as_writable_bytes(std::span(&length, 1)));
     std::string before(std::min(length, kMaxKey), ' ');
     before.resize(file_.readSomeAt(kHeadWords * sizeof(std::uint64_t), std::as_writable_bytes(std::span(before))));
-    if (before != key) throw Error(file_.path(), "cannot resume, input or options changed", key, before);
+    if (before != key)
+        throw Error(
+            file_.path(),
+            "cannot resume: this log is of another model, other options or other times; delete it to start again");
 }
 
 void LitLog::put(std::size_t light, const std::vector<std::uint8_t>& isLit) {

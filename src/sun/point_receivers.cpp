@@ -39,7 +39,11 @@ PointReceivers::PointReceivers(
         points_[i] -= origin_;
         const glm::i64vec3& p = points_[i];
         if (std::max({p.x, p.y, p.z}) > kFarthest || std::min({p.x, p.y, p.z}) < -kFarthest)
-            throw Error("point " + std::to_string(i + 1) + " lies too far from the model to be held against it");
+            throw Error(
+                "point " + std::to_string(i + 1),
+                "too far from the model",
+                "at most 2^30 grid steps per axis from its centre",
+                std::to_string(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})));
     }
     if (sections.empty())
         addCasters(cut);

@@ -19,7 +19,7 @@ inspect::Point givenPoint(const glm::dvec3& point, const hierarchy::Grid& grid) 
         if (std::abs(cell[axis]) > inspect::kMostSteps / 2)
             throw Error(
                 formatted("point %g,%g,%g", point.x, point.y, point.z),
-                "it lies too far from the model to be measured on its grid",
+                "too far from the model",
                 formatted("at most %g away", std::ldexp(grid.step(), 39)),
                 formatted("%g", glm::distance(point, grid.origin)));
     return {cell, grid.snapError()};
@@ -38,7 +38,10 @@ inspect::Measure shownPoints(const PointTask& task, Session& session) {
         const auto drawn = frame::drawnPoint(session.renderer(), frame, options, pixel);
         if (!drawn)
             throw Error(
-                formatted("pixel %d,%d", pixel.x, pixel.y), "it shows nothing of the model", "a surface", "background");
+                formatted("pixel %d,%d", pixel.x, pixel.y),
+                "no surface is visible in this pixel",
+                "a surface",
+                "background");
         const frame::GridPlace place = task.takesVertices ? drawn->vertex.value_or(drawn->point) : drawn->point;
         measure.push_back({place.cell, place.within});
     }

@@ -57,11 +57,11 @@ std::vector<glm::dvec3> readPoints(const std::string& path) {
         else if (number > 1)
             throw Error(
                 atLine(path, number),
-                "no point",
+                "this line is not a point",
                 "three numbers x,y,z between commas",
                 std::string(line.substr(0, 40)));
     }
-    if (points.empty()) throw Error(path, "has no points", "lines that begin with x,y,z", "none");
+    if (points.empty()) throw Error(path, "the file has no points", "lines that begin with x,y,z", "none");
     return points;
 }
 

@@ -77,7 +77,8 @@ std::vector<sun::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec3& up
     std::vector<sun::SunStep> steps = sun::sunSteps(period);
     if (sun::lightsOf(steps).empty())
         throw Error(
-            "the sun is down from " + steps.front().time + " to " + steps.back().time + ": there is nothing to count");
+            "the sun is below the horizon from " + steps.front().time + " to " + steps.back().time +
+            "; choose a period with sunlight");
     return steps;
 }
 
@@ -104,8 +105,7 @@ const sun::LitSteps* SunHoursRun::decide(sun::Receivers& receivers, Progress& pr
 
 void SunHoursRun::readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const {
     if (!logs_->read(light, isLit))
-        throw Error(
-            logStem_ + ".steps", "a record that was written is not there", "light " + std::to_string(light), "nothing");
+        throw Error(logStem_ + ".steps", "a record is missing", "light " + std::to_string(light), "nothing");
 }
 
 std::string SunHoursRun::time(std::uint32_t step) const {

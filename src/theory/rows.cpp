@@ -289,7 +289,10 @@ constexpr std::array<std::pair<std::string_view, Evaluate>, 14> kFamilies{{
 json evaluate(const std::string& family, const Row& row) {
     for (const auto& [word, function] : kFamilies)
         if (family == word) return function(row);
-    throw Error(row.where, "family", "one that the theory knows", family);
+    std::string known;
+    for (const auto& each : kFamilies)
+        known += (known.empty() ? "" : ", ") + std::string(each.first);
+    throw Error(row.where, "unknown family", "one of " + known, family);
 }
 
 } // namespace

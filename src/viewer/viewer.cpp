@@ -125,7 +125,7 @@ void WindowSession::enter(const Scene& scene) {
     framed_ = std::move(framed);
     caps_.pages = model.pages().size();
     if (!isAmong(colorChoices(model.summary(), scene.capabilities()), settings_.colors)) {
-        messages_.fail(model.path() + ": it has no such value to be coloured by");
+        messages_.fail(model.path() + ": the model has no such value for colours");
         settings_.colors = {};
     }
     saved_ = SavedFiles(model.path());

@@ -67,7 +67,7 @@ TEST_F(Library, FailsInOneLineThatSaysWhatAndWhere) {
     says("samples", [&] { model.render({}, 0); });
     says("error", [&] { model.cutByError(-1); });
     says("error", [&] { model.cutByError(std::nan("")); });
-    says("no cut is that small", [&] { model.cutByTriangles(1); });
+    says("no level of detail has so few triangles", [&] { model.cutByTriangles(1); });
     says("memory", [] { build({mesh()}, folder() / "x.gnm", {.memory = 1}); });
     says("unit", [] { build({mesh()}, folder() / "x.gnm", {.unit = "yard"}); });
     says("up", [] { build({mesh()}, folder() / "x.gnm", {.up = "w"}); });

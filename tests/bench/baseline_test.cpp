@@ -119,7 +119,7 @@ TEST(Baseline, OfAnotherShapeIsRefusedWithItsPlace) {
         EXPECT_EQ(
             objection([&] { readText(text); }),
             filePath() +
-                R"(: this is no bench result: expected {"context": {...}, "benchmarks": [...]}, found something else)")
+                R"(: this file is not a bench result: expected {"context": {...}, "benchmarks": [...]}, found something else)")
             << text;
     const std::string good = R"({"name": "a", "p50": 1})";
     for (const char* bad :
@@ -132,7 +132,8 @@ TEST(Baseline, OfAnotherShapeIsRefusedWithItsPlace) {
           R"({"name": "a", "p50": "1"})",
           R"({"name": "a", "p50": null})"}) {
         const std::string text = R"({"context": {}, "benchmarks": [)" + good + ", " + bad + "]}";
-        EXPECT_TRUE(objection([&] { readText(text); }).starts_with(filePath() + ": benchmark 1: this is no run"))
+        EXPECT_TRUE(
+            objection([&] { readText(text); }).starts_with(filePath() + ": benchmark 1: this entry is not a run"))
             << bad;
     }
     EXPECT_NE(objection([] { readText(R"({"context": {}, )"); }), "");
@@ -150,7 +151,7 @@ TEST(Baseline, MustAgreeInEverythingThatTimesHangOn) {
     for (const auto& [key, value] : fullContext()) {
         auto now = fullContext();
         now[key] = "other";
-        std::string expected = "before.json: another bench than this one: ";
+        std::string expected = "before.json: the baseline is of another bench: ";
         expected.append(key).append(": expected other, found ").append(value);
         EXPECT_EQ(objection([&] { requireComparable(baseline, now); }), expected);
     }
@@ -224,7 +225,7 @@ TEST(Baseline, FailsWhoeverIsSlowerByMoreThanIsAllowed) {
         objection([] {
             requireNotSlower({"before.json", {}, {{"old", 1}}}, std::vector{runOf("new", 1)}, 5);
         }),
-        "before.json: it has none of these runs: expected new, found other names");
+        "before.json: the baseline has none of these runs: expected new, found other names");
 }
 
 TEST(Baseline, ComparesWithNoRunThatLackedPages) {
@@ -238,7 +239,7 @@ TEST(Baseline, ComparesWithNoRunThatLackedPages) {
     EXPECT_EQ(said(false), "") << "in real time pages may be on their way";
     EXPECT_EQ(
         said(true),
-        "before.json: zp4 drew without some pages, so its times compare with none: expected none damaged and none "
+        "before.json: zp4 drew without some pages, so its times cannot be compared: expected none damaged and none "
         "missing, found 0 damaged, 3 missing");
     run.pagesDamaged = 2;
     EXPECT_TRUE(said(false).ends_with("found 2 damaged, 0 missing")) << said(false);

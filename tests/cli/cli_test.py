@@ -63,7 +63,7 @@ class CommandLine(ProgramTest):
             ("render", self.sundial, "-o", picture, "--warp", "wavy"),
             ("render", self.sundial, "-o", picture, "--warp", "lspsm", "--eta", "0.5"),
             ("render", self.sundial, "-o", picture, "--warp", "lspsm", "--stabilize", "on"),
-            ("render", self.sundial, "-o", picture, "--near", "5", "--far", "1"),
+            ("render", self.sundial, "-o", picture, "--shadow-near", "5", "--shadow-far", "1"),
             ("render", self.sundial, "-o", picture, "--camera", "c.json", "--eye", "1,2,3"),
             ("render", self.sundial, "-o", picture, "--shaders", self.place / "nowhere"),
             ("export", self.sundial, "-o", self.place / "wrong.ply"),
@@ -82,7 +82,7 @@ class CommandLine(ProgramTest):
         self.expect(1, "missing", "build", missing, "-o", self.place / "undone.gnm")
         self.expect(1, "missing", "render", missing, "-o", self.place / "undone.png")
         self.expect(1, "missing", "bench", self.sundial, "--path", missing)
-        self.expect(1, "a built model already", "build", self.sundial, "-o", self.place / "undone.gnm")
+        self.expect(1, "this file is already a model", "build", self.sundial, "-o", self.place / "undone.gnm")
         self.expect(1, "--memory", "render", self.sundial, "-o", self.place / "undone.png", "--memory", "1")
         self.expect(1, "no cut", "export", self.sundial, "-o", self.place / "undone.ply", "--triangles", "1")
         self.expect(1, "cannot create", "render", self.sundial, "-o", missing / "undone.png")

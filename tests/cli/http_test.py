@@ -155,7 +155,7 @@ class HttpTest(ProgramTest):
         words = ("--path", path, "--frames", "40", "--warmup", "0", *VIEW)
         self.expect(0, "", "bench", self.disk, *words, "--csv", self.place / "disk.csv")
         self.faults.mbit, self.faults.latency = 2, 0.05
-        self.expect(0, "", "bench", self.address, *words, "--real-time", "--csv", self.place / "slow.csv")
+        self.expect(0, "", "bench", self.address, *words, "--no-wait", "--csv", self.place / "slow.csv")
         with open(self.place / "disk.csv", newline="") as disk, open(self.place / "slow.csv", newline="") as slow:
             whole, rows = next(csv.DictReader(disk)), list(csv.DictReader(slow))
         # The nearest point that is drawn, from which the rule measures, comes out the same but for the last digits.
@@ -229,9 +229,9 @@ class HttpTest(ProgramTest):
         self.expect_refused("cut off", "info", self.server.address("short.gnm"))
 
     def test_hostile_servers_are_left(self):
-        for body, said in (("endless", "sends more than it says"), ("header", "header does not end"),
+        for body, said in (("endless", "sends more bytes than it announced"), ("header", "header does not end"),
                            ("other", "sends another range"), ("crumbs", "less than it has"), ("none", ""),
-                           ("encoded", "encodes its answer")):
+                           ("encoded", "compresses its answer")):
             self.faults.body = body
             with self.subTest(body):
                 self.expect_refused(said)

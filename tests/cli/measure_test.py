@@ -104,11 +104,11 @@ class Measuring(ProgramTest):
         model = self.models["near"]
         self.expect(2, "--point X,Y,Z or --pixel X,Y", "measure", model)
         self.expect(2, "--point X,Y,Z or --pixel X,Y", "measure", model, "--point", "0,0,0", "--pixel", "1,1")
-        self.expect(2, "--vertices is of --pixel", "measure", model, "--point", "0,0,0", "--vertices")
+        self.expect(2, "--vertices needs --pixel", "measure", model, "--point", "0,0,0", "--vertices")
         self.expect(2, "column and row", "measure", model, "--pixel", "5")
         self.expect(2, "from 0 to 799", "measure", model, "--pixel", "5,800")
         self.expect(2, "expected x,y,z", "measure", model, "--point", "5,8")
-        self.expect(1, "nothing of the model", "measure", model, "--pixel", "1,1")
+        self.expect(1, "no surface is visible", "measure", model, "--pixel", "1,1")
         self.expect(1, "too far from the model", "measure", model, "--point", "1e9,0,0")
 
 

@@ -48,7 +48,7 @@ class Process(ProgramTest):
                 self.assertEqual((told.returncode, told.stderr), (0, ""))
                 continue
             self.assertEqual((told.returncode, told.stderr.count("\n"), told.stdout), (1, 1, ""), told.stderr)
-            self.assertIn("gnomon: floating point: a library loaded with this program", told.stderr)
+            self.assertIn("gnomon: floating point: a loaded library", told.stderr)
             self.assertIn(said, told.stderr)
 
     def test_a_full_stdout_does_not_hide_that_the_model_is_complete(self):
@@ -251,7 +251,7 @@ class Process(ProgramTest):
         folder = self.place / "linked.gnm.building"
         victim.write_text("precious")
         folder.symlink_to(self.place.path)
-        self.expect(1, "this is no place for temporary files", "build", mesh, "-o", model)
+        self.expect(1, "cannot use this folder for temporary files", "build", mesh, "-o", model)
         folder.unlink()
         for name in ("scratch.0", "checkpoints"):
             folder.mkdir(exist_ok=True)

@@ -197,9 +197,9 @@ class Refusals(ProgramTest):
             ("shadow_texels", "shadow_texels", "64x64"),
             ("error_pixels", "error_pixels", "2"),
         ):
-            told = walked(1, f"another bench than this one: {key}", **held, **{option: value})
+            told = walked(1, f"the baseline is of another bench: {key}", **held, **{option: value})
             self.assertEqual(told.stdout, "", "it has walked first")
-        walked(1, "another bench than this one: real_time", "--real-time", **held)
+        walked(1, "the baseline is of another bench: real_time", "--no-wait", **held)
 
     def test_a_baseline_is_of_the_same_model_size_and_backend(self):
         before, changed = self.place / "before.json", self.place / "changed.json"
@@ -246,8 +246,8 @@ class Refusals(ProgramTest):
             (("make", "statue", "--triangles", "3", "-o", mesh), "found 3"),
             (("make", "statue", "--seed", "-1", "-o", mesh), "found '-1'"),
             (("verify", self.sundial, "--seed", "-1"), "found '-1'"),
-            (("render", self.sundial, "-o", picture, "--backend", "window"), "--backend window is for gnomon view"),
-            (("bench", self.sundial, "--path", PATH, *SMALL, "--backend", "window"), "--backend window is for gnomon view"),
+            (("render", self.sundial, "-o", picture, "--backend", "window"), "--backend window works only with gnomon view"),
+            (("bench", self.sundial, "--path", PATH, *SMALL, "--backend", "window"), "--backend window works only with gnomon view"),
             (("export", self.sundial, "-o", mesh, "--error", "nan"), "found 'nan'"),
             (("export", self.sundial, "-o", mesh, "--error", "-1"), "found '-1'"),
         ):
@@ -317,8 +317,8 @@ class Refusals(ProgramTest):
     def test_what_stands_behind_the_oracle_is_told(self):
         picture = self.place / "oracle.png"
         small = ("-o", picture, "--size", "32x32")
-        self.expect(2, "put MODEL before it", "render", "--oracle", self.sundial, *small)
-        self.expect(2, "put MODEL before it", "bench", "--oracle", self.sundial, "--path", PATH)
+        self.expect(2, "write MODEL before this option", "render", "--oracle", self.sundial, *small)
+        self.expect(2, "write MODEL before this option", "bench", "--oracle", self.sundial, "--path", PATH)
         for oracle in (("--oracle",), ("--oracle", "full"), ("--oracle=full",)):
             self.expect(0, "", "render", self.sundial, *small, *oracle)
         self.expect(0, "", "render", *small, "--oracle", "full", self.sundial)

@@ -100,7 +100,7 @@ class SlowReplay(ReplayTest):
                 continue
             self.assertEqual(code, 0, f"{done}: {err}")
             self.assertEqual(hashlib.sha256(model.read_bytes()).hexdigest(), expected, done)
-            anew += "the build starts anew" in err
+            anew += "the build starts again from the beginning" in err
         self.assertGreater(anew, DAMAGES // 10)
 
 

@@ -95,10 +95,10 @@ class SunHours(ProgramTest):
         self.assertEqual(again.read_bytes(), mesh.read_bytes())
         for words, said in (
             (("--points", points, "--vertices"), "excludes"),
-            (("--points", points, "-o", again), "--points writes --csv"),
-            (("--vertices", "--csv", table), "--vertices writes -o"),
-            (("--vertices", "-o", again, "--view", "top"), "have no view"),
-            (("-o", self.place / "x.png", "--error", "1"), "--error is of --points"),
+            (("--points", points, "-o", again), "--points needs --csv"),
+            (("--vertices", "--csv", table), "--vertices needs -o"),
+            (("--vertices", "-o", again, "--view", "top"), "need no view"),
+            (("-o", self.place / "x.png", "--error", "1"), "--error needs --points"),
         ):
             self.expect(2, said, *asked, *words)
 
@@ -123,7 +123,7 @@ class SunHours(ProgramTest):
     def test_what_is_refused(self):
         picture = self.place / "refused.png"
         asked = ("sun", "hours", self.sundial, *DAY, "--step", "15m", *SIZE)
-        self.expect(2, "writes nothing", *asked)
+        self.expect(2, "needs an output", *asked)
         for words, said in (
             (("--light", "1,1,1"), "--light"),
             (("--sun", "47,8,2026-06-21T12:00Z"), "--sun"),
@@ -135,8 +135,8 @@ class SunHours(ProgramTest):
         ):
             self.expect(2, said, *asked, "-o", picture, *words)
         start = ("sun", "hours", self.sundial, "-o", picture, "--at", "47,8", "--from", "2026-06-21T00:00+02:00")
-        self.expect(2, "--to has to be later", *start, "--to", "2026-06-20T00:00+02:00", "--step", "1h")
+        self.expect(2, "--to must be later", *start, "--to", "2026-06-20T00:00+02:00", "--step", "1h")
         self.expect(2, "--step: expected a time such as", *start, "--to", "2026-06-22T00:00+02:00", "--step", "15")
-        self.expect(2, "--step is more than twice", *start, "--to", "2026-06-21T01:00+02:00", "--step", "3h")
-        self.expect(1, "the sun is down", *start, "--to", "2026-06-21T02:00+02:00", "--step", "10m")
+        self.expect(2, "--step must be at most twice", *start, "--to", "2026-06-21T01:00+02:00", "--step", "3h")
+        self.expect(1, "the sun is below the horizon", *start, "--to", "2026-06-21T02:00+02:00", "--step", "10m")
         self.assertEqual(list(self.place.path.glob("refused*")), [])

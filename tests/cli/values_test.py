@@ -41,7 +41,7 @@ class ColoringByValues(ProgramTest):
 
     def test_errors_and_stored_colours(self):
         self.render("error.png", "--color-by", "error")
-        self.expect(1, "it has no colours to be shown", "render", self.model, "-o", self.place / "a.png", "--color-by",
+        self.expect(1, "the model stores no vertex colours", "render", self.model, "-o", self.place / "a.png", "--color-by",
                     "vertex")
         self.expect(0, "", "render", self.sundial, "-o", self.place / "stored.png", "--color-by", "vertex")
 
@@ -51,7 +51,7 @@ class ColoringByValues(ProgramTest):
                     "--color-by", "heigth")
         self.expect(2, "only the software backend", "render", self.model, "-o", picture, "--color-by", "copy", "--backend",
                     "osmesa")
-        self.expect(2, "--color-range is of", "render", self.model, "-o", picture, "--color-by", "vertex", "--color-range",
+        self.expect(2, "--color-range needs", "render", self.model, "-o", picture, "--color-by", "vertex", "--color-range",
                     "0,1")
         self.expect(2, "without an overlay", "render", self.model, "-o", picture, "--color-by", "copy", "--overlay", "lod")
         self.expect(2, "expected viridis, cividis or grey", "render", self.model, "-o", picture, "--color-by", "copy",

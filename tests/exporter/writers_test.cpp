@@ -239,10 +239,10 @@ TEST_F(Writers, APlyCannotHaveAnyName) {
         }
         return false;
     };
-    EXPECT_TRUE(refused("no name of a property", {})) << "it has a blank";
+    EXPECT_TRUE(refused("because of its name", {})) << "it has a blank";
     summary.fields.pop_back();
     const std::vector<VertexValues> twice = {{"quality", {}}};
-    EXPECT_TRUE(refused("has a field of that name already", twice));
+    EXPECT_TRUE(refused("the model has two fields with this name", twice));
     EXPECT_FALSE(refused("", {}));
 }
 

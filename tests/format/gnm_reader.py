@@ -234,7 +234,7 @@ class Page:
                 if code != 0:
                     earlier = expected + unzigzag(code - 1)
                     if not 0 <= earlier < first:
-                        raise Damaged("a vertex refers to one that is not earlier")
+                        raise Damaged("a vertex refers to a later vertex")
                     self.vertices.append(self.vertices[earlier])
                     expected = earlier + 1
                     continue
@@ -306,6 +306,6 @@ def decode_triangles(codes, indices, cluster):
                 c = indices.one("B") if low == EXPLICIT else new - low
         open_edges += [(a, c, b), (c, b, a)]
         if not max(a, b, c) < cluster["vertices"] or min(a, b, c) < 0:
-            raise Damaged("a triangle has a corner that is not there")
+            raise Damaged("a triangle refers to a missing vertex")
         faces.append((a, b, c))
     return faces, edges

@@ -160,8 +160,8 @@ class ReaderTest(unittest.TestCase):
     def test_unknown_fields_are_refused(self):
         mesh = self.path / "refused.ply"
         write_fields(mesh)
-        for fields, message in (("colour", "no such field: expected one of quality, time, label, found colour"),
-                                ("time,time", "a field is named twice: expected each once, found time")):
+        for fields, message in (("colour", "unknown field: expected one of quality, time, label, found colour"),
+                                ("time,time", "a field is requested twice: expected each once, found time")):
             done = subprocess.run([GNOMON, "build", mesh, "--fields", fields, "-o", self.path / "no.gnm"],
                                   capture_output=True, text=True, timeout=60)
             self.assertEqual((done.returncode, done.stdout), (1, ""))

@@ -203,8 +203,8 @@ TEST(Connectivity, RandomTrianglesComeBackWithTheEdgesTheyWereEnteredAcross) {
 }
 
 TEST(Connectivity, EachLieIsNamed) {
-    const std::string noCorner = "a triangle has a corner that is not there";
-    const std::string noEdge = "a triangle has a corner or an edge that is not there";
+    const std::string noCorner = "a triangle refers to a missing vertex";
+    const std::string noEdge = "a triangle refers to a missing vertex or edge";
     EXPECT_EQ(damageOfCodes({0xF7}, {}, 3), "");
     EXPECT_EQ(damageOfCodes({0xF7}, {}, 2), noCorner) << "a third new vertex of two";
     EXPECT_EQ(damageOfCodes({0xF7, 0x00}, {}, 3), noCorner) << "a fourth of three";
@@ -212,7 +212,7 @@ TEST(Connectivity, EachLieIsNamed) {
     EXPECT_EQ(damageOfCodes({0xF0}, {0, 1}, 3), noCorner) << "a third index of two";
     EXPECT_EQ(damageOfCodes({0xF0}, {0, 1, 3}, 3), noCorner);
     EXPECT_EQ(damageOfCodes({0xF0}, {0, 1, 2}, 3), "");
-    EXPECT_EQ(damageOfCodes({0xF7}, {0}, 3), "indices that no triangle takes");
+    EXPECT_EQ(damageOfCodes({0xF7}, {0}, 3), "the page has unused indices");
     EXPECT_EQ(damageOfCodes({0x00}, {}, 3), noEdge) << "entered across an edge before there is any";
     EXPECT_EQ(damageOfCodes({0xF7, 0x30}, {}, 4), noEdge) << "across the fourth of three";
     EXPECT_EQ(damageOfCodes({0xF7, 0x20}, {}, 4), "");

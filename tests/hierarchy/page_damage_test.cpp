@@ -128,33 +128,31 @@ TEST(PageDamage, TheForgedPageItselfIsSound) {
 }
 
 TEST(PageDamage, CountsAndIndicesOutOfRangeAreNamed) {
-    const std::string noClusters = "a group has clusters that are not there";
+    const std::string noClusters = "a group refers to missing clusters";
     EXPECT_EQ(damageAfter([](Forged& f) { f.groupClusters = 0; }), noClusters);
     EXPECT_EQ(damageAfter([](Forged& f) { f.groupClusters = 3; }), noClusters);
-    EXPECT_EQ(damageAfter([](Forged& f) { f.groupClusters = 1; }), "clusters belong to no group");
+    EXPECT_EQ(damageAfter([](Forged& f) { f.groupClusters = 1; }), "a cluster has no group");
     EXPECT_EQ(damageAfter([](Forged& f) { f.groupClusters = kNone; }), "an index has more than 32 bits");
     EXPECT_EQ(damageAfter([](Forged& f) { f.groupClusters = kNone - 1; }), noClusters);
-    EXPECT_EQ(damageAfter([](Forged& f) { f.child = 2; }), "a refinement names a child page that is not there");
+    EXPECT_EQ(damageAfter([](Forged& f) { f.child = 2; }), "a refinement refers to a missing child page");
     EXPECT_EQ(damageAfter([](Forged& f) { f.childGroup = std::uint64_t{1} << 32U; }), "an index has more than 32 bits");
     EXPECT_EQ(damageAfter([](Forged& f) { f.refinement = 2; }), "a cluster names a refinement out of range");
-    EXPECT_EQ(
-        damageAfter([](Forged& f) { f.vertices = 4; }),
-        "the clusters' counts do not sum up to those of the page table");
+    EXPECT_EQ(damageAfter([](Forged& f) { f.vertices = 4; }), "the counts of the clusters differ from the page table");
 }
 
 TEST(PageDamage, BoundsAndErrorsThatAreNoNumbersAreNamed) {
     for (const double wrong : {kNan, kInfinite, -kInfinite, -1.0})
-        EXPECT_EQ(damageAfter([&](Forged& f) { f.groupRadius = wrong; }), "bounds are no sphere") << wrong;
+        EXPECT_EQ(damageAfter([&](Forged& f) { f.groupRadius = wrong; }), "a bounding sphere is invalid") << wrong;
     for (const double wrong : {kNan, kInfinite, -kInfinite})
-        EXPECT_EQ(damageAfter([&](Forged& f) { f.refinementCenter = wrong; }), "bounds are no sphere") << wrong;
+        EXPECT_EQ(damageAfter([&](Forged& f) { f.refinementCenter = wrong; }), "a bounding sphere is invalid") << wrong;
     for (const double wrong : {kNan, -kInfinite, -1e-300})
-        EXPECT_EQ(damageAfter([&](Forged& f) { f.groupError = wrong; }), "an error is no length") << wrong;
+        EXPECT_EQ(damageAfter([&](Forged& f) { f.groupError = wrong; }), "an error is negative or not finite") << wrong;
     for (const double wrong : {kNan, kInfinite, -1e-300})
-        EXPECT_EQ(damageAfter([&](Forged& f) { f.refinementError = wrong; }), "an error is no length") << wrong;
-    EXPECT_EQ(
-        damageAfter([](Forged& f) { f.groupError = kInfinite; }), "bounds or errors are not those of the page table")
+        EXPECT_EQ(damageAfter([&](Forged& f) { f.refinementError = wrong; }), "an error is negative or not finite")
+            << wrong;
+    EXPECT_EQ(damageAfter([](Forged& f) { f.groupError = kInfinite; }), "bounds or errors differ from the page table")
         << "a root's error is a number, if not this page's";
-    EXPECT_EQ(damageAfter([](Forged& f) { f.groupError = 0; }), "bounds or errors are not those of the page table");
+    EXPECT_EQ(damageAfter([](Forged& f) { f.groupError = 0; }), "bounds or errors differ from the page table");
 }
 
 TEST(PageDamage, WhatIsLeftOverIsNamed) {
@@ -174,7 +172,7 @@ TEST(PageDamage, EveryFieldOfTheRowIsCompared) {
         change(info);
         return damageOfForged(Forged{}, info);
     };
-    const std::string differs = "bounds or errors are not those of the page table";
+    const std::string differs = "bounds or errors differ from the page table";
     EXPECT_EQ(after([](PageInfo&) {}), "");
     EXPECT_EQ(after([](PageInfo& i) { i.box.min.x += 1; }), differs);
     EXPECT_EQ(after([](PageInfo& i) { i.box.max.z += 1; }), differs);
@@ -183,7 +181,7 @@ TEST(PageDamage, EveryFieldOfTheRowIsCompared) {
     EXPECT_EQ(after([](PageInfo& i) { i.minError = 0; }), differs);
     EXPECT_EQ(after([](PageInfo& i) { i.maxError = 1; }), differs);
     EXPECT_EQ(after([](PageInfo& i) { i.children.push_back(11); }), differs);
-    EXPECT_EQ(after([](PageInfo& i) { i.children.pop_back(); }), "a refinement names a child page that is not there");
+    EXPECT_EQ(after([](PageInfo& i) { i.children.pop_back(); }), "a refinement refers to a missing child page");
     EXPECT_EQ(after([](PageInfo& i) { i.children = {8, 9}; }), "") << "its place among the children is what is stored";
     PageInfo none;
     none.level = 1;
@@ -198,11 +196,11 @@ TEST(PageDamage, APromiseThatTheBytesCannotKeepIsRefusedBeforeMemoryIsAskedFor) 
     const auto damage = [&](std::uint8_t packing, std::uint64_t promised, std::span<const std::byte> bytes) {
         return damageOf([&] { decodePageBytes(stored(packing, promised, bytes), info); });
     };
-    EXPECT_EQ(damage(0, plain.size() + 1, plain), "the stored size is not the one promised");
+    EXPECT_EQ(damage(0, plain.size() + 1, plain), "the stored size differs from the page table");
     for (const int packing : {8, 9, 255})
         EXPECT_EQ(damage(static_cast<std::uint8_t>(packing), plain.size(), plain), "unknown packing");
-    EXPECT_EQ(damage(1, 256 * plain.size() + 1, plain), "more is promised than the stored bytes can hold");
-    EXPECT_EQ(damage(1, ~std::uint64_t{0}, plain), "more is promised than the stored bytes can hold");
+    EXPECT_EQ(damage(1, 256 * plain.size() + 1, plain), "the decompressed size is too large for the stored bytes");
+    EXPECT_EQ(damage(1, ~std::uint64_t{0}, plain), "the decompressed size is too large for the stored bytes");
     EXPECT_EQ(damage(1, plain.size(), plain).find("cannot decompress: "), 0U);
     EXPECT_EQ(damageOf([&] { decodePageBytes({}, info); }), "the bytes end too early");
 }

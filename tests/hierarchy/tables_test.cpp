@@ -99,14 +99,15 @@ TEST(PageTable, EachLieIsNamed) {
         damageOfTablesAfter([](Pages& p, Footer&) {
             p[0].children = {2, 1};
         }),
-        "a page's children do not ascend");
+        "the children of a page are not sorted");
     EXPECT_EQ(
         damageOfTablesAfter([](Pages& p, Footer&) {
             p[0].children = {1, 1};
         }),
-        "a page's children do not ascend");
-    EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[2] = p[0]; }), "pages are not coarsest first");
-    const std::string notFiner = "a page is refined by one that is not finer";
+        "the children of a page are not sorted");
+    EXPECT_EQ(
+        damageOfTablesAfter([](Pages& p, Footer&) { p[2] = p[0]; }), "the pages are not sorted from coarse to fine");
+    const std::string notFiner = "the child of a page is not finer than the page";
     EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[0].children = {1, 3}; }), notFiner);
     EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[0].children = {0}; }), notFiner);
     const auto ofItsOwnLevel = [](Pages& p, Footer&) {
@@ -114,7 +115,7 @@ TEST(PageTable, EachLieIsNamed) {
         p[1].children = {2};
     };
     EXPECT_EQ(damageOfTablesAfter(ofItsOwnLevel), notFiner);
-    const std::string gap = "the pages do not end where their table begins";
+    const std::string gap = "the page table does not follow the last page";
     EXPECT_EQ(damageOfTablesAfter([](Pages& p, Footer&) { p[2].storedBytes += 1; }), gap);
     EXPECT_EQ(damageOfTablesAfter([](Pages&, Footer& f) { f.pageTable.offset -= 1; }), gap);
     EXPECT_EQ(damageOfTablesAfter([](Pages&, Footer& f) { f.pageCount = 4; }), "the bytes end too early");
@@ -241,9 +242,11 @@ TEST(Summary, EachLieOfFormat4IsNamed) {
     };
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     for (const double wrong : {kNan, 1 / 0.0, -1.0})
-        EXPECT_EQ(after([&](ModelSummary& s) { s.levels[1].maxAttributeError = wrong; }), "an error is no length");
+        EXPECT_EQ(
+            after([&](ModelSummary& s) { s.levels[1].maxAttributeError = wrong; }),
+            "an error is negative or not finite");
     for (const double wrong : {kNan, 1 / 0.0, 0.0, 1.1})
-        EXPECT_EQ(after([&](ModelSummary& s) { s.up.direction.z = wrong; }), "up is no unit vector");
+        EXPECT_EQ(after([&](ModelSummary& s) { s.up.direction.z = wrong; }), "the up direction is not a unit vector");
     EXPECT_EQ(after([](ModelSummary& s) { s.up.direction = {0.6, 0, -0.8}; }), "");
     EXPECT_EQ(after([](ModelSummary& s) { s.unit = static_cast<Unit>(5); }), "unit 5 is unknown");
     const std::string unnamed = "a field has no name or no range";
@@ -299,9 +302,10 @@ TEST(Summary, EachLieIsNamed) {
         return damageOf([&] { decodeSummary(encodeSummary(summary)); });
     };
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(after([](ModelSummary& s) { s.levels[0].maxError = kNan; }), "an error is no length");
-    EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = -1; }), "an error is no length");
-    EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = 1 / 0.0; }), "an error is no length") << "finite, too";
+    EXPECT_EQ(after([](ModelSummary& s) { s.levels[0].maxError = kNan; }), "an error is negative or not finite");
+    EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = -1; }), "an error is negative or not finite");
+    EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = 1 / 0.0; }), "an error is negative or not finite")
+        << "finite, too";
     EXPECT_EQ(after([](ModelSummary& s) { s.grid.origin.y = kNan; }).find("the grid's origin: expected "), 0U);
     for (const int exponent : {kLeastStepExponent - 1, kMostStepExponent + 1})
         EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }).find("the grid's step"), 0U);
@@ -315,7 +319,7 @@ TEST(Summary, EachLieIsNamed) {
     std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size() - 1);
     const std::size_t first = text.find("degenerate");
     text.replace(first, 10, "zegenerate");
-    EXPECT_EQ(damageOf([&] { decodeSummary(std::as_bytes(std::span(text))); }), "names out of order");
+    EXPECT_EQ(damageOf([&] { decodeSummary(std::as_bytes(std::span(text))); }), "the names are not sorted");
 }
 
 TEST(Footer, ComesBackAndKnowsEachOfItsBytes) {

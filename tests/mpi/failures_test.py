@@ -109,12 +109,12 @@ class Failures(JobTest):
         self.assertRegex(told.lines[0], r"gnomon: rank 1\b.*nothing.ply: cannot open: No such file")
         told = run(2, "build", hidden, "-o", self.model, *SMALL, program=self.of_rank(1, 'set -- "$@" --cluster-triangles 64'))
         self.assertEqual((told.returncode, len(told.lines)), (1, 1), told.stderr)
-        self.assertIn("it builds something else", told.lines[0])
+        self.assertIn("it has other inputs, other options", told.lines[0])
         self.assertEqual(self.left(), [])
 
     def test_wrong_usage_is_one_line_and_exit_2(self):
         for words, said in ((("build",), "INPUT is required"), (("walk",), "there is no command 'walk'"),
-                            (("bench", self.model, "--path", "p.json"), "bench runs in one process: gnomon bench"),
+                            (("bench", self.model, "--path", "p.json"), "bench works only in one process; use gnomon bench"),
                             (("build", self.made("plant", "60k"), "-o", self.model, "--in-memory"), "without temporary files")):  # fmt: skip
             told = run(2, *words)
             self.assertEqual((told.returncode, len(told.lines)), (2, 1), told.stderr)

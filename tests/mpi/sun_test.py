@@ -73,7 +73,7 @@ class Sun(JobTest):
 
     def test_what_fails_in_one_rank_is_one_line(self):
         words, place = self.outputs("failed")
-        for change, said in (('set -- "$@" --size 80x60', "it works on something else"),
+        for change, said in (('set -- "$@" --size 80x60', "it has another model, other options"),
                              ('set -- sun hours nothing.gnm "${@:4}"', "nothing.gnm: cannot open: No such file")):  # fmt: skip
             told = run(2, *self.hours, *words[2:], program=self.of_rank(1, change))
             self.assertEqual((told.returncode, len(told.lines)), (1, 1), told.stderr)

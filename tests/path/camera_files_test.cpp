@@ -78,7 +78,7 @@ TEST(CameraFiles, NameTheKeyframeWhoseAngleOrTimeIsNone) {
     for (const double degrees : {0.0, -60.0, 180.0, 720.0})
         EXPECT_TRUE(objection(changed([&](ordered_json& frame) {
                         frame["fov_y"] = degrees;
-                    })).starts_with(kPlace + ": \"fov_y\" is impossible: expected above 0 and below 180 degrees"))
+                    })).starts_with(kPlace + ": \"fov_y\" is out of range: expected above 0 and below 180 degrees"))
             << degrees;
     for (const char* key : {"fov_y", "time"})
         for (const ordered_json& wrong : {ordered_json("60"), ordered_json(nullptr), ordered_json(true)})
@@ -97,7 +97,8 @@ TEST(CameraFiles, NameTheKeyframeThatGoesBackInTimeOrLooksAtItself) {
     EXPECT_EQ(objection(changed([](ordered_json& frame) { frame["time"] = 0; })), "") << "a cut";
     EXPECT_NE(objection(changed([](ordered_json& frame) { frame["target"] = frame["eye"]; })), "");
     EXPECT_EQ(objection(changed([](ordered_json& frame) { frame["up"] = {0, 0, 1}; })), "") << "along the view";
-    EXPECT_TRUE(objection(changed([](ordered_json& frame) { frame = 3; })).starts_with(kPlace + ": a camera is an"));
+    EXPECT_TRUE(
+        objection(changed([](ordered_json& frame) { frame = 3; })).starts_with(kPlace + ": the camera is not a JSON"));
 }
 
 TEST(CameraFiles, OfNoPathAreRefusedWhole) {

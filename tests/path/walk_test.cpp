@@ -123,7 +123,7 @@ TEST(Walk, AtLeastThirtyMetresInBothStoreysOfATurbineHall) {
 TEST(Walk, SaysWhichStoreysThereAre) {
     const MadeModel model(Stairs{});
     const std::string said = refusal(model, {2, {}});
-    EXPECT_NE(said.find("no such storey: expected 0 (at -0.0"), std::string::npos) << said;
+    EXPECT_NE(said.find("unknown storey: expected 0 (at -0.0"), std::string::npos) << said;
     EXPECT_NE(said.find("), 1 (at 4.3"), std::string::npos) << said << ": none between, on the stairs";
     EXPECT_EQ(said.find(", 2 (at"), std::string::npos) << said;
     const MadeModel hall(Stairs{false});

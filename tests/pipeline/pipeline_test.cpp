@@ -350,7 +350,7 @@ TEST(Pipeline, AResumedBuildOfSomethingElseIsRefusedAndTouchesNothing) {
     options.inputKey = "input 1 bytes 17, input 1 changed yesterday";
     ASSERT_TRUE(isKilled(mesh, options, 20));
     options.isResumed = true;
-    const std::string start = options.output + ".building: cannot resume, input or options changed: ";
+    const std::string start = options.output + ".building: cannot resume, because the input or the options changed: ";
     const auto refusal = [&](const BuildOptions& other) -> std::string {
         try {
             build(mesh, other);

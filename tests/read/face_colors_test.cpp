@@ -148,7 +148,7 @@ TEST(FaceColors, TooManyForTheMemoryAreRefused) {
     EXPECT_EQ(errorAbout(scratchFaces("limit"), [&] { opened("limit", text); }), "no error");
     EXPECT_EQ(
         errorAbout(scratchFaces("limit"), [&] { opened("limit", text, {4096}); })
-            .find(": too large for faces with colours, which are read whole (colours of vertices are streamed): "),
+            .find(": too large: face colours are read into memory as a whole (vertex colours are streamed): "),
         0U);
     EXPECT_NE(
         errorAbout(scratchFaces("short"), [&] { opened("short", text.substr(0, text.size() - 1)); })

@@ -143,17 +143,17 @@ TEST(Fields, ThatAreNotThereAreRefusedWithAListOfThoseThatAre) {
         return errorAbout(
             scratchFields("one.ply"), [&] { openedFields(plyOf(randomRows(1, 3), Form::WithList), fields); });
     };
-    const std::string list = ": no such field: expected one of quality, time, label, found ";
+    const std::string list = ": unknown field: expected one of quality, time, label, found ";
     EXPECT_EQ(messageFor({"intensity"}), list + "intensity");
     EXPECT_EQ(messageFor({"quality", ""}), list);
     EXPECT_EQ(messageFor({"x"}), list + "x") << "kept anyway";
     EXPECT_EQ(messageFor({"more"}), list + "more") << "a list";
-    EXPECT_EQ(messageFor({"time", "time"}), ": a field is named twice: expected each once, found time");
+    EXPECT_EQ(messageFor({"time", "time"}), ": a field is requested twice: expected each once, found time");
     writeScratch(scratchFields("two.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(
         errorAbout(
             scratchFields("two.obj"), [] { openMeshSources({scratchFields("two.obj")}, gibibytes(1), {"quality"}); }),
-        ": only a PLY has fields: expected none, found quality");
+        ": only a PLY can have fields: expected none, found quality");
 }
 
 } // namespace

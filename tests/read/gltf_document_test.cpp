@@ -139,8 +139,8 @@ TEST_F(GltfDocument, UrisNameFilesByTheirBytes) {
         std::filesystem::remove(std::filesystem::path(folder) / name);
     }
     for (const char* const uri : {"%00.bin", "a%00.bin", "a.bin%00", "sub/%00"})
-        expectHolds(messageFor(uri), "buffer 0: its uri has a byte of 0 (%00), which no file name has: expected");
-    expectHolds(messageFor(std::string("a\0.bin", 6)), "a byte of 0 (%00)");
+        expectHolds(messageFor(uri), "buffer 0: the uri contains a zero byte (%00): expected");
+    expectHolds(messageFor(std::string("a\0.bin", 6)), "a zero byte (%00)");
     for (const char* const uri : {"a%2.bin", "a%", "%zz.bin"})
         expectHolds(messageFor(uri), "a percent sign without two hexadecimal digits: expected %25");
     maker.document["buffers"][0].erase("uri");
@@ -149,7 +149,7 @@ TEST_F(GltfDocument, UrisNameFilesByTheirBytes) {
     maker.document["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
     maker.attributes()["TEXCOORD_0"] = maker.addVectors({0, 0, 1, 0, 0, 1}, 2);
     maker.primitive()["material"] = 0;
-    expectHolds(refusalOf(maker.container()), "image 0: its uri has a byte of 0 (%00)");
+    expectHolds(refusalOf(maker.container()), "image 0: the uri contains a zero byte (%00)");
 }
 
 TEST(DataUri, HasTheBytesOfItsBase64) {
@@ -164,7 +164,7 @@ TEST(DataUri, HasTheBytesOfItsBase64) {
     EXPECT_EQ(textOfUri("data:;base64,TWFuTWE"), "ManMa");
     EXPECT_EQ(textOfUri("data:;base64,+/+/"), "\xFB\xFF\xBF");
     for (const char* const uri : {"data:;base64,T*==", "data:;base64,TW=u", "data:;base64,TW u"})
-        expectHolds(errorAbout("x", [&] { bytesOfDataUri(uri, "x"); }), ": its base64 is damaged");
+        expectHolds(errorAbout("x", [&] { bytesOfDataUri(uri, "x"); }), ": the base64 data is damaged");
     for (const char* const uri : {"data:text/plain,TWFu", "data:", "data:;base64"})
         expectHolds(errorAbout("x", [&] { bytesOfDataUri(uri, "x"); }), ": cannot be understood");
 }
@@ -181,12 +181,11 @@ TEST_F(GltfDocument, RequiredFormatsOfTexturesMatterOnlyWhereTexturesAreRead) {
         maker.primitive()["material"] = 0;
         expectHolds(
             refusalOf(maker.container()),
-            "needs a format of textures that is not read: expected PNG or JPEG, found " + std::string(name));
+            "requires an unsupported texture format: expected PNG or JPEG, found " + std::string(name));
         EXPECT_THROW(summaryOf(maker), LimitError) << "the command names its option";
         EXPECT_EQ(summaryOf(maker, Textures::Off).attributesDropped, (NamedCounts{{name, 1}, {"textures", 1}}));
         maker.document["extensionsRequired"].push_back("A_B");
-        expectHolds(
-            refusalOf(maker.container(), Textures::Off), "needs an extension of glTF that is not read: \"A_B\"");
+        expectHolds(refusalOf(maker.container(), Textures::Off), "requires an unsupported glTF extension: \"A_B\"");
         maker.document.erase("extensionsRequired");
         EXPECT_EQ(refusalOf(maker.container()), "no error") << "it is not required";
     }

@@ -61,7 +61,7 @@ TEST_F(GltfContainer, IsReadAsFarAsItIsThere) {
     expectRefusal(withWord(good, 16, 0), "not a .glb");
     const std::size_t binary = good.size() - 36 - 8;
     expectRefusal(withWord(good, binary, ~0U), "a chunk of the .glb ends after the file");
-    expectRefusal(withWord(good, binary + 4, 0), "buffer view 0: lies outside of its buffer");
+    expectRefusal(withWord(good, binary + 4, 0), "buffer view 0: the range is outside its buffer");
     EXPECT_EQ(refusalOf(good + "what a later version appends"), "no error");
 }
 
@@ -132,7 +132,7 @@ TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     holds(messageOf(withUri("data:application/octet-stream;base64,AAAA")), "buffer 0: too short: expected 36 bytes");
     holds(messageOf(withUri("data:text/html,hello")), "buffer 0: cannot be understood");
     holds(messageOf(withUri("/b.bin")), "refers to a file outside the folder of the source");
-    holds(messageOf(withUri("https://example.org/b.bin")), "refers to a file by more than a path");
+    holds(messageOf(withUri("https://example.org/b.bin")), "the uri is not a plain path");
     maker.document["buffers"][0].erase("byteLength");
     holds(messageOf(withUri("b%20\xE2\x9D\xA4.bin")), "buffer 0: cannot be understood: expected a byteLength");
     maker.document["buffers"][0]["byteLength"] = 36;
@@ -149,7 +149,7 @@ TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     holds(messageOf("{}"), "not glTF 2.0: expected \"2.0\" as the version");
     holds(
         messageOf(R"({"asset":{"version":"2.1","minVersion":"2.1"}})"),
-        ": needs a newer version of glTF: expected a minVersion of at most 2.0, found \"2.1\"");
+        ": requires a newer version of glTF: expected a minVersion of at most 2.0, found \"2.1\"");
     holds(messageOf(R"({"asset":{"version":"2.1","minVersion":"2.0"}})"), "no triangles");
     holds(messageOf(R"({"asset":{"version":"2.9"}})"), "no triangles");
     holds(messageOf(R"({"asset":{"version":"2.0"}})"), "no triangles");
@@ -234,14 +234,14 @@ TEST_F(GltfContainer, DamagedPacksAreRefused) {
     std::vector<unsigned char> packed(meshopt_encodeVertexBufferBound(3, 12));
     packed.resize(meshopt_encodeVertexBuffer(packed.data(), packed.size(), kCorners.data(), 3, 12));
     EXPECT_EQ(refusal(good, packed), "no error");
-    holds(refusal(good, {1, 2, 3, 4}), "buffer view 0: its EXT_meshopt_compression is damaged");
+    holds(refusal(good, {1, 2, 3, 4}), "buffer view 0: the data of EXT_meshopt_compression is damaged");
     holds(refusal(with("mode", "OTHER"), packed), "cannot be understood");
     holds(refusal(with("byteStride", 3), packed), "cannot be understood");
     holds(refusal(with("byteStride", 4096), packed), "cannot be understood");
     holds(refusal(with("count", -3), packed), "cannot be understood");
     holds(refusal(with("count", 2.5), packed), "cannot be understood");
-    holds(refusal(with("filter", "QUATERNION"), packed), "a filter of EXT_meshopt_compression that is not read");
-    holds(refusal(with("filter", "OCTAHEDRAL"), packed), "a filter of EXT_meshopt_compression that is not read");
+    holds(refusal(with("filter", "QUATERNION"), packed), "unsupported filter of EXT_meshopt_compression");
+    holds(refusal(with("filter", "OCTAHEDRAL"), packed), "unsupported filter of EXT_meshopt_compression");
 }
 
 TEST_F(GltfContainer, ScenesJoinOtherInputs) {
@@ -264,7 +264,8 @@ TEST_F(GltfContainer, ScenesJoinOtherInputs) {
     EXPECT_TRUE(source->summary().isDouble);
     EXPECT_NO_THROW(source->requireUnchanged());
     EXPECT_NE(
-        errorAbout(path, [&] { openMeshSources({path}, mebibytes(64), {"quality"}); }).find("only a PLY has fields"),
+        errorAbout(path, [&] { openMeshSources({path}, mebibytes(64), {"quality"}); })
+            .find("only a PLY can have fields"),
         std::string::npos);
 }
 

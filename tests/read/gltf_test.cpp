@@ -225,13 +225,17 @@ TEST_F(ReadMadeGltf, ClaimsThatTheBytesDoNotHoldAreRefused) {
     holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteLength"] = kMany; }), "buffer view 0: lies");
     holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteOffset"] = kMany; }), "buffer view 0: lies");
     holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["buffer"] = 7; }), "no such buffer");
-    holds(refusal([](GltfMaker& m) { m.document["accessors"][1]["componentType"] = 5126; }), "no unsigned integers");
-    holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["type"] = "VEC2"; }), "accessor 0: other elements");
+    holds(refusal([](GltfMaker& m) { m.document["accessors"][1]["componentType"] = 5126; }), "not unsigned integers");
+    holds(
+        refusal([](GltfMaker& m) { m.document["accessors"][0]["type"] = "VEC2"; }),
+        "accessor 0: wrong number of components");
     holds(refusal([](GltfMaker& m) { m.document["nodes"][0]["mesh"] = 3; }), "no such mesh");
     holds(refusal([](GltfMaker& m) { m.primitive()["material"] = 1; }), "no such material");
     holds(refusal([](GltfMaker& m) { m.document["scene"] = 4; }), "no such scene");
-    holds(refusal([](GltfMaker& m) { m.document["nodes"][0]["children"] = {0}; }), "node 0: nodes that are no tree");
-    holds(refusal([](GltfMaker& m) { m.document["extensionsRequired"] = {"A_B"}; }), "needs an extension");
+    holds(refusal([](GltfMaker& m) { m.document["nodes"][0]["children"] = {0}; }), "node 0: the nodes are not a tree");
+    holds(
+        refusal([](GltfMaker& m) { m.document["extensionsRequired"] = {"A_B"}; }),
+        "requires an unsupported glTF extension");
     const auto sparse = [](GltfMaker& m) {
         m.document["accessors"][0] = {
             {"componentType", 5126},

@@ -511,7 +511,7 @@ TEST_F(StreamedObj, SaysThatAWordIsTooLong) {
         for (const char* const end : {"", "\\\n\n"}) { // of a line that is in the window as it is, and of another
             writeScratch(path, kCorners + line + end + "f 1 2 3\n");
             const std::string message = errorAbout(path, [&] { openObj(path, kObjRoom); });
-            EXPECT_NE(message.find(": a word of more than 1000 characters"), std::string::npos) << message;
+            EXPECT_NE(message.find(": a word is longer than 1000 characters"), std::string::npos) << message;
         }
     writeScratch(path, kCorners + "v 1." + digits.substr(2) + " 0 0\nf 1 2 4\n");
     EXPECT_EQ(collect(*openObj(path, kObjRoom)).positions.size(), 6U);

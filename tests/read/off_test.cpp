@@ -208,14 +208,18 @@ TEST_F(Off, ErrorsNameTheLine) {
     for (const char* const bad : {"3", "3 1 0 0", "3 -1 0", "3 1 x", "18446744073709551616 1 0", "x"})
         EXPECT_NE(errorOf("OFF\n" + std::string(bad) + "\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"), "no error") << bad;
     EXPECT_NE(
-        errorOf("OFF\n3 4000000000 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n").find("the file ends too early"),
+        errorOf("OFF\n3 4000000000 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n")
+            .find("the file is too short for the counts of its header"),
         std::string::npos);
-    EXPECT_NE(errorOf("OFF\n4000000000000000000 1 0\n0 0 0\n").find("the file ends too early"), std::string::npos);
     EXPECT_NE(
-        errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n4000000000 0 1 2\n").find("too large a face"), std::string::npos);
+        errorOf("OFF\n4000000000000000000 1 0\n0 0 0\n").find("the file is too short for the counts of its header"),
+        std::string::npos);
+    EXPECT_NE(
+        errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n4000000000 0 1 2\n").find("the face has too many corners"),
+        std::string::npos);
     EXPECT_NE(errorOf("COFF\n1 1 0\n0 0 0 1 1\n3 0 0 0\n").find("a colour of three or four"), std::string::npos);
     const std::string longNumber = "1." + std::string(1000, '3');
-    const std::string isLong = ": a word of more than 1000 characters: expected a number or a keyword, found \"1.333";
+    const std::string isLong = ": a word is longer than 1000 characters: expected a number or a keyword, found \"1.333";
     EXPECT_NE(
         errorOf("OFF\n3 1 0\n0 0 0\n" + longNumber + " 0 0\n1 1 0\n3 0 1 2\n").find(":4" + isLong), std::string::npos);
     EXPECT_NE(
@@ -267,7 +271,7 @@ TEST_F(Off, TooLargeForTheMemoryIsSaidBeforeReading) {
     std::ofstream(path) << "OFF\n4 2 0\n" + kBody;
     std::filesystem::resize_file(path, std::uint64_t{1} << 32U);
     const std::string message = errorAbout(path, [&] { readOff(path, gibibytes(2)); });
-    EXPECT_NE(message.find("too large for a format that is read whole"), std::string::npos) << message;
+    EXPECT_NE(message.find("too large: this format is read into memory as a whole"), std::string::npos) << message;
 }
 
 TEST_F(Off, MutatedFilesGiveAMeshOrAnError) {

@@ -256,7 +256,7 @@ TEST(ReadPly, HeaderErrorsNameTheLine) {
     EXPECT_EQ(
         errorOf("h6", ascii("element vertex 3\nproprety float x\n", "")), R"(:4: unknown header keyword "proprety")");
     EXPECT_EQ(errorOf("h7", ascii("property float x\n", "")), ":3: a property before any element");
-    EXPECT_EQ(errorOf("h8", "ply\n" + kVertexHeader + kFaces + "end_header\n"), ":8: the header names no format");
+    EXPECT_EQ(errorOf("h8", "ply\n" + kVertexHeader + kFaces + "end_header\n"), ":8: the header has no format line");
     EXPECT_EQ(errorOf("h9", ascii(kVertexHeader, kFour)), ": no faces: this is a point cloud; make a mesh of it first");
     EXPECT_EQ(errorOf("h10", ascii(kFaces, "3 0 0 0\n")), ": the header declares no vertices");
     EXPECT_EQ(
@@ -281,7 +281,7 @@ TEST(ReadPly, WhatCannotBeReadTwiceIsRefused) {
             ADD_FAILURE() << path;
         } catch (const Error& error) {
             std::string expected = path;
-            expected.append(": a source is read several times: expected a file, found ").append(kind);
+            expected.append(": a source must be a file, because it is read several times: expected a file, found ").append(kind);
             EXPECT_EQ(error.what(), expected);
         }
     }
@@ -317,7 +317,7 @@ TEST(ReadPly, BodyErrorsNameTheLine) {
         "for at most 4");
     EXPECT_EQ(
         errorOf("b6", ascii(kVertexHeader + kFaces, kFour + "-3 0 1 2\n")),
-        ":14: absurd list count: expected none below 0, found -3");
+        ":14: invalid list count: expected none below 0, found -3");
     EXPECT_EQ(
         errorOf("b7", ascii(kVertexHeader + kFaces, kFour + "3 0 1")),
         ":14: the file ends too early: expected 1 rows of element \"face\", found 0");

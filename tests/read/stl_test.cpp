@@ -195,14 +195,15 @@ TEST_F(Stl, ErrorsNameThePlace) {
     EXPECT_EQ(
         errorOf("solid x\nouter loop\nvertex 0 0 0\nendloop\nendsolid\n"),
         R"(:4: bad loop: expected three vertices, found "endloop")");
-    EXPECT_EQ(errorOf("solid x\nvertex 0 0 0\n"), ":2: a vertex outside of a loop, or the fourth of one");
-    EXPECT_EQ(errorOf("solid x\nfaces 3\n"), R"(:2: not a word of an STL file: "faces")");
+    EXPECT_EQ(
+        errorOf("solid x\nvertex 0 0 0\n"), ":2: a vertex is outside a loop, or the loop has more than three vertices");
+    EXPECT_EQ(errorOf("solid x\nfaces 3\n"), R"(:2: unknown STL keyword: "faces")");
     EXPECT_EQ(errorOf("solid x\nouter loop\nvertex 0 x 0\n"), R"(:3: not a number: expected a number, found "x")");
     EXPECT_EQ(errorOf("solid x\nouter loop\nvertex 0 inf 0\nvertex"), ":3: a coordinate is not finite");
     EXPECT_EQ(errorOf("solid x\nendsolid\n"), ": empty: it has no vertices and no faces");
     EXPECT_EQ(errorOf(std::string("s\0o\0l\0i\0d\0 \0x\0", 14)), ": the text is in UTF-16; convert to UTF-8");
     EXPECT_NE(errorOf("solid x " + std::string(100'000, 'n')), "no error");
-    const std::string isLong = ": a word of more than 1000 characters: expected a number or a keyword, found ";
+    const std::string isLong = ": a word is longer than 1000 characters: expected a number or a keyword, found ";
     EXPECT_NE(
         errorOf("solid x\nouter loop\nvertex 0 " + std::string(1001, '1') + " 0\n").find(":3" + isLong),
         std::string::npos);

@@ -195,7 +195,9 @@ TEST(RowErrors, AreCountedFromZeroAndEndTheDocument) {
         evaluateRows({{"rows", rows}}, "rows.json");
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "rows.json: row 2: family: expected one that the theory knows, found eq99");
+        const std::string said = error.what();
+        EXPECT_TRUE(said.starts_with("rows.json: row 2: unknown family: expected one of ")) << said;
+        EXPECT_TRUE(said.ends_with(", tsm_80, found eq99")) << said;
     }
     for (const json& none :
          {json(), json(3), json::array(), json::object(), json{{"rows", 3}}, json{{"rows", {{}, 2}}}})

@@ -125,7 +125,7 @@ def check_recent_views(display, program, folder, model):
     session = Session(display, program, folder, model, state=state / "blocked")
     time.sleep(1)
     session.leave()
-    session.expect("recent views cannot be kept")
+    session.expect("cannot save recent views")
 
 
 def settled_shot(session):

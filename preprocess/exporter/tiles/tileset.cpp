@@ -327,7 +327,7 @@ ExportedTileset exportTileset(
     const std::string& model, const TilesetOptions& options, const std::string& folder, Progress& progress) {
     std::error_code missing;
     if (fs::exists(folder, missing) && !(fs::is_directory(folder, missing) && fs::is_empty(folder, missing)))
-        throw Error(folder, "tiles go into a folder of their own", "an empty folder or a new one", "something in it");
+        throw Error(folder, "tiles need an empty folder", "an empty or new folder", "other files");
     if (options.place && !(std::abs(options.place->x) <= 90))
         throw Error("a place on the earth", "bad latitude", "-90 to 90", std::to_string(options.place->x));
     const ModelFile file(model);

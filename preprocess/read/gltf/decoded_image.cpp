@@ -164,7 +164,7 @@ DecodedImage decodedJpeg(std::span<const std::byte> encoded, MemoryRoom& room, c
         if (failed != 0)
             throw Error(where, "the JPEG is damaged: " + printable(std::string_view(tjGetErrorStr2(reader.get()))));
     };
-    if (!reader) throw Error(where, "the JPEG cannot be read: no memory for its reader");
+    if (!reader) throw Error(where, "out of memory for the JPEG reader");
     const auto* bytes = reinterpret_cast<const unsigned char*>(encoded.data());
     DecodedImage image;
     int subsampling = 0;
@@ -219,8 +219,7 @@ DecodedImage decodedImage(std::span<const std::byte> encoded, MemoryRoom& room, 
     constexpr std::array<std::uint8_t, 3> kJpeg = {0xFF, 0xD8, 0xFF};
     if (beginsWith(encoded, kPng)) return decodedPng(encoded, room, where);
     if (beginsWith(encoded, kJpeg)) return decodedJpeg(encoded, room, where);
-    throw LimitError(
-        Limit::Textures, {where, "not an image that can be read", "a PNG or a JPEG", otherFormatOf(encoded)});
+    throw LimitError(Limit::Textures, {where, "unknown image format", "a PNG or a JPEG", otherFormatOf(encoded)});
 }
 
 } // namespace gnomon::read

@@ -88,7 +88,7 @@ Elements elementsIn(
     if (!isIn)
         throw Error(
             place,
-            "lies outside of its buffer view",
+            "the range is outside its buffer view",
             "within " + std::to_string(all.size()) + " bytes",
             std::to_string(count) + " elements of " + std::to_string(bytesEach) + " bytes from " +
                 std::to_string(layout.byteOffset) + " on");
@@ -108,10 +108,10 @@ void visit(GltfFile& file, int index, Take take) {
             take(i, elements, i);
     }
     if (!accessor.sparse.isSparse) {
-        if (accessor.bufferView < 0) throw Error(place, "it has no bytes: neither a buffer view nor a sparse part");
+        if (accessor.bufferView < 0) throw Error(place, "the accessor has neither a buffer view nor a sparse part");
         return;
     }
-    if (accessor.sparse.count < 0) throw Error(place, "its sparse part has a negative count");
+    if (accessor.sparse.count < 0) throw Error(place, "the sparse part has a negative count");
     tinygltf::Accessor layout = accessor;
     layout.count = static_cast<std::size_t>(accessor.sparse.count);
     layout.bufferView = accessor.sparse.values.bufferView;
@@ -121,7 +121,7 @@ void visit(GltfFile& file, int index, Take take) {
     layout.byteOffset = static_cast<std::size_t>(std::max(0, accessor.sparse.indices.byteOffset));
     layout.componentType = accessor.sparse.indices.componentType;
     const std::size_t indexBytes = componentBytes(layout.componentType);
-    if (indexBytes == 0) throw Error(place, "its sparse indices are of an unknown type");
+    if (indexBytes == 0) throw Error(place, "the sparse indices have an unknown type");
     const Elements places = elementsIn(file, place, layout, indexBytes, true);
     for (std::uint64_t i = 0; i < layout.count; ++i) {
         const double at = stored(places.type, places.at(i, 0)).value;
@@ -152,7 +152,7 @@ std::vector<T> valuesFor(GltfFile& file, int index, std::size_t components, T va
     const tinygltf::Accessor& accessor = accessorAt(file, index);
     if (componentBytes(accessor.componentType) == 0 || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE ||
         accessor.componentType == TINYGLTF_COMPONENT_TYPE_INT)
-        throw Error(placeOf(file, index), "a component type that glTF does not have");
+        throw Error(placeOf(file, index), "unknown component type");
     file.room().take(accessor.count, components * sizeof(T));
     return std::vector<T>(accessor.count * components, value);
 }
@@ -162,7 +162,7 @@ void requireComponents(const GltfFile& file, int index, std::size_t expected) {
     if (found != expected)
         throw Error(
             placeOf(file, index),
-            "other elements than asked for",
+            "wrong number of components",
             std::to_string(expected) + " components",
             std::to_string(found));
 }
@@ -193,7 +193,7 @@ std::vector<std::uint32_t> indicesOf(GltfFile& file, int accessor) {
     const int type = accessorAt(file, accessor).componentType;
     if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-        throw Error(placeOf(file, accessor), "indices that are no unsigned integers");
+        throw Error(placeOf(file, accessor), "the indices are not unsigned integers");
     std::vector<std::uint32_t> values = valuesFor<std::uint32_t>(file, accessor, 1, 0);
     visit(file, accessor, [&](std::uint64_t element, const Elements& elements, std::uint64_t place) {
         values[element] = static_cast<std::uint32_t>(stored(elements.type, elements.at(place, 0)).value);

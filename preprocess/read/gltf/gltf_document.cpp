@@ -101,7 +101,7 @@ void requireNoDraco(const json& document, const std::string& path) {
         if (mesh.is_object())
             for (const json& primitive : arrayOf(mesh, "primitives", path))
                 if (primitive.is_object() && primitive.contains(packed) && !hasBytes(primitive))
-                    throw Error(path, "needs an extension of glTF that is not read: \"KHR_draco_mesh_compression\"");
+                    throw Error(path, "requires an unsupported glTF extension: \"KHR_draco_mesh_compression\"");
 }
 
 /// Counts parts of a document by their names.
@@ -182,7 +182,8 @@ void requireVersion(const json& document, const std::string& path) {
     const std::string minVersion = textOf(asset, "minVersion");
     const bool isRead = minVersion.empty() || minVersion == "2" || minVersion == "2.0" || minVersion.starts_with("1.");
     if (!isRead)
-        throw Error(path, "needs a newer version of glTF", "a minVersion of at most 2.0", quotedForMessage(minVersion));
+        throw Error(
+            path, "requires a newer version of glTF", "a minVersion of at most 2.0", quotedForMessage(minVersion));
 }
 
 void requireExtensions(const json& document, const std::string& path, bool readsTextures) {
@@ -190,10 +191,9 @@ void requireExtensions(const json& document, const std::string& path, bool reads
         const std::string text = name.is_string() ? name.get<std::string>() : "a name that is none";
         if (isIn(kReadExtensions, text) || isIn(kHarmlessExtensions, text)) continue;
         if (!isIn(kTextureExtensions, text))
-            throw Error(path, "needs an extension of glTF that is not read: " + quotedForMessage(text));
+            throw Error(path, "requires an unsupported glTF extension: " + quotedForMessage(text));
         if (readsTextures)
-            throw LimitError(
-                Limit::Textures, {path, "needs a format of textures that is not read", "PNG or JPEG", text});
+            throw LimitError(Limit::Textures, {path, "requires an unsupported texture format", "PNG or JPEG", text});
     }
     requireNoDraco(document, path);
 }

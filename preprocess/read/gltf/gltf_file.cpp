@@ -149,7 +149,7 @@ void GltfFile::parse(const std::string& text, bool readsTextures) {
     const auto endsValue = [](char c) { return c == ',' || c == ':' || c == '[' || c == '{'; };
     room_.take(static_cast<std::uint64_t>(std::count_if(text.begin(), text.end(), endsValue)), kBytesPerJsonValue);
     Json document = Json::parse(text, nullptr, false);
-    if (!document.is_object()) throw Error(path(), "not glTF", "an object of JSON", "something else");
+    if (!document.is_object()) throw Error(path(), "not glTF", "a JSON object", "other data");
     requireVersion(document, path());
     requireExtensions(document, path(), readsTextures);
     leaveOut(document);
@@ -213,8 +213,7 @@ std::vector<std::byte> GltfFile::ofUri(const std::string& uri, const std::string
 /// Returns the path of the file that `uri` names. Throws Error for a URI with a scheme such as "http://".
 std::string GltfFile::besideThis(const std::string& uri, const std::string& place) const {
     if (uri.find("://") != std::string::npos)
-        throw Error(
-            place, "refers to a file by more than a path", "a path from the folder of the file", quotedForMessage(uri));
+        throw Error(place, "the uri is not a plain path", "a path from the folder of the file", quotedForMessage(uri));
     std::string path = root_.pathOf(fileNameOf(uri, place), place);
     std::error_code missing;
     requirePercentDigits(uri, std::filesystem::exists(path, missing), place);
@@ -240,7 +239,7 @@ std::span<const std::byte> GltfFile::inBuffer(
     if (!isWhole(offset) || !isWhole(length) || offset + length > static_cast<double>(bytes.size()))
         throw Error(
             place,
-            "lies outside of its buffer",
+            "the range is outside its buffer",
             "within " + std::to_string(bytes.size()) + " bytes",
             std::to_string(length) + " bytes from " + std::to_string(offset));
     return std::span(bytes).subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
@@ -277,9 +276,9 @@ std::vector<std::byte> GltfFile::unpacked(int view, const tinygltf::Value& packe
     const bool isOfVertices = mode == "ATTRIBUTES" && size >= 4 && size <= 256 && std::fmod(size, 4) == 0;
     const bool isOfIndices = (mode == "TRIANGLES" || mode == "INDICES") && (size == 2 || size == 4);
     if (!isWhole(asked) || !(isOfVertices || isOfIndices) || (mode == "TRIANGLES" && std::fmod(asked, 3) != 0))
-        throw Error(place, "its EXT_meshopt_compression cannot be understood");
+        throw Error(place, "EXT_meshopt_compression has invalid values");
     if (!(filter.empty() || filter == "NONE" || (isOctahedral && (size == 4 || size == 8))))
-        throw Error(place, "a filter of EXT_meshopt_compression that is not read: " + quotedForMessage(filter));
+        throw Error(place, "unsupported filter of EXT_meshopt_compression: " + quotedForMessage(filter));
     const auto count = static_cast<std::size_t>(asked);
     const auto stride = static_cast<std::size_t>(size);
     room_.take(count, stride);
@@ -289,7 +288,7 @@ std::vector<std::byte> GltfFile::unpacked(int view, const tinygltf::Value& packe
                        : mode == "TRIANGLES"
                            ? meshopt_decodeIndexBuffer(bytes.data(), count, stride, data, from.size())
                            : meshopt_decodeIndexSequence(bytes.data(), count, stride, data, from.size());
-    if (failed != 0) throw Error(place, "its EXT_meshopt_compression is damaged");
+    if (failed != 0) throw Error(place, "the data of EXT_meshopt_compression is damaged");
     if (isOctahedral) meshopt_decodeFilterOct(bytes.data(), count, stride);
     return bytes;
 }

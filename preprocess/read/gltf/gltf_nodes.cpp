@@ -60,7 +60,7 @@ std::vector<float> instanceValues(
     if (count > 0 && found != count)
         throw Error(
             file.path(),
-            "instances with values missing",
+            "the instances have different numbers of values",
             std::to_string(count) + " of each kind",
             std::to_string(found));
     count = found;
@@ -160,9 +160,9 @@ private:
         if (isMet_[static_cast<std::size_t>(node)])
             throw Error(
                 file_.where("node", static_cast<std::uint64_t>(node)),
-                "nodes that are no tree",
-                "one way to each node",
-                "a cycle, or a second parent");
+                "the nodes are not a tree",
+                "one parent per node",
+                "a cycle or a second parent");
         isMet_[static_cast<std::size_t>(node)] = true;
     }
 
@@ -218,7 +218,7 @@ private:
         if (instanceCount == 0)
             throw Error(
                 file_.path(),
-                "instances without places",
+                "the instances have no transformation",
                 "TRANSLATION, ROTATION or SCALE of EXT_mesh_gpu_instancing",
                 "none");
         for (const std::string& name : attributes.Keys())

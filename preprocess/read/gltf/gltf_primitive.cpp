@@ -22,7 +22,7 @@ void requireAsMany(const GltfFile& file, int accessor, std::uint64_t vertices) {
     if (count != vertices)
         throw Error(
             file.where("accessor", static_cast<std::uint64_t>(accessor)),
-            "not one value for each vertex",
+            "wrong number of values",
             std::to_string(vertices) + " values",
             std::to_string(count));
 }
@@ -32,7 +32,8 @@ std::vector<std::array<std::uint32_t, 3>> trianglesOf(
     GltfFile& file, int mode, const std::vector<std::uint32_t>& corners, const std::string& where) {
     const std::size_t count = corners.size();
     if (mode == TINYGLTF_MODE_TRIANGLES && count % 3 != 0)
-        throw Error(where, "triangles with corners missing", "a multiple of three", std::to_string(count) + " corners");
+        throw Error(
+            where, "the last triangle is incomplete", "a multiple of three", std::to_string(count) + " corners");
     std::vector<std::array<std::uint32_t, 3>> triangles;
     const std::size_t stride = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
     file.room().take(count / stride, sizeof(triangles[0]));
@@ -58,7 +59,7 @@ std::optional<GltfPrimitive> GltfPrimitives::read(const tinygltf::Primitive& fro
         return std::nullopt;
     }
     if (mode > TINYGLTF_MODE_TRIANGLE_FAN)
-        throw Error(file_.path(), "a primitive of no mode of glTF", "0 to 6", std::to_string(mode));
+        throw Error(file_.path(), "unknown mode of a primitive", "0 to 6", std::to_string(mode));
     const int positions = attributeOf(from, "POSITION");
     if (positions < 0) {
         ++leftOut_["primitives without positions"];

@@ -155,7 +155,7 @@ private:
         if (!summary_.hasNormals && withNormals > 0) summary_.attributesDropped["NORMAL"] += withNormals;
         takeCameras(scene.cameras, summary_);
         if (reader.texelsPerEdge() > 0) summary_.texelsPerEdge = reader.texelsPerEdge();
-        if (summary_.faceCount == 0) throw Error(file.path(), "no triangles: its scene shows no mesh that has any");
+        if (summary_.faceCount == 0) throw Error(file.path(), "no triangles: no mesh of the scene has triangles");
     }
 
     void fill(

@@ -23,7 +23,7 @@ public:
         }
         throw Error(
             path_,
-            "too large for a format that is read whole (convert it to PLY, which is streamed)",
+            "too large: this format is read into memory as a whole; convert the file to PLY, which is streamed",
             "at most " + readableBytes(limit_) + " of memory",
             "a need for " + std::to_string(count) + " values of " + std::to_string(bytes) + " bytes besides " +
                 readableBytes({taken_}));

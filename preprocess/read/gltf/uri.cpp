@@ -59,7 +59,10 @@ std::vector<std::byte> bytesOfDataUri(std::string_view uri, const std::string& p
         const int digit = base64Digit(c);
         if (digit < 0)
             throw Error(
-                place, "its base64 is damaged", "letters, digits, + and /", quotedForMessage(std::string_view(&c, 1)));
+                place,
+                "the base64 data is damaged",
+                "letters, digits, + and /",
+                quotedForMessage(std::string_view(&c, 1)));
         bits = (bits << 6U | static_cast<std::uint32_t>(digit)) & 0xFFFFU;
         held += 6;
         if (held < 8) continue;
@@ -76,11 +79,7 @@ std::string fileNameOf(std::string_view uri, const std::string& place) {
         if (byte) i += 2;
         name += byte.value_or(uri[i]);
         if (name.back() == '\0')
-            throw Error(
-                place,
-                "its uri has a byte of 0 (%00), which no file name has",
-                "the name of a file",
-                quotedForMessage(uri));
+            throw Error(place, "the uri contains a zero byte (%00)", "the name of a file", quotedForMessage(uri));
     }
     return name;
 }
@@ -91,7 +90,7 @@ void requirePercentDigits(std::string_view uri, bool hasFile, const std::string&
         if (uri[i] == '%' && !percentByte(uri, i))
             throw Error(
                 place,
-                "its uri has a percent sign without two hexadecimal digits",
+                "the uri has a percent sign without two hexadecimal digits",
                 "%25 for the sign itself",
                 quotedForMessage(uri));
 }

@@ -164,7 +164,10 @@ void ObjLines::takeFace(ObjLine& line) {
             throw Error(where(), "bad corner of a face", "V, V/T, V//N or V/T/N with V not 0", quotedForMessage(word));
         if (corners_.size() == kMaxPolygonCorners)
             throw Error(
-                where(), "too large a face", "at most " + std::to_string(kMaxPolygonCorners) + " corners", "more");
+                where(),
+                "the face has too many corners",
+                "at most " + std::to_string(kMaxPolygonCorners) + " corners",
+                "more");
         ObjCorner& corner = corners_.emplace_back();
         corner.vertex = countedFromZero(indices->vertex, vertices_);
         if (indices->normal != 0) corner.normal = countedFromZero(indices->normal, normals_);

@@ -151,7 +151,7 @@ private:
     void surveyColor(const ObjLine& line) {
         listedColors_.push_back(packedChannels(glm::dvec4(line.vector, 1), 1));
         if (listedColors_.size() * sizeof(std::uint32_t) > memoryLimit_.count)
-            throw Error(file_.path(), "too many lines of colours (vc) for the memory (convert it to PLY)");
+            throw Error(file_.path(), "too many colour lines (vc) for the memory; convert the file to PLY");
     }
 
     bool hasVertexColors() const { return counts_.coloredVertices > 0 || !listedColors_.empty(); }
@@ -202,7 +202,7 @@ private:
         if (needed > memoryLimit_.count)
             throw Error(
                 file_.path(),
-                "too large: what faces say of its vertices is held (convert it to PLY, which is streamed)",
+                "too large: normals and colours of vertices need memory; convert the file to PLY, which is streamed",
                 "at most " + readableBytes(memoryLimit_) + " of memory",
                 "a need for up to " + readableBytes({needed}));
         vertices_.emplace(

@@ -184,7 +184,7 @@ void ObjVertices::requireRoom() const {
     if (heldBytes() > options_.memoryLimit.count)
         throw Error(
             options_.path,
-            "too many vertices have several normals or colours (convert it to PLY)",
+            "too many vertices have several normals or colours; convert the file to PLY",
             "at most " + readableBytes(options_.memoryLimit) + " of memory",
             "a need for more than " + readableBytes({heldBytes()}));
 }

@@ -101,7 +101,7 @@ private:
         if (size > kMaxPolygonCorners)
             throw Error(
                 where(),
-                "too large a face",
+                "the face has too many corners",
                 "at most " + std::to_string(kMaxPolygonCorners) + " corners",
                 std::to_string(size));
         for (std::uint32_t i = 0; i < size; ++i) {

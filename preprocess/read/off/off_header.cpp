@@ -96,14 +96,17 @@ private:
         constexpr std::uint64_t kVertexBytes = 6; // "0 0 0 "
         constexpr std::uint64_t kFaceBytes = 2;   // "0\n"
         const std::uint64_t left = file_.size() - header_.bodyOffset + 1;
-        const bool isGood = header_.vertices <= left / kVertexBytes &&
-                            header_.faces <= (left - kVertexBytes * header_.vertices) / kFaceBytes;
-        if (!isGood)
+        requireAtMost(left / kVertexBytes, header_.vertices, "vertices");
+        requireAtMost((left - kVertexBytes * header_.vertices) / kFaceBytes, header_.faces, "faces");
+    }
+
+    void requireAtMost(std::uint64_t max, std::uint64_t count, const std::string& rows) const {
+        if (count > max)
             throw Error(
                 file_.path(),
-                "the file ends too early",
-                std::to_string(header_.vertices) + " vertices and " + std::to_string(header_.faces) + " faces",
-                std::to_string(left - 1) + " bytes");
+                "the file is too short for the counts of its header",
+                "at most " + std::to_string(max) + " " + rows,
+                std::to_string(count));
     }
 
     const InputFile& file_;

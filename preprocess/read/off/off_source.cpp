@@ -119,7 +119,7 @@ private:
         if (*size > kMaxPolygonCorners)
             throw Error(
                 text_.where(),
-                "too large a face",
+                "the face has too many corners",
                 "at most " + std::to_string(kMaxPolygonCorners) + " corners",
                 std::to_string(*size));
         for (std::uint64_t i = 0; i < *size; ++i) {

@@ -49,7 +49,7 @@ std::string_view AsciiValues::word() {
     std::size_t length = 0;
     while (length < size && !isBlank(text[length]))
         ++length;
-    if (length > kLongestWord) throw Error(where(), "not a number: a word of more than 1000 characters");
+    if (length > kLongestWord) throw Error(where(), "not a number: a word is longer than 1000 characters");
     stream_.consume(length);
     return {text, length};
 }

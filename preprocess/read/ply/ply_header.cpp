@@ -50,7 +50,7 @@ public:
             if (!line.empty() && line[0] == "end_header") break;
             if (!line.empty()) statement(line);
         }
-        if (!format_) fail("the header names no format");
+        if (!format_) fail("the header has no format line");
         header_.format = *format_;
         header_.bodyOffset = position_;
         header_.bodyLine = line_ + 1;

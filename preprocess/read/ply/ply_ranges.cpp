@@ -1,5 +1,6 @@
 #include "preprocess/read/ply/ply_ranges.h"
 
+#include "core/check.h"
 #include "preprocess/read/ply/ply_fast.h"
 #include "preprocess/read/ply/ply_layout.h"
 
@@ -108,12 +109,12 @@ void PlyRanges::takeIndex(const RowIndex::Part& index) {
                std::ranges::all_of(places, [&](const RowIndex::Place& place) { return place.offset <= last; });
     };
     if (!isOf(index.vertices, vertexRows()) || !isOf(index.faces, faceRows()))
-        throw Error(file_.path(), "its rows do not lie where another process found them");
+        throw Error(file_.path(), "another process read a different file; all processes must read the same file");
     index_ = index;
 }
 
 const RowIndex::Part& PlyRanges::index() const {
-    if (!index_) throw Error(file_.path(), "its rows cannot be read from anywhere yet");
+    GNOMON_CHECK(index_.has_value());
     return *index_;
 }
 

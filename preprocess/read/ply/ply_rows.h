@@ -48,7 +48,7 @@ inline std::uint8_t colorByte(PlyType type, double value, double full) {
 template <class Values>
 std::uint64_t readListCount(Values& values, const PlyProperty& list) {
     const std::int64_t count = values.integer(list.countType);
-    if (count < 0) throw Error(values.where(), "absurd list count", "none below 0", std::to_string(count));
+    if (count < 0) throw Error(values.where(), "invalid list count", "none below 0", std::to_string(count));
     const std::uint64_t most = values.mostValues(list.type);
     if (static_cast<std::uint64_t>(count) > most)
         throw Error(
@@ -118,7 +118,7 @@ void readCorners(
     if (count > kMaxPolygonCorners)
         throw Error(
             values.where(),
-            "absurd list count",
+            "invalid list count",
             "a polygon of at most " + std::to_string(kMaxPolygonCorners) + " corners",
             std::to_string(count));
     corners.clear();

@@ -86,7 +86,10 @@ public:
 
     void takeRowIndex(const RowIndex& index) override {
         requireRanges();
-        if (index.parts.size() != 1) throw Error(summary_.path, "another process has other inputs");
+        if (index.parts.size() != 1)
+            throw Error(
+                summary_.path,
+                "another process reads other input files; start all processes with the same command line");
         ranges_->takeIndex(index.parts.front());
     }
 
@@ -127,7 +130,7 @@ public:
 
 private:
     void requireRanges() const {
-        if (!ranges_) throw Error(summary_.path, "its rows cannot be read from anywhere");
+        if (!ranges_) throw Error(summary_.path, "its rows cannot be read in any order");
     }
 
     void addToSummary(std::size_t i, const std::vector<std::string>& fields) {
@@ -209,8 +212,8 @@ private:
             const auto field =
                 std::ranges::find_if(known, [&](std::size_t i) { return element.properties[i].name == name; });
             if (std::ranges::count(names, name) > 1)
-                throw Error(summary_.path, "a field is named twice", "each once", name);
-            if (field == known.end()) throw Error(summary_.path, "no such field", listOf(element, known), name);
+                throw Error(summary_.path, "a field is requested twice", "each once", name);
+            if (field == known.end()) throw Error(summary_.path, "unknown field", listOf(element, known), name);
             layout_.fields.push_back(*field);
             summary_.fields.push_back(name);
         }

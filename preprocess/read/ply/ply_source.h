@@ -16,7 +16,7 @@ namespace gnomon::read {
 /// independent of the size of the file.
 ///
 /// Throws Error with line or byte if the file is not a PLY, has a bad header, is too short for its counts, or has no x
-/// y z or no faces. The passes throw Error for truncated bodies, negative or absurd list counts, indices out of range,
+/// y z or no faces. The passes throw Error for truncated bodies, negative or invalid list counts, indices out of range,
 /// and data after the last element.
 std::unique_ptr<MeshSource> openPly(const std::string& path);
 

@@ -159,7 +159,8 @@ std::unique_ptr<MeshSource> readStl(const std::string& path, Bytes memoryLimit) 
     requireRoomForWhole(path, file.size(), memoryLimit);
     constexpr std::uint64_t kLeastVertexBytes = 12;
     if (file.size() / kLeastVertexBytes >= std::numeric_limits<std::uint32_t>::max())
-        throw Error(path, "too large for an STL (convert it to PLY)", "less than 51 GB", readableBytes({file.size()}));
+        throw Error(
+            path, "too large for an STL; convert the file to PLY", "less than 51 GB", readableBytes({file.size()}));
     const std::optional<std::uint64_t> facets = binaryFacets(file);
     MemoryMesh mesh = facets ? StlBytes(file, *facets).read(memoryLimit) : readStlText(file);
     file.requireUnchanged();

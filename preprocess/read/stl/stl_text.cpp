@@ -57,7 +57,7 @@ private:
         text_.requireShort(word);
         constexpr std::array<std::string_view, 3> kOthers = {"facet", "endloop", "endfacet"};
         if (std::none_of(kOthers.begin(), kOthers.end(), [&](auto keyword) { return isKeyword(word, keyword); }))
-            throw Error(text_.where(), "not a word of an STL file: " + quotedForMessage(word));
+            throw Error(text_.where(), "unknown STL keyword: " + quotedForMessage(word));
         return {};
     }
 
@@ -97,7 +97,8 @@ private:
     }
 
     std::string_view vertex() {
-        if (cornerCount_ == 3) throw Error(text_.where(), "a vertex outside of a loop, or the fourth of one");
+        if (cornerCount_ == 3)
+            throw Error(text_.where(), "a vertex is outside a loop, or the loop has more than three vertices");
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = text_.wordOnAnyLine();
             if (word.empty()) throw Error(text_.where(), "the file ends too early: no endsolid");

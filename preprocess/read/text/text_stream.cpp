@@ -205,7 +205,7 @@ std::string_view TextStream::wordOnAnyLine() {
 
 void TextStream::requireShort(std::string_view word) const {
     if (word.size() > kLongestWord)
-        throw Error(where(), "a word of more than 1000 characters", "a number or a keyword", quotedForMessage(word));
+        throw Error(where(), "a word is longer than 1000 characters", "a number or a keyword", quotedForMessage(word));
 }
 
 double TextStream::numberOf(std::string_view word) const {
@@ -225,7 +225,7 @@ void TextStream::appendLine(std::string& text) {
             static_cast<const char*>(std::memchr(at_, lineEnd_, static_cast<std::size_t>(end_ - at_)));
         const char* const stop = found != nullptr ? found : end_;
         if (text.size() + static_cast<std::size_t>(stop - at_) > kLongestRest)
-            throw Error(where(), "a line of names of more than 1 MiB");
+            throw Error(where(), "a line of names is longer than 1 MiB");
         text.append(at_, stop);
         at_ = stop;
         if (found != nullptr) return;

@@ -28,11 +28,12 @@ bool keepsSubnormals() {
 void requireUsualFloatingPoint() {
     const char* const kWhere = "floating point";
     if (std::fegetround() != FE_TONEAREST)
-        throw Error(kWhere, "a library loaded with this program changed how it rounds", "to nearest", "another mode");
+        throw Error(
+            kWhere, "a loaded library changed the rounding mode of the processor", "to nearest", "another mode");
     if (!keepsSubnormals<float>() || !keepsSubnormals<double>())
         throw Error(
             kWhere,
-            "a library loaded with this program, perhaps one compiled with fast math, changed it",
+            "a loaded library, perhaps compiled with -ffast-math, turned off subnormal numbers",
             "subnormal numbers",
             "zeros in their place");
 }

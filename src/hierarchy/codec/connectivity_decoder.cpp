@@ -105,11 +105,11 @@ std::size_t checkedIndexCount(
         count += kMeanings[code].indices;
     }
     if (count > indices.size() || newVertices > cluster.vertexCount)
-        throw Damage{"a triangle has a corner that is not there"};
+        throw Damage{"a triangle refers to a missing vertex"};
     std::uint8_t highest = 0;
     for (const std::uint8_t index : indices.first(count))
         highest = std::max(highest, index);
-    if (highest >= cluster.vertexCount) throw Damage{"a triangle has a corner that is not there"};
+    if (highest >= cluster.vertexCount) throw Damage{"a triangle refers to a missing vertex"};
     return count;
 }
 
@@ -129,7 +129,7 @@ void decodeCluster(
         else
             takeEntered(run, t, kMeanings[codes[t]]);
     }
-    if ((run.bad & kBad) != 0) throw Damage{"a triangle has a corner or an edge that is not there"};
+    if ((run.bad & kBad) != 0) throw Damage{"a triangle refers to a missing vertex or edge"};
     page.triangles.insert(page.triangles.end(), run.triangles.begin(), run.triangles.begin() + cluster.triangleCount);
     std::fill(run.edges.begin() + static_cast<std::ptrdiff_t>(run.next), run.edges.end(), kNoEdge);
     std::copy_n(run.edges.begin(), cluster.vertexCount, edges);
@@ -153,7 +153,7 @@ void decodeConnectivity(
         decodeCluster(own, rest.data(), cluster, page, edges.data() + cluster.firstVertex);
         rest = rest.subspan(count);
     }
-    if (!rest.empty()) throw Damage{"indices that no triangle takes"};
+    if (!rest.empty()) throw Damage{"the page has unused indices"};
 }
 
 } // namespace gnomon::hierarchy

@@ -17,7 +17,7 @@ public:
         layout_.hasNormals = in.take<std::uint8_t>() != 0;
         layout_.hasColors = in.take<std::uint8_t>() != 0;
         layout_.normals.shift = in.take<std::uint8_t>();
-        if (layout_.normals.shift > 15) throw Damage{"normals lack more bits than they have"};
+        if (layout_.normals.shift > 15) throw Damage{"the shift of the normals is too large"};
         takeVertexNumbers(in, vertexCount, layout_, numbers_);
         page.vertices.reserve(vertexCount);
         if (!layout_.hasNormals) vertices_.normals.fill(0);
@@ -45,7 +45,7 @@ public:
         cluster.box = storeVertices(vertices_, layout_.normals, std::span(stored_).first(cluster.vertexCount));
         page_.vertices.insert(page_.vertices.end(), stored_.begin(), stored_.begin() + cluster.vertexCount);
         const GridPoint& most = cluster.box.max;
-        if (std::max({most.x, most.y, most.z}) > kMaxGridCoordinate) throw Damage{"a vertex leaves the grid"};
+        if (std::max({most.x, most.y, most.z}) > kMaxGridCoordinate) throw Damage{"a vertex is outside the grid"};
     }
 
     void expectEnd() const { anchors_.expectEnd(); }
@@ -58,7 +58,7 @@ private:
         for (; referring_ < numbers_.referring.size() && numbers_.referring[referring_] < end; ++referring_) {
             const std::uint32_t v = numbers_.referring[referring_];
             const std::uint32_t earlier = expected + unzigzag(numbers_.references[v] - 1);
-            if (earlier >= first) throw Damage{"a vertex refers to one that is not earlier"};
+            if (earlier >= first) throw Damage{"a vertex refers to a later vertex"};
             expected = earlier + 1;
             const Vertex& vertex = page_.vertices[earlier];
             const std::size_t place = v - first + 1;

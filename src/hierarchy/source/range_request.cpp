@@ -194,7 +194,7 @@ struct Connections::Request {
         const std::uint64_t last = offset + out.size() - 1;
         const std::string asked = "bytes " + std::to_string(offset) + "-" + std::to_string(last) + "/";
         if (!header.encoding.empty() && lowered(header.encoding) != "identity")
-            return refuse({Refusal::Lasting, "the server encodes its answer", "no encoding", header.encoding});
+            return refuse({Refusal::Lasting, "the server compresses its answer", "no encoding", header.encoding});
         if (!place || place->first != offset || place->last > last)
             return refuse({Refusal::Lasting, "the server sends another range", asked + "SIZE", header.range});
         header.identity.size = place->of;
@@ -229,7 +229,10 @@ struct Connections::Request {
         self.answer.received += std::min(room, size);
         if (size <= room) return size;
         self.refuse(
-            {Refusal::Lasting, "the server sends more than it says", std::to_string(self.wanted) + " bytes", "more"});
+            {Refusal::Lasting,
+             "the server sends more bytes than it announced",
+             std::to_string(self.wanted) + " bytes",
+             "more"});
         return 0;
     }
 
@@ -281,7 +284,7 @@ public:
         const CURLcode code = curl_easy_perform(curl_.get());
         if (request.answer.failure) return;
         if (*request.isStopped) {
-            request.refuse({Refusal::Lasting, "given up"});
+            request.refuse({Refusal::Lasting, "the request was cancelled"});
         } else if (code != CURLE_OK && code != CURLE_PARTIAL_FILE) {
             request.refuse(failureOf(code, reason_.data()));
         } else if (request.wanted == 0) { // no body, so the header may be incomplete

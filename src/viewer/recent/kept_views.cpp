@@ -53,10 +53,11 @@ std::vector<Camera> KeptViews::load(const std::string& model) const {
     std::error_code failure;
     const fs::file_status status = fs::status(file, failure);
     if (!fs::exists(status)) return {};
-    if (!fs::is_regular_file(status)) throw Error(file, "recent views are in a file", "a file", "something else");
+    if (!fs::is_regular_file(status)) throw Error(file, "cannot read recent views", "a file", "something else");
     const std::uintmax_t bytes = fs::file_size(file, failure);
     if (failure || bytes > kMostBytes)
-        throw Error(file, "too long for recent views", formatted("at most %llu bytes", 0ULL + kMostBytes), "more");
+        throw Error(
+            file, "the file of recent views is too long", formatted("at most %llu bytes", 0ULL + kMostBytes), "more");
     const path::SavedViews views = path::readViews(file);
     return views.model == nameOf(model) ? views.cameras : std::vector<Camera>(); // another model with the same hash
 }
@@ -68,7 +69,7 @@ void KeptViews::save(const std::string& model, const std::vector<Camera>& camera
     if (last == text) return;
     std::error_code failure;
     fs::create_directories(folder_, failure);
-    if (failure) throw Error(folder_, "recent views cannot be kept: " + failure.message());
+    if (failure) throw Error(folder_, "cannot save recent views: " + failure.message());
     writeTextFile(fileOf(model), text);
     last = std::move(text);
     dropOldest();

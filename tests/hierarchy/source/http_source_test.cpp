@@ -195,7 +195,7 @@ TEST(HttpSource, SaysWhatAServerDoesThatIsNotTrue) {
         {{"ETag: \"b\""}, "changed on the server"},
         {{"ETag:"}, "changed on the server"},
         {{"Last-Modified: Mon, 23 Nov 2026 17:00:01 GMT"}, "changed on the server"},
-        {{"Content-Encoding: gzip"}, "encodes its answer"},
+        {{"Content-Encoding: gzip"}, "compresses its answer"},
         {{"Content-Encoding: identity"}, ""},
         {{"X-Long: " + std::string(80'000, 'x')}, "header does not end"},
     };

@@ -40,14 +40,14 @@ constexpr double kDepthBar = 1e-5;
 struct Verdicts {
     std::size_t oursOff = 0;
     std::size_t theirsOff = 0;
-    double oursMost = 0;
-    double theirsMost = 0;
+    double oursMax = 0;
+    double theirsMax = 0;
 
     void operator+=(const Verdicts& other) {
         oursOff += other.oursOff;
         theirsOff += other.theirsOff;
-        oursMost = std::max(oursMost, other.oursMost);
-        theirsMost = std::max(theirsMost, other.theirsMost);
+        oursMax = std::max(oursMax, other.oursMax);
+        theirsMax = std::max(theirsMax, other.theirsMax);
     }
 };
 
@@ -85,7 +85,7 @@ Verdicts verdicts(
     Backend& ours,
     Backend& theirs) {
     Verdicts result;
-    FrameDrawing drawing;
+    DrawInputs drawing;
     drawing.plan = &frame.plan;
     drawing.space = frame.space;
     drawing.grid = model.summary().grid;
@@ -101,8 +101,8 @@ Verdicts verdicts(
         for (const DisputedTexel& texel : texels) {
             result.oursOff += texel.oursOff > kDepthBar ? 1 : 0;
             result.theirsOff += texel.theirsOff > kDepthBar ? 1 : 0;
-            result.oursMost = std::max(result.oursMost, texel.oursOff);
-            result.theirsMost = std::max(result.theirsMost, texel.theirsOff);
+            result.oursMax = std::max(result.oursMax, texel.oursOff);
+            result.theirsMax = std::max(result.theirsMax, texel.theirsOff);
         }
     }
     return result;
@@ -124,9 +124,9 @@ void printRow(const std::string& name, const Findings& findings) {
         percent(found.texelWrong, found.texels),
         found.largestTexelDepth,
         percent(findings.verdicts.oursOff, found.texels),
-        findings.verdicts.oursMost,
+        findings.verdicts.oursMax,
         percent(findings.verdicts.theirsOff, found.texels),
-        findings.verdicts.theirsMost);
+        findings.verdicts.theirsMax);
 }
 
 struct Options {

@@ -48,16 +48,16 @@ double depthAt(const Corners& corners, const glm::dvec2& at) {
     double depth = p.z / p.w;
     const bool isBefore = std::all_of(corners.begin(), corners.end(), [](const glm::dvec4& c) { return c.w > 0; });
     if (isBefore) {
-        const auto [least, most] =
+        const auto [minDepth, maxDepth] =
             std::minmax({corners[0].z / corners[0].w, corners[1].z / corners[1].w, corners[2].z / corners[2].w});
-        depth = std::clamp(depth, least, most);
+        depth = std::clamp(depth, minDepth, maxDepth);
     }
     return std::clamp(depth, 0.0, 1.0);
 }
 
 class Judge {
 public:
-    Judge(const FrameDrawing& frame, const plan::ShadowPass& pass, std::vector<DisputedTexel>& texels)
+    Judge(const DrawInputs& frame, const plan::ShadowPass& pass, std::vector<DisputedTexel>& texels)
         : map_(mapDrawing(frame, pass.map)), clip_(map_.clipFromDraw()), texels_(&texels) {
         const shadow::TexelRectangle& r = pass.map.rectangle;
         for (const DisputedTexel& texel : texels)
@@ -115,7 +115,7 @@ private:
 
 } // namespace
 
-void judge(const FrameDrawing& frame, std::size_t pass, std::vector<DisputedTexel>& texels) {
+void judge(const DrawInputs& frame, std::size_t pass, std::vector<DisputedTexel>& texels) {
     Judge judge(frame, frame.plan->passes[pass], texels);
     for (const lod::ClusterRange& range : frame.casters[pass]->ranges) {
         const hierarchy::Page& page = frame.pages(range.page);

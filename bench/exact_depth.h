@@ -20,6 +20,6 @@ struct DisputedTexel {
 /// Fills in the distances of `texels`, all of pass `pass`. Corners are those that both backends start from: through
 /// the same floats, then exact. A triangle counts if it covers the middle or a point within 1.5/256 texel of it, for
 /// both snap corners to 1/256.
-void judge(const FrameDrawing& frame, std::size_t pass, std::vector<DisputedTexel>& texels);
+void judge(const DrawInputs& frame, std::size_t pass, std::vector<DisputedTexel>& texels);
 
 } // namespace gnomon::render

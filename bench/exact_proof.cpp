@@ -22,20 +22,20 @@ struct Tally {
     Count wrong = 0;
     Count dark = 0;
     Count darkWithoutTolerance = 0;
-    Count touching = 0;
+    Count withinTolerance = 0;
     Count tests = 0;
     Count exactDecisions = 0;
-    double worstDecisions = 0; // share of a frame's tests
-    double worstTouching = 0;  // share of a frame's samples, of at least kMany
+    double worstDecisions = 0;       // share of a frame's tests
+    double worstWithinTolerance = 0; // share of a frame's samples, of at least kMany
     Count worstView = 0;
-    Count above = 0;                      // views with more than kMostTouching
+    Count above = 0;                      // views with more than kMaxWithinTolerance
     Count digest = 14695981039346656037U; // of all counts: FNV-1a, the same for every compiler and number of threads
 
     void operator+=(const Tally& other);
 };
 
 constexpr Count kMany = 500;
-constexpr double kMostTouching = 0.005;
+constexpr double kMaxWithinTolerance = 0.005;
 
 void Tally::operator+=(const Tally& other) {
     views += other.views;
@@ -44,12 +44,12 @@ void Tally::operator+=(const Tally& other) {
     wrong += other.wrong;
     dark += other.dark;
     darkWithoutTolerance += other.darkWithoutTolerance;
-    touching += other.touching;
+    withinTolerance += other.withinTolerance;
     tests += other.tests;
     exactDecisions += other.exactDecisions;
     above += other.above;
     worstDecisions = std::max(worstDecisions, other.worstDecisions);
-    worstTouching = std::max(worstTouching, other.worstTouching);
+    worstWithinTolerance = std::max(worstWithinTolerance, other.worstWithinTolerance);
     digest = (digest ^ other.digest) * 1099511628211U;
 }
 
@@ -57,9 +57,9 @@ double share(Count part, Count whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-class Proof {
+class Validation {
 public:
-    Proof(const std::string& model, int width, int height, bool hasLamps)
+    Validation(const std::string& model, int width, int height, bool hasLamps)
         : hasLamps_(hasLamps),
           model_(model, Bytes{Count{1} << 30U}),
           width_(width),
@@ -90,31 +90,31 @@ private:
         tally_.samples += exact.samples;
         tally_.dark += exact.dark;
         tally_.darkWithoutTolerance += exact.darkWithoutTolerance;
-        tally_.touching += exact.touching;
-        tally_.tests += exact.cast.sampleTests;
-        tally_.exactDecisions += exact.cast.exactDecisions;
+        tally_.withinTolerance += exact.withinTolerance;
+        tally_.tests += exact.counts.sampleTests;
+        tally_.exactDecisions += exact.counts.exactDecisions;
         tally_.worstDecisions =
-            std::max(tally_.worstDecisions, share(exact.cast.exactDecisions, exact.cast.sampleTests));
+            std::max(tally_.worstDecisions, share(exact.counts.exactDecisions, exact.counts.sampleTests));
         for (const Count count :
              {exact.samples,
               exact.dark,
               exact.darkWithoutTolerance,
-              exact.touching,
-              exact.cast.clustersKept,
-              exact.cast.trianglesCast,
-              exact.cast.sampleTests})
+              exact.withinTolerance,
+              exact.counts.clustersKept,
+              exact.counts.trianglesRasterized,
+              exact.counts.sampleTests})
             tally_.digest = (tally_.digest ^ count) * 1099511628211U;
         if (exact.samples < kMany) return;
-        const double touching = share(exact.touching, exact.samples);
-        tally_.above += touching > kMostTouching ? 1 : 0;
-        if (touching <= tally_.worstTouching) return;
-        tally_.worstTouching = touching;
+        const double withinTolerance = share(exact.withinTolerance, exact.samples);
+        tally_.above += withinTolerance > kMaxWithinTolerance ? 1 : 0;
+        if (withinTolerance <= tally_.worstWithinTolerance) return;
+        tally_.worstWithinTolerance = withinTolerance;
         tally_.worstView = index;
     }
 
     void addWrong(Count index, const frame::PreparedFrame& frame, const frame::FrameOptions& options) {
         const render::Raster<render::SurfaceSample> surfaces = backend_->surfaces();
-        render::FrameDrawing drawing = renderer_.drawing(frame, options);
+        render::DrawInputs drawing = renderer_.drawing(frame, options);
         drawing.exactCasters = &frame.cut.lists.casters.at(0);
         const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         Count wrong = 0;
@@ -149,9 +149,9 @@ void print(const std::string& name, const Tally& t) {
         t.wrong,
         t.dark,
         t.darkWithoutTolerance,
-        t.touching,
-        100 * share(t.touching, t.samples),
-        100 * t.worstTouching,
+        t.withinTolerance,
+        100 * share(t.withinTolerance, t.samples),
+        100 * t.worstWithinTolerance,
         t.worstView,
         t.above,
         t.tests,
@@ -171,7 +171,7 @@ int run(int count, char** arguments) {
     const bool hasLamps = std::string(arguments[3]) == "lamps";
     Tally all;
     for (int i = hasLamps ? 4 : 3; i < count; ++i) {
-        Proof proof(
+        Validation proof(
             arguments[i], std::atoi(size.c_str()), std::atoi(size.substr(size.find('x') + 1).c_str()), hasLamps);
         for (Count view = 0; view < views; ++view)
             proof.add(view);

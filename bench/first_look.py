@@ -14,7 +14,7 @@ import sys
 import tempfile
 import zlib
 
-LEAST, MOST = 0.05 * 255, 0.95 * 255  # beyond, shapes are lost in the dark or in the light
+MIN_VALUE, MAX_VALUE = 0.05 * 255, 0.95 * 255  # beyond, shapes are lost in the dark or in the light
 FRAMED = 0.85, 0.90  # of the picture's width or height, by a view of the whole
 
 
@@ -75,8 +75,8 @@ def measure(picture, depth):
     middle = [(min(s) + max(s) + 1) / 2 / size for s, size in ((columns, width), (lines, height))] if light else [0, 0]
     return {
         "covered": count / (width * height),
-        "dark": sum(value < LEAST for value in light) / count,
-        "burnt": sum(value > MOST for value in light) / count,
+        "dark": sum(value < MIN_VALUE for value in light) / count,
+        "burnt": sum(value > MAX_VALUE for value in light) / count,
         "mean": mean / 255,
         "deviation": math.sqrt(sum((value - mean) ** 2 for value in light) / count) / 255,
         "fill": fill,

@@ -80,16 +80,16 @@ struct Apart {
     double mean = 0;
     double worst = 0;
     double p99 = 0;
-    double beyond = 0; // the share of the pixels that are farther apart than asked
+    double above = 0; // the share of the pixels that are farther apart than asked
 };
 
 Apart apart(
     const render::LightPicture& a, const render::LightPicture& b, const render::LightPicture& full, double asked) {
     std::vector<double> all;
-    constexpr float kLeast = 0.02F; // of less light no share can be told
+    constexpr float kMinLight = 0.02F; // of less light no share can be told
     for (std::size_t i = 0; i < full.pixels.size(); ++i) {
         const float whole = full.pixels[i][1];
-        if (whole < kLeast || a.pixels[i][0] < 0 || b.pixels[i][0] < 0) continue;
+        if (whole < kMinLight || a.pixels[i][0] < 0 || b.pixels[i][0] < 0) continue;
         all.push_back(std::abs(a.pixels[i][1] - b.pixels[i][1]) / whole);
     }
     Apart result;
@@ -97,7 +97,7 @@ Apart apart(
     std::sort(all.begin(), all.end());
     for (const double each : all) {
         result.mean += each / static_cast<double>(all.size());
-        result.beyond += each > asked ? 1.0 / static_cast<double>(all.size()) : 0;
+        result.above += each > asked ? 1.0 / static_cast<double>(all.size()) : 0;
     }
     result.worst = all.back();
     result.p99 = all[all.size() * 99 / 100];
@@ -132,7 +132,7 @@ void printDisc(Bench& bench, double degrees) {
             off.mean,
             off.p99,
             off.worst,
-            100 * off.beyond);
+            100 * off.above);
         std::fflush(stdout);
     }
 }
@@ -158,19 +158,19 @@ void printSky(Bench& bench) {
             off.p99,
             off.worst,
             bound,
-            100 * off.beyond);
+            100 * off.above);
         std::fflush(stdout);
     }
 }
 
 /// Views in which the plan leaves penumbrae out that are just too narrow, and the same with all of the disc.
-void printLeftOut(Bench& bench, int views) {
+void printRejected(Bench& bench, int views) {
     plan::Quality quality = sunAlone();
     constexpr int kFrames = 1024;
     constexpr double kOneEdge = 0.1061; // 1 / (3 pi)
     double worst = 0;
     double mean = 0;
-    int beyondOneEdge = 0;
+    int aboveOneEdge = 0;
     int drawn = 0;
     for (int i = 0; drawn < views && i < 20 * views; ++i) {
         plan::View view =
@@ -182,7 +182,7 @@ void printLeftOut(Bench& bench, int views) {
         const double widest = bench.draw(view, quality, 1).plan.penumbra.widestPixels;
         if (!(widest > 0)) continue;
         ++drawn;
-        view.sunAngleRadians = kWide * 0.999 * plan::leastPenumbra(quality.lightError) / widest;
+        view.sunAngleRadians = kWide * 0.999 * plan::minPenumbra(quality.lightError) / widest;
         const Drawn left = bench.draw(view, quality, kFrames);
         const double narrow = left.plan.penumbra.widestPixels;
         quality.lightError = 0.0078; // so that it is not left out, and takes as many frames
@@ -192,15 +192,16 @@ void printLeftOut(Bench& bench, int views) {
         float brightest = 0;
         for (const auto& pixel : full.light.pixels)
             brightest = std::max(brightest, pixel[1]);
-        double most = 0;
+        double maxDifference = 0;
         for (std::size_t p = 0; p < full.light.pixels.size(); ++p)
             if (left.light.pixels[p][0] >= 0 && whole.light.pixels[p][0] >= 0)
-                most = std::max<double>(most, std::abs(left.light.pixels[p][1] - whole.light.pixels[p][1]));
+                maxDifference =
+                    std::max<double>(maxDifference, std::abs(left.light.pixels[p][1] - whole.light.pixels[p][1]));
         if (!(brightest > 0)) continue;
-        const double times = most / (brightest * narrow);
+        const double times = maxDifference / (brightest * narrow);
         worst = std::max(worst, times);
         mean += times;
-        beyondOneEdge += times > kOneEdge ? 1 : 0;
+        aboveOneEdge += times > kOneEdge ? 1 : 0;
         std::fprintf(stderr, "view %d: %.4f times the width of %.2f pixels\n", drawn, times, narrow);
     }
     std::printf(
@@ -209,7 +210,7 @@ void printLeftOut(Bench& bench, int views) {
         drawn,
         worst,
         mean / std::max(drawn, 1),
-        beyondOneEdge);
+        aboveOneEdge);
 }
 
 } // namespace
@@ -230,6 +231,6 @@ int main(int count, char** words) {
         gnomon::Bench bench(words[i], side);
         if (what == "disc") gnomon::printDisc(bench, std::atof(words[2]));
         if (what == "sky") gnomon::printSky(bench);
-        if (what == "left-out") gnomon::printLeftOut(bench, std::atoi(words[2]));
+        if (what == "left-out") gnomon::printRejected(bench, std::atoi(words[2]));
     }
 }

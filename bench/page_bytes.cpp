@@ -20,9 +20,9 @@ namespace {
 struct Shares {
     double tables = 0;
     double pages = 0; // that hold what is refined, or that such a page refines: what a frame reads that never waits
-    double refinedPages = 0; // that hold what is refined
-    double passedPages = 0;  // of these, that the page table alone says to be refined as a whole
-    double undrawnPages = 0; // of these, all of which nothing is drawn
+    double refinedPages = 0;   // that hold what is refined
+    double skippablePages = 0; // of these, that the page table alone says to be refined as a whole
+    double undrawnPages = 0;   // of these, all of which nothing is drawn
     double groups = 0;
     double clusters = 0;
     double triangles = 0;
@@ -92,9 +92,9 @@ private:
             for (const std::uint32_t child : info.children)
                 isNeeded_[p] |= isNeeded_[child];
             if (isRefined[p] != 0) {
-                const bool isPassed = lod::isPassedThrough(query, static_cast<std::uint32_t>(p));
+                const bool isPassed = lod::isSkippable(query, static_cast<std::uint32_t>(p));
                 sum.refinedPages += info.storedBytes;
-                if (isPassed) sum.passedPages += info.storedBytes;
+                if (isPassed) sum.skippablePages += info.storedBytes;
                 if (isDrawn[p] == 0) sum.undrawnPages += info.storedBytes;
                 if (!isPassed) ++sum.requests;
             }
@@ -116,7 +116,7 @@ int run(int argc, char** argv) {
     const hierarchy::ModelFile file(argv[1]);
     const Shares sum = Count(file, argc > 2 ? std::atof(argv[2]) : 1, argc > 3 ? std::atof(argv[3]) : 1).run();
     constexpr double kMega = 1e6;
-    const double read = sum.refinedPages - sum.passedPages;
+    const double read = sum.refinedPages - sum.skippablePages;
     std::printf(
         "%zu pages of %.1f MB, table %.2f MB; a picture reads %llu pages, MB as stored: %.2f; drawn clusters (%.0f "
         "triangles) %.2f; read / drawn %.2f\n",
@@ -134,7 +134,7 @@ int run(int argc, char** argv) {
         (sum.groups - sum.clusters) / kMega,
         (sum.refinedPages - sum.groups) / kMega,
         sum.undrawnPages / kMega,
-        sum.passedPages / kMega);
+        sum.skippablePages / kMega);
     std::printf(
         "with --no-wait: %.2f, %.2f of them pages of which nothing is refined; read / drawn %.2f\n",
         sum.pages / kMega,

@@ -56,7 +56,7 @@ void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int si
         const Shot rays = drawn(renderer, triple, plan::ShadowMode::Rays);
         const Shot decided = drawn(renderer, triple, plan::ShadowMode::Exact);
         if (!decided.frame.isExact()) continue;
-        render::FrameDrawing drawing = renderer.drawing(decided.frame, {});
+        render::DrawInputs drawing = renderer.drawing(decided.frame, {});
         drawing.exactCasters = &decided.frame.cut.lists.casters[0];
         const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         ++views;
@@ -117,23 +117,23 @@ glm::i64vec3 pointOf(const Corners& corners, int kind, RandomWholes& random) {
 /// Rays of one kind, and those that floats have otherwise than integers.
 struct TieCounts {
     std::uint64_t rays = 0;
-    std::uint64_t met = 0; // by floats alone
+    std::uint64_t hit = 0; // by floats alone
     std::uint64_t passed = 0;
     std::uint64_t inTheMidst = 0; // of both, where no tie decides: the same all around, a thousandth of a cell off
 };
 
-bool isMetByIntegers(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point) {
+bool isHitByIntegers(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point) {
     return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const Corners& each) {
-        return exact::meet(each, light, point, 0).meeting == exact::Meeting::Ahead;
+        return exact::intersect(each, light, point, 0).kind == exact::Hit::Ahead;
     });
 }
 
-/// Whether the points around `point` are all met, or all not, as `isMet` says.
-bool isSameAround(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point, const bool isMet) {
+/// Whether the points around `point` are all met, or all not, as `isHit` says.
+bool isSameAround(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point, const bool isHit) {
     constexpr std::int64_t kOff = 1 << 14;
     for (unsigned i = 0; i < 8; ++i) {
         const auto off = [&](unsigned bit) { return (i >> bit & 1U) != 0 ? kOff : -kOff; };
-        if (isMetByIntegers(surface, light, point + glm::i64vec3(off(0), off(1), off(2))) != isMet) return false;
+        if (isHitByIntegers(surface, light, point + glm::i64vec3(off(0), off(1), off(2))) != isHit) return false;
     }
     return true;
 }
@@ -157,15 +157,15 @@ void compareTies(
             static_cast<std::size_t>(random.whole(0, static_cast<std::int64_t>(surface.triangles.size()) - 1));
         const glm::i64vec3 point =
             pointOf(surface.triangles[at], kind, random) - light.direction * random.whole(16, 1 << 16);
-        const bool isDark = isMetByIntegers(surface, light, point);
+        const bool isDark = isHitByIntegers(surface, light, point);
         raytrace::Ray ray;
         ray.origin = glm::vec3(glm::dvec3(point) * 0x1p-24);
         ray.direction = glm::vec3(glm::dvec3(light.direction) * 0x1p-24);
-        const bool isMet = scene.isStopped(ray, 0, rule);
+        const bool isHit = scene.isStopped(ray, 0, rule);
         TieCounts& count = counts.at(static_cast<std::size_t>(kind));
         ++count.rays;
-        if (isMet == isDark) continue;
-        ++(isMet ? count.met : count.passed);
+        if (isHit == isDark) continue;
+        ++(isHit ? count.hit : count.passed);
         count.inTheMidst += isSameAround(surface, light, point, isDark) ? 1U : 0U;
     }
 }
@@ -194,7 +194,7 @@ void compareAllTies(const hierarchy::ModelFile& model, const std::int64_t away) 
             away,
             kKinds.at(kind),
             count.rays,
-            count.met,
+            count.hit,
             count.passed,
             count.inTheMidst);
     }

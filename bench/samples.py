@@ -41,11 +41,11 @@ def main():
                 subprocess.run(command, check=True, capture_output=True)
                 return path, time.monotonic() - begin
 
-            most = picture(MANY)[0]
+            many = picture(MANY)[0]
             apart, times = [], []
             for samples in FEW:
                 runs = [picture(samples) for _ in range(options.runs)]
-                apart.append(mean_difference(runs[0][0], most))
+                apart.append(mean_difference(runs[0][0], many))
                 times.append(statistics.median(seconds for _, seconds in runs))
         shares = ", ".join(f"{a:.3f}%" for a in apart)
         print(f"| {pathlib.Path(model).stem} | {shares} | {', '.join(f'{t / times[0]:.1f}' for t in times[1:])} |", flush=True)

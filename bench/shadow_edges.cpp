@@ -146,14 +146,14 @@ private:
 
     /// The cut's edges by slant, and by how far off what casts is; `cut` is the last frame that was prepared.
     void addClasses(const DrawnReach& cut, const std::vector<float>& found) {
-        const render::FrameDrawing drawing = renderer_.drawing(cut.frame, {});
+        const render::DrawInputs drawing = renderer_.drawing(cut.frame, {});
         const raytrace::Scene scene = render::rayScene(drawing, cut.frame.cut.lists.all());
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (found[i] < 0) continue;
             const render::SurfaceSample& surface = cut.surfaces.pixels[i];
             const double sample = render::pixelWidth(cut.frame.plan, cut.frame.space, glm::dvec3(surface.position));
             raytrace::Ray ray{surface.position, cut.frame.plan.light.unit()};
-            ray.least = static_cast<float>(render::kTouchingPixels * sample);
+            ray.tMin = static_cast<float>(render::kContactTolerancePixels * sample);
             const auto hit = scene.firstHit(ray);
             const bool isCast = hit && hit->distance >= kContactPixels * sampling_.samples * sample;
             (isCast ? distances_.cast : distances_.touching).push_back(inPixels(found[i]));

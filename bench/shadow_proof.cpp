@@ -2,7 +2,7 @@
 #include "core/error.h"
 #include "render/software_backend.h"
 #include "tests/support/shadow_triples.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -18,8 +18,8 @@ constexpr double kFloatTolerance = 1e-3;
 struct Tally {
     std::uint64_t triples = 0;
     std::uint64_t pixels = 0;
-    double overPromise = 0; // the largest, all schemes
-    std::uint64_t promisesBroken = 0;
+    double overBound = 0; // the largest, all schemes
+    std::uint64_t boundsBroken = 0;
     std::uint64_t judged = 0; // the rest with the default settings
     std::uint64_t unexplained = 0;
     double worstUnexplained = 0; // of one picture
@@ -57,15 +57,15 @@ render::Picture verdictPicture(const validation::ShadowTruth& truth, const rende
     return result;
 }
 
-class Proof {
+class Validation {
 public:
-    Proof(const std::string& model, int side, int texels)
+    Validation(const std::string& model, int side, int texels)
         : model_(model), side_(side), texels_(texels), renderer_(model_, *backend_, {}) {}
 
     void add(std::uint64_t index, const std::string& pictures) {
         const tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, side_, texels_);
-        addPromise(index, triple);
-        const validation::FrameProof proof = proven(withDefaults(triple), validation::Oracle::SameDetail);
+        addBound(index, triple);
+        const validation::FrameValidation proof = proven(withDefaults(triple), validation::GroundTruth::SameDetail);
         ++tally_.triples;
         if (!proof.truth) return;
         const validation::ShadowTruth& truth = *proof.truth;
@@ -94,23 +94,23 @@ public:
     const Tally& tally() const { return tally_; }
 
 private:
-    validation::FrameProof proven(const tests::ShadowTriple& triple, validation::Oracle oracle) {
-        validation::ProofOptions options;
-        options.oracle = oracle;
+    validation::FrameValidation proven(const tests::ShadowTriple& triple, validation::GroundTruth groundTruth) {
+        validation::ValidationOptions options;
+        options.groundTruth = groundTruth;
         options.measuresAliasing = true;
-        return validation::prove(renderer_, renderer_.render(triple.view, triple.quality, {}), options);
+        return validation::validate(renderer_, renderer_.render(triple.view, triple.quality, {}), options);
     }
 
-    void addPromise(std::uint64_t index, const tests::ShadowTriple& triple) {
-        const validation::FrameProof proof = proven(triple, validation::Oracle::None);
+    void addBound(std::uint64_t index, const tests::ShadowTriple& triple) {
+        const validation::FrameValidation proof = proven(triple, validation::GroundTruth::None);
         if (!proof.aliasing) return;
-        tally_.overPromise = std::max(tally_.overPromise, proof.aliasing->overPromise);
-        if (proof.aliasing->overPromise <= 1 + kFloatTolerance) return;
-        ++tally_.promisesBroken;
+        tally_.overBound = std::max(tally_.overBound, proof.aliasing->overBound);
+        if (proof.aliasing->overBound <= 1 + kFloatTolerance) return;
+        ++tally_.boundsBroken;
         std::printf(
             "triple %llu breaks its promise: %.4f of it, %s\n",
             static_cast<unsigned long long>(index),
-            proof.aliasing->overPromise,
+            proof.aliasing->overBound,
             tests::describe(triple).c_str());
     }
 
@@ -132,7 +132,7 @@ int run(int count, char** arguments) {
             stderr, "usage: %s MODEL.gnm TRIPLES IMAGE_SIDE TEXEL_SIDE [VERDICT_PICTURES_DIR]\n", arguments[0]);
         return 2;
     }
-    Proof proof(arguments[1], std::atoi(arguments[3]), std::atoi(arguments[4]));
+    Validation proof(arguments[1], std::atoi(arguments[3]), std::atoi(arguments[4]));
     const auto triples = static_cast<std::uint64_t>(std::atoi(arguments[2]));
     for (std::uint64_t i = 0; i < triples; ++i)
         proof.add(i, count > 5 ? arguments[5] : "");
@@ -144,8 +144,8 @@ int run(int count, char** arguments) {
         "  beyond a footprint where N.L > 0.1: %.4f%% of %llu (worst picture %.3f%%)\n",
         arguments[1],
         static_cast<unsigned long long>(t.triples),
-        t.overPromise,
-        static_cast<unsigned long long>(t.promisesBroken),
+        t.overBound,
+        static_cast<unsigned long long>(t.boundsBroken),
         percent(t.wrong, t.pixels),
         percent(t.missed, t.pixels),
         percent(t.contactGaps, t.pixels),
@@ -154,7 +154,7 @@ int run(int count, char** arguments) {
         percent(t.unexplained, t.judged),
         static_cast<unsigned long long>(t.judged),
         100 * t.worstUnexplained);
-    return t.promisesBroken == 0 && percent(t.unexplained, t.judged) <= 0.05 ? 0 : 1;
+    return t.boundsBroken == 0 && percent(t.unexplained, t.judged) <= 0.05 ? 0 : 1;
 }
 
 } // namespace

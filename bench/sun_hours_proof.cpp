@@ -20,14 +20,14 @@ constexpr int kDefaultStepSeconds = 300;
 constexpr int kDefaultPixels = 20000;
 
 std::vector<std::uint8_t> sampledPixels(const sun::SunView& view, std::size_t count) {
-    std::vector<std::uint8_t> isAsked(view.count());
+    std::vector<std::uint8_t> isRequested(view.count());
     Random random(1);
     for (std::size_t i = 0; i < std::min(count, view.points().size());) {
-        std::uint8_t& asked = isAsked[view.points().pixel(random.below(view.points().size()))];
+        std::uint8_t& asked = isRequested[view.points().pixel(random.below(view.points().size()))];
         i += asked == 0 ? 1 : 0;
         asked = 1;
     }
-    return isAsked;
+    return isRequested;
 }
 
 sun::CivilTime timeOf(const char* text) {
@@ -44,12 +44,12 @@ std::vector<IntegerLight> lightsOfADay(const glm::dvec3& up, int stepSeconds) {
     return sun::lightsOf(sun::sunSteps(period));
 }
 
-/// Counts the lit steps of what `isAsked` of `receivers`, both ways, and prints how many differ.
+/// Counts the lit steps of what `isRequested` of `receivers`, both ways, and prints how many differ.
 template <class Receivers>
 int compare(
     const std::string& what,
     Receivers& receivers,
-    const std::vector<std::uint8_t>& isAsked,
+    const std::vector<std::uint8_t>& isRequested,
     const std::vector<IntegerLight>& lights) {
     std::vector<std::uint8_t> isLit(receivers.count());
     std::vector<std::uint8_t> isTrulyLit(receivers.count());
@@ -58,11 +58,11 @@ int compare(
     double milliseconds = 0;
     for (const IntegerLight& light : lights) {
         const Stopwatch watch;
-        receivers.decide(light, isLit);
+        receivers.resolve(light, isLit);
         milliseconds += watch.elapsed().count;
-        receivers.decidePlainly(light, isAsked, isTrulyLit);
+        receivers.resolvePlainly(light, isRequested, isTrulyLit);
         for (std::size_t i = 0; i < isLit.size(); ++i) {
-            counted[i] += isAsked[i] != 0 ? isLit[i] : 0U;
+            counted[i] += isRequested[i] != 0 ? isLit[i] : 0U;
             truth[i] += isTrulyLit[i];
         }
     }
@@ -77,7 +77,7 @@ int compare(
         what.c_str(),
         lights.size(),
         milliseconds,
-        std::count(isAsked.begin(), isAsked.end(), 1),
+        std::count(isRequested.begin(), isRequested.end(), 1),
         receivers.count(),
         static_cast<unsigned long long>(sum),
         wrong);
@@ -107,15 +107,16 @@ int compareVertices(const std::string& path, std::size_t vertices, int stepSecon
     std::vector<glm::i64vec3> cells;
     for (const hierarchy::Vertex& vertex : mesh.vertices)
         cells.emplace_back(vertex.position.x, vertex.position.y, vertex.position.z);
-    std::vector<std::uint8_t> isAsked(cells.size());
+    std::vector<std::uint8_t> isRequested(cells.size());
     Random random(1);
     for (std::size_t i = 0; i < std::min(vertices, cells.size());) {
-        std::uint8_t& asked = isAsked[random.below(cells.size())];
+        std::uint8_t& asked = isRequested[random.below(cells.size())];
         i += asked == 0 ? 1 : 0;
         asked = 1;
     }
     sun::PointReceivers receivers(cut, std::move(cells));
-    return compare(path + ", vertices", receivers, isAsked, lightsOfADay(model.summary().up.direction, stepSeconds));
+    return compare(
+        path + ", vertices", receivers, isRequested, lightsOfADay(model.summary().up.direction, stepSeconds));
 }
 
 } // namespace

@@ -115,8 +115,8 @@ void bindModel(py::module_& module) {
             })
         .def(
             "cut_by_triangles",
-            [](const api::Model& model, std::uint64_t most) {
-                return arraysOf(unlocked([&] { return model.cutByTriangles(most); }));
+            [](const api::Model& model, std::uint64_t maxTriangles) {
+                return arraysOf(unlocked([&] { return model.cutByTriangles(maxTriangles); }));
             })
         .def(
             "cut_for_view",

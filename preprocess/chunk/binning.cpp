@@ -18,7 +18,7 @@ using Corners = read::TriangleCorners;
 
 /// Returns the max number of heavy points that a table of vertex numbers distinguishes. The limit preserves 16-bit
 /// numbers if the chunk numbers alone need only 16 bits.
-std::size_t mostHeavyPoints(std::uint32_t chunks) {
+std::size_t maxHeavyPoints(std::uint32_t chunks) {
     return chunks <= kNarrowChunks ? (kNarrowChunks - chunks) / 2 : kNarrowChunks / 2;
 }
 
@@ -38,7 +38,7 @@ public:
           polygonCorners_(polygonCorners),
           progress_(progress),
           tree_(tree),
-          heavy_(tree.heavyPoints(), mostHeavyPoints(tree.chunkCount())),
+          heavy_(tree.heavyPoints(), maxHeavyPoints(tree.chunkCount())),
           isHeavy_(tree.chunkCount()),
           placeOf_(source.summary().vertexCount, tree.chunkCount() + 2 * heavy_.size()),
           polygons_(streamOf(SourceStream::Polygons, tree.chunkCount())),
@@ -47,7 +47,7 @@ public:
             heavyChunks_.push_back(tree.chunkOf(heavy_[i]));
             isHeavy_[heavyChunks_.back()] = true;
         }
-        heavyChunks_.push_back(kBeyondGrid);
+        heavyChunks_.push_back(kOutsideGrid);
         if (heavy_.size() > 0) isNeeded_.resize(source.summary().vertexCount);
     }
 
@@ -61,7 +61,7 @@ public:
                 if (survey.valence[vertex] == 0) continue;
                 if (!snap.isInRange(block.positions[i])) {
                     strays_.add(block.positions[i]);
-                    placeOf_.set(vertex, beyondGrid());
+                    placeOf_.set(vertex, outsideGrid());
                     continue;
                 }
                 const hierarchy::GridPoint point = snap(block.positions[i]);
@@ -143,7 +143,7 @@ public:
         for (const PartSize& chunk : writer_.sizes())
             size.largestChunk.growTo(chunk);
         size.dropped = dropped_;
-        size.strayed = {writer_.beyondGrid(), strays_};
+        size.strayed = {writer_.outsideGrid(), strays_};
         return size;
     }
 
@@ -154,7 +154,7 @@ private:
     }
 
     /// Returns the place of vertices that are outside the range of the grid.
-    std::uint32_t beyondGrid() const { return tree_.chunkCount() + static_cast<std::uint32_t>(2 * heavy_.size()); }
+    std::uint32_t outsideGrid() const { return tree_.chunkCount() + static_cast<std::uint32_t>(2 * heavy_.size()); }
 
     template <class T>
     void put(std::uint32_t stream, const T& value) {
@@ -171,7 +171,7 @@ private:
         std::array<std::uint32_t, 3> found{};
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t place = placeOf_[corners[i]];
-            if (place < tree_.chunkCount() || place == beyondGrid()) return false;
+            if (place < tree_.chunkCount() || place == outsideGrid()) return false;
             found[i] = place - tree_.chunkCount();
         }
         return heavy_.isRepeated(corners, found, dropped_);
@@ -180,7 +180,7 @@ private:
     void markNeeded(const Corners& corners) {
         if (isNeeded_.empty()) return;
         for (const std::uint64_t corner : corners)
-            if (const std::uint32_t place = placeOf_[corner]; place >= tree_.chunkCount() && place != beyondGrid())
+            if (const std::uint32_t place = placeOf_[corner]; place >= tree_.chunkCount() && place != outsideGrid())
                 isNeeded_[corner] = true;
     }
 
@@ -241,7 +241,7 @@ private:
         std::sort(chunks.begin(), chunks.end());
         chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
         for (const std::uint32_t chunk : chunks)
-            if (chunk != kBeyondGrid) writer_.count(chunk, {fan.size(), 2 * fan.size()});
+            if (chunk != kOutsideGrid) writer_.count(chunk, {fan.size(), 2 * fan.size()});
     }
 
     void add(const Corners& corners) {
@@ -257,10 +257,10 @@ private:
     Progress& progress_;
     const ChunkTree& tree_;
     HeavyPoints heavy_;
-    std::vector<std::uint32_t> heavyChunks_; // chunk of each heavy point; the last entry is kBeyondGrid
+    std::vector<std::uint32_t> heavyChunks_; // chunk of each heavy point; the last entry is kOutsideGrid
     std::vector<bool> isHeavy_;              // whether a chunk has a heavy point
     // Place of each vertex. Values below chunkCount() are a chunk. Then follow the results of HeavyPoints::find, and
-    // then beyondGrid().
+    // then outsideGrid().
     VertexNumbers placeOf_;
     std::vector<bool> isNeeded_; // the vertices at heavy points that must be written; empty without heavy points
     DroppedTriangles dropped_;

@@ -30,7 +30,7 @@ const std::byte* takeNumber(const std::byte* place, std::uint64_t& vertex, const
     return place;
 }
 
-constexpr std::size_t kMostRecordBytes = 16;
+constexpr std::size_t kMaxRecordBytes = 16;
 
 std::size_t requestBytes(const VertexFormat& format) {
     return (format.isWide ? 8 : 4) + 8;
@@ -93,7 +93,7 @@ std::uint64_t triangleRecords(const scratch::StreamStore& store, std::uint32_t s
 
 void putRequest(
     scratch::StreamStore& store, std::uint32_t stream, const VertexRequest& request, const VertexFormat& format) {
-    std::array<std::byte, kMostRecordBytes> storage{};
+    std::array<std::byte, kMaxRecordBytes> storage{};
     std::byte* place = put(put(storage.data(), request.chunk), request.isOwner);
     putNumber(place, request.vertex, format);
     store.append(stream, std::span(storage).first(requestBytes(format)));
@@ -114,7 +114,7 @@ std::vector<VertexRequest> readRequests(
 }
 
 void appendNormal(std::vector<std::byte>& bytes, const SharedNormal& normal, const VertexFormat& format) {
-    std::array<std::byte, kMostRecordBytes> storage{};
+    std::array<std::byte, kMaxRecordBytes> storage{};
     putNumber(put(storage.data(), normal.normal), normal.vertex, format);
     bytes.insert(bytes.end(), storage.begin(), storage.begin() + static_cast<std::ptrdiff_t>(normalBytes(format)));
 }

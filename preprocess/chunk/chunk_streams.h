@@ -14,7 +14,7 @@
 namespace gnomon::chunk {
 
 /// The max number of vertices for which 4-byte vertex numbers are sufficient. One additional number marks polygons.
-constexpr std::uint64_t kMostNarrow = 0xFFFFFFFF;
+constexpr std::uint64_t kMaxNarrowIndex = 0xFFFFFFFF;
 
 /// The format of a vertex record: the attributes that it stores.
 struct VertexFormat {
@@ -22,7 +22,7 @@ struct VertexFormat {
     bool hasNormals = false;
     bool hasColors = false;
     hierarchy::FieldLayout fields{};
-    // Vertex numbers have 8 bytes instead of 4, because the source has more than kMostNarrow vertices.
+    // Vertex numbers have 8 bytes instead of 4, because the source has more than kMaxNarrowIndex vertices.
     bool isWide = false;
 
     bool hasFields() const { return fields.count() > 0; }

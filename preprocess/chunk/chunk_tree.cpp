@@ -9,7 +9,7 @@ namespace gnomon::chunk {
 
 namespace {
 
-constexpr int kRootBits = CellCounts::kMostRootBits;
+constexpr int kRootBits = CellCounts::kMaxRootBits;
 constexpr int kFinerBits = 3;
 
 /// Returns the low bits of `value` with two zero bits after each bit, for a Morton code.

@@ -16,7 +16,7 @@ constexpr std::uint32_t kMaxChunks = (1U << 29U) - 1;
 constexpr std::uint32_t kNarrowChunks = 0xFFFF;
 
 /// The chunk number of vertices outside the range of the grid. No chunk contains them. As a 16-bit number it is 0xFFFF.
-constexpr std::uint32_t kBeyondGrid = 0xFFFFFFFF;
+constexpr std::uint32_t kOutsideGrid = 0xFFFFFFFF;
 
 /// Returns the `rootBits` of CellCounts for a source with `vertices` vertices. A small source gets few root cells,
 /// because each thread has its own CellCounts.
@@ -28,11 +28,11 @@ int rootBitsFor(std::uint64_t vertices);
 /// do { for each vertex: counts.add(point, weight); } while (counts.refine(limit));
 class CellCounts {
 public:
-    static constexpr int kMostRootBits = 7;
+    static constexpr int kMaxRootBits = 7;
 
     /// Creates cells for points up to `furthest` on each axis. The root cells form a grid of 2^`rootBits` cells per
     /// axis, `rootBits` at most 7. This number affects only the number of counting passes, not the result.
-    explicit CellCounts(const hierarchy::GridPoint& furthest, int rootBits = kMostRootBits);
+    explicit CellCounts(const hierarchy::GridPoint& furthest, int rootBits = kMaxRootBits);
 
     /// Adds `weight` at `point` if its cell is open, which means that the last `refine` created it.
     void add(const hierarchy::GridPoint& point, std::uint32_t weight);
@@ -46,7 +46,7 @@ public:
 
     /// Restores the cells of `shape` with zero weights. `furthest` and `rootBits` must be the same as in the other
     /// process. Throws hierarchy::Damage if the bytes are malformed.
-    CellCounts(const hierarchy::GridPoint& furthest, std::span<const std::byte> shape, int rootBits = kMostRootBits);
+    CellCounts(const hierarchy::GridPoint& furthest, std::span<const std::byte> shape, int rootBits = kMaxRootBits);
 
     /// Returns the weights of the open cells. `addOpenWeights` adds them to the same cells of another object and throws
     /// hierarchy::Damage if the bytes are malformed.

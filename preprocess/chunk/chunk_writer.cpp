@@ -13,7 +13,7 @@ VertexFormat formatOf(const read::MeshSummary& source) {
         source.hasNormals,
         source.hasColors,
         hierarchy::FieldLayout::of(source.fields.size()),
-        source.vertexCount > kMostNarrow};
+        source.vertexCount > kMaxNarrowIndex};
 }
 
 void ChunkWriter::putVertex(const read::VertexBlock& block, std::size_t i, std::uint32_t chunk) {
@@ -31,8 +31,8 @@ void ChunkWriter::putVertex(const read::VertexBlock& block, std::size_t i, std::
 }
 
 void ChunkWriter::putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies) {
-    if (std::find(lies.begin(), lies.end(), kBeyondGrid) != lies.end()) {
-        ++beyondGrid_;
+    if (std::find(lies.begin(), lies.end(), kOutsideGrid) != lies.end()) {
+        ++outsideGrid_;
         return;
     }
     const std::uint32_t owner =
@@ -53,8 +53,8 @@ void ChunkWriter::putTriangle(const read::TriangleCorners& corners, const std::a
 }
 
 void ChunkWriter::putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk) {
-    if (chunk == kBeyondGrid) {
-        beyondGrid_ += fan.size();
+    if (chunk == kOutsideGrid) {
+        outsideGrid_ += fan.size();
         return;
     }
     sizes_[chunk].triangles += fan.size();

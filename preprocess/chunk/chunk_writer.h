@@ -39,11 +39,11 @@ public:
     /// Writes vertex `i` of a block to `chunk`.
     void putVertex(const read::VertexBlock& block, std::size_t i, std::uint32_t chunk);
 
-    /// Writes a triangle whose corners lie in the chunks `lies`. If one of them is kBeyondGrid, it only counts the
+    /// Writes a triangle whose corners lie in the chunks `lies`. If one of them is kOutsideGrid, it only counts the
     /// triangle.
     void putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies);
 
-    /// Writes a polygon, as a fan, to `chunk`. If `chunk` is kBeyondGrid, it only counts the triangles.
+    /// Writes a polygon, as a fan, to `chunk`. If `chunk` is kOutsideGrid, it only counts the triangles.
     void putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk);
 
     /// Adds `more` to the size of `chunk`.
@@ -56,7 +56,7 @@ public:
     const std::vector<PartSize>& sizes() const { return sizes_; }
 
     /// Returns the number of triangles with a corner outside the range of the grid. No chunk receives them.
-    std::uint64_t beyondGrid() const { return beyondGrid_; }
+    std::uint64_t outsideGrid() const { return outsideGrid_; }
 
 private:
     void request(
@@ -69,7 +69,7 @@ private:
     std::span<const hierarchy::Field> fields_;
     scratch::StreamStore* bins_; // null if the object only counts
     std::vector<PartSize> sizes_;
-    std::uint64_t beyondGrid_ = 0;
+    std::uint64_t outsideGrid_ = 0;
 };
 
 } // namespace gnomon::chunk

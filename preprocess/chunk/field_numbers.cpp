@@ -20,8 +20,8 @@ void add(
             throw Error(
                 source.whereIs(vertex),
                 "field " + fields[i].name + " of vertex " + std::to_string(vertex) + " is not finite");
-        fields[i].least = std::min(fields[i].least, values[i]);
-        fields[i].greatest = std::max(fields[i].greatest, values[i]);
+        fields[i].min = std::min(fields[i].min, values[i]);
+        fields[i].max = std::max(fields[i].max, values[i]);
     }
 }
 
@@ -53,13 +53,13 @@ void addUsed(
 
 void endRanges(const std::string& path, std::vector<hierarchy::Field>& fields) {
     for (hierarchy::Field& field : fields) {
-        if (field.least > field.greatest) field.least = field.greatest = 0; // no triangle uses any vertex
-        if (!std::isfinite(field.greatest - field.least))
+        if (field.min > field.max) field.min = field.max = 0; // no triangle uses any vertex
+        if (!std::isfinite(field.max - field.min))
             throw Error(
                 path,
                 "the range of field " + field.name + " is too large; do not store this field",
                 "max - min below 1.8e308",
-                formatted("%g to %g", field.least, field.greatest));
+                formatted("%g to %g", field.min, field.max));
     }
 }
 
@@ -81,9 +81,9 @@ std::uint32_t packedFields(std::span<const double> values, std::span<const hiera
     const hierarchy::FieldLayout layout = hierarchy::FieldLayout::of(fields.size());
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        const double range = fields[i].greatest - fields[i].least;
-        const double part = range > 0 ? (values[i] - fields[i].least) / range : 0;
-        const double number = std::clamp(part, 0.0, 1.0) * layout.greatest(i) + 0.5;
+        const double range = fields[i].max - fields[i].min;
+        const double part = range > 0 ? (values[i] - fields[i].min) / range : 0;
+        const double number = std::clamp(part, 0.0, 1.0) * layout.maxNumber(i) + 0.5;
         word |= static_cast<std::uint32_t>(number) << layout.shift(i);
     }
     return word;

@@ -31,8 +31,8 @@ std::uint64_t DroppedTriangles::*reasonOf(
 
 } // namespace
 
-HeavyPoints::HeavyPoints(std::vector<hierarchy::GridPoint> points, std::size_t most) : points_(std::move(points)) {
-    points_.resize(std::min(points_.size(), most));
+HeavyPoints::HeavyPoints(std::vector<hierarchy::GridPoint> points, std::size_t maxPoints) : points_(std::move(points)) {
+    points_.resize(std::min(points_.size(), maxPoints));
     std::sort(points_.begin(), points_.end());
     first_.resize(points_.size());
     if (!points_.empty()) earlier_.resize(kRemembered);

@@ -13,8 +13,8 @@ namespace gnomon::chunk {
 /// position of the first vertex there.
 class HeavyPoints {
 public:
-    /// Uses the first `most` points of `points`.
-    HeavyPoints(std::vector<hierarchy::GridPoint> points, std::size_t most);
+    /// Uses the first `maxPoints` points of `points`.
+    HeavyPoints(std::vector<hierarchy::GridPoint> points, std::size_t maxPoints);
 
     std::size_t size() const { return points_.size(); }
 

@@ -14,7 +14,7 @@ namespace gnomon::chunk {
 
 namespace {
 
-constexpr std::size_t kMostSampled = std::size_t{1} << 19U;
+constexpr std::size_t kMaxSampled = std::size_t{1} << 19U;
 constexpr int kExponentBias = 1200;
 constexpr int kBinsPerOctave = 16;
 constexpr std::size_t kMaxStrayShare = 1000; // max share of strays: 1 of 1000 triangles
@@ -84,9 +84,9 @@ void countTriangles(read::MeshSource& source, SourceSurvey& survey, EdgeSample& 
 
 /// Throws Error if a coordinate is too large for computations.
 void requireReach(const std::string& path, const Box& box) {
-    constexpr double kMostCoordinate = 1e100; // larger values would overflow squared distances
+    constexpr double kMaxCoordinate = 1e100; // larger values would overflow squared distances
     const double largest = box.isEmpty() ? 0 : std::max(maxAbs(box.min), maxAbs(box.max));
-    if (largest <= kMostCoordinate) return;
+    if (largest <= kMaxCoordinate) return;
     std::array<char, 32> found{};
     std::snprintf(found.data(), found.size(), "%g", largest);
     throw Error(path, "a coordinate is too large", "at most 1e100", found.data());
@@ -116,11 +116,11 @@ void addUsed(
     }
 }
 
-// The final threshold is the largest power of two that leaves at most kMostSampled entries. It does not depend on the
+// The final threshold is the largest power of two that leaves at most kMaxSampled entries. It does not depend on the
 // order of the triangles. This constructor starts at a threshold that is never lower than the final one in practice.
 // The margin of 1/50 is 14 standard deviations for random hashes.
 EdgeSample::EdgeSample(std::uint64_t triangles) {
-    for (; triangles > kMostSampled + kMostSampled / 50; triangles /= 2)
+    for (; triangles > kMaxSampled + kMaxSampled / 50; triangles /= 2)
         threshold_ /= 2;
 }
 
@@ -131,7 +131,7 @@ void EdgeSample::offer(std::uint64_t index, const read::TriangleCorners& corners
 void EdgeSample::take(const Entry& entry) {
     if (entry.hash > threshold_) return;
     entries_.push_back(entry);
-    if (entries_.size() <= kMostSampled) return;
+    if (entries_.size() <= kMaxSampled) return;
     threshold_ /= 2;
     std::erase_if(entries_, [&](const Entry& kept) { return kept.hash > threshold_; });
 }
@@ -228,8 +228,8 @@ hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample
     exponent = std::max(exponent, floorExponent(largest) - 52);
     const int ofAll = floorExponent(maxExtent(box)) + 1 - kRangeBits;
     const bool isAllInRange = ofAll <= std::max(coarsest, exponent);
-    const int least = isAllInRange ? ofAll : std::max(coarsest, floorExponent(extent) + 1 - kRangeBits);
-    grid.stepExponent = std::max(exponent, least);
+    const int minExponent = isAllInRange ? ofAll : std::max(coarsest, floorExponent(extent) + 1 - kRangeBits);
+    grid.stepExponent = std::max(exponent, minExponent);
     const double range = grid.step() * hierarchy::kMaxGridCoordinate;
     glm::dvec3 origin = box.min;
     for (int axis = 0; axis < 3; ++axis)

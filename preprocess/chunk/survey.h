@@ -132,13 +132,13 @@ public:
     }
 
 private:
-    static constexpr auto kMost = static_cast<double>(hierarchy::kMaxGridCoordinate);
+    static constexpr auto kMaxCoordinate = static_cast<double>(hierarchy::kMaxGridCoordinate);
 
     static std::uint32_t coordinate(double value) {
-        return static_cast<std::uint32_t>(std::clamp(value + 0.5, 0.0, kMost));
+        return static_cast<std::uint32_t>(std::clamp(value + 0.5, 0.0, kMaxCoordinate));
     }
 
-    static bool isInRange(double value) { return value >= -0.5 && value < kMost + 0.5; }
+    static bool isInRange(double value) { return value >= -0.5 && value < kMaxCoordinate + 0.5; }
 
     glm::dvec3 origin_;
     double stepsPerUnit_;

@@ -74,7 +74,7 @@ public:
         tasks_->tell(facts);
     }
 
-    std::uint64_t mostTableBytes() const { return tasks_ ? tasks_->mostTableBytes() : 0; }
+    std::uint64_t maxTableBytes() const { return tasks_ ? tasks_->maxTableBytes() : 0; }
 
     void start(Assignment assignment) {
         const std::uint32_t task = assignment.task;
@@ -125,20 +125,20 @@ void Helper::serve(read::MeshSource& source, const pipeline::BuildOptions& optio
     Work work(source, options, threads);
     mailbox_.send(
         0, Subject::Hello, encoded(Hello{mailbox_.host(), static_cast<std::uint32_t>(threads), keyOf(options)}));
-    Patience patience;
+    Backoff backoff;
     while (!isStopped_) {
         try {
             if (isBusy(work))
-                patience.restart();
+                backoff.restart();
             else
-                patience.wait();
+                backoff.wait();
             if (!hasFailed_) progress.advance(0);
         } catch (...) {
             fail(textOf(std::current_exception()));
         }
     }
     work.stop();
-    tableBytes_ = work.mostTableBytes();
+    tableBytes_ = work.maxTableBytes();
 }
 
 bool Helper::isBusy(Work& work) {
@@ -160,16 +160,16 @@ bool Helper::isBusy(Work& work) {
 }
 
 void Helper::leave() {
-    Patience patience;
+    Backoff backoff;
     while (!isStopped_) {
         const std::optional<Letter> letter = mailbox_.receive();
         if (letter && letter->subject == Subject::Stop) isStopped_ = true;
-        if (!letter) patience.wait();
+        if (!letter) backoff.wait();
     }
     mailbox_.send(
         0, Subject::Bye, encoded(Farewell{telemetry::peakResident().count, tableBytes_, mailbox_.bytesSent()}));
     while (!mailbox_.hasSentAll())
-        patience.wait();
+        backoff.wait();
 }
 
 } // namespace gnomon::distributed

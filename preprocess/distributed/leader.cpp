@@ -42,13 +42,13 @@ std::string Leader::nameOf(std::uint32_t rank) const {
 
 template <class IsDone>
 void Leader::waitForAll(const IsDone& isDone, Progress& progress) {
-    Patience patience;
+    Backoff backoff;
     while (!std::all_of(members_.begin(), members_.end(), isDone)) {
         if (const std::optional<Letter> letter = mailbox_.receive()) {
             take(*letter);
-            patience.restart();
+            backoff.restart();
         } else {
-            patience.wait();
+            backoff.wait();
         }
         progress.advance(0);
     }
@@ -173,7 +173,7 @@ void Leader::run(const pipeline::TaskPhase& phase, const pipeline::Perform& perf
     std::stable_sort(queue.begin(), queue.end(), [&](std::uint32_t a, std::uint32_t b) {
         return phase.weight(a) > phase.weight(b);
     });
-    Patience patience;
+    Backoff backoff;
     for (std::size_t taken = 0; taken < phase.tasks.size();) {
         bool isBusy = handOut(queue, phase, perform);
         if (const std::optional<Finished> own = pool_->finished()) {
@@ -189,9 +189,9 @@ void Leader::run(const pipeline::TaskPhase& phase, const pipeline::Perform& perf
             isBusy = true;
         }
         if (isBusy)
-            patience.restart();
+            backoff.restart();
         else
-            patience.wait();
+            backoff.wait();
         progress_->advance(0);
     }
     phaseSeconds_ += watch.elapsed().count / 1000;
@@ -215,19 +215,19 @@ pipeline::TeamShare Leader::endPhase() {
 }
 
 void Leader::dismiss() {
-    constexpr double kMostSeconds = 60;
+    constexpr double kMaxSeconds = 60;
     for (std::uint32_t rank = 1; rank < members_.size(); ++rank)
         mailbox_.send(rank, Subject::Stop, {});
     const Stopwatch watch;
-    Patience patience;
+    Backoff backoff;
     const auto isGone = [](const Member& member) { return member.isGone; };
     while (!std::all_of(members_.begin(), members_.end(), isGone) || !mailbox_.hasSentAll()) {
-        if (watch.elapsed().count / 1000 > kMostSeconds) mailbox_.abort();
+        if (watch.elapsed().count / 1000 > kMaxSeconds) mailbox_.abort();
         const std::optional<Letter> letter = mailbox_.receive();
         if (letter && letter->subject == Subject::Bye)
             take(*letter);
         else if (!letter) // other messages no longer matter
-            patience.wait();
+            backoff.wait();
     }
     members_.front().report.peakResidentBytes = telemetry::peakResident().count;
     members_.front().report.bytesSent = mailbox_.bytesSent();

@@ -84,10 +84,10 @@ void Mailbox::abort() {
     std::_Exit(1);
 }
 
-void Patience::wait() {
-    constexpr int kMost = 1000;
+void Backoff::wait() {
+    constexpr int kMaxMicroseconds = 1000;
     std::this_thread::sleep_for(std::chrono::microseconds(microseconds_));
-    microseconds_ = std::min(2 * microseconds_, kMost);
+    microseconds_ = std::min(2 * microseconds_, kMaxMicroseconds);
 }
 
 } // namespace gnomon::distributed

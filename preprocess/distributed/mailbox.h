@@ -78,16 +78,16 @@ private:
 
 /// A backoff for a process that polls for messages. The sleep doubles from 20 microseconds up to 1000, so that a
 /// waiting process leaves its core to other processes.
-class Patience {
+class Backoff {
 public:
     void wait();
 
-    void restart() { microseconds_ = kLeast; }
+    void restart() { microseconds_ = kMinMicroseconds; }
 
 private:
-    static constexpr int kLeast = 20;
+    static constexpr int kMinMicroseconds = 20;
 
-    int microseconds_ = kLeast;
+    int microseconds_ = kMinMicroseconds;
 };
 
 } // namespace gnomon::distributed

@@ -88,50 +88,50 @@ std::map<GroupRef, std::int64_t> growthAt(const ModelFile& file, double error, P
     return growth;
 }
 
-/// Refines groups whose error is equal to the limit, as long as the cut has at most `most` triangles. Many groups may
-/// have this error. `triangles` is the number without these refinements.
+/// Refines groups whose error is equal to the limit, as long as the cut has at most `maxTriangles` triangles. Many
+/// groups may have this error. `triangles` is the number without these refinements.
 void refineGroups(
-    const ModelFile& file, std::int64_t triangles, std::uint64_t most, CutLimit& limit, Progress& progress) {
+    const ModelFile& file, std::int64_t triangles, std::uint64_t maxTriangles, CutLimit& limit, Progress& progress) {
     std::int64_t best = triangles;
     for (const auto& [group, growth] : growthAt(file, limit.error, progress)) {
         triangles += growth;
-        if (triangles <= best || static_cast<std::uint64_t>(triangles) > most) continue;
+        if (triangles <= best || static_cast<std::uint64_t>(triangles) > maxTriangles) continue;
         best = triangles;
         limit.end = {group.page, group.group + 1};
     }
 }
 
-/// Returns the finest cut of at most `most` triangles: the smallest possible error, and the groups refined at this
-/// error.
-CutLimit limitFor(const ModelFile& file, std::uint64_t most, std::optional<Bytes> memory, Progress& progress) {
+/// Returns the finest cut of at most `maxTriangles` triangles: the smallest possible error, and the groups refined at
+/// this error.
+CutLimit limitFor(const ModelFile& file, std::uint64_t maxTriangles, std::optional<Bytes> memory, Progress& progress) {
     const std::vector<Step> steps = stepsOf(file, memory, progress);
     std::int64_t triangles = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         triangles += steps[i].triangles;
         if (i + 1 < steps.size() && steps[i + 1].error == steps[i].error) continue;
         if (steps[i].error == std::numeric_limits<double>::infinity()) break;
-        if (static_cast<std::uint64_t>(triangles) > most) continue;
+        if (static_cast<std::uint64_t>(triangles) > maxTriangles) continue;
         CutLimit limit{steps[i].error, {0, 0}};
-        refineGroups(file, triangles, most, limit, progress);
+        refineGroups(file, triangles, maxTriangles, limit, progress);
         return limit;
     }
     throw Error(
         file.path(),
         "no level of detail has so few triangles",
         "at least " + std::to_string(file.summary().coarsestTriangles) + " triangles, those of the coarsest cut",
-        std::to_string(most));
+        std::to_string(maxTriangles));
 }
 
 /// Returns the largest limit whose cut has at most this error. For an error of 0 it returns a negative limit, so that
 /// all groups are refined.
 CutLimit limitOf(const ModelFile& file, double error) {
     if (error == 0) return {-1, {0, 0}};
-    const double least = file.summary().grid.snapError();
-    if (error >= least) return {error, {0, 0}};
+    const double minError = file.summary().grid.snapError();
+    if (error >= minError) return {error, {0, 0}};
     throw Error(
         file.path(),
         "no level of detail is so accurate",
-        formatted("an error of 0, or of at least %g, half a cell of the grid", least),
+        formatted("an error of 0, or of at least %g, half a cell of the grid", minError),
         formatted("%g", error));
 }
 
@@ -156,7 +156,7 @@ struct CutSize {
 };
 
 /// Returns true if the cut refines no group of the page.
-bool isLeftOut(const PageInfo& info, const CutLimit& limit) {
+bool isSkipped(const PageInfo& info, const CutLimit& limit) {
     return info.maxError < limit.error;
 }
 
@@ -164,7 +164,7 @@ bool isLeftOut(const PageInfo& info, const CutLimit& limit) {
 CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
     CutSize size;
     for (const PageInfo& info : file.pages()) {
-        if (isLeftOut(info, limit)) continue;
+        if (isSkipped(info, limit)) continue;
         size.vertices += info.vertexCount;
         size.triangles += info.triangleCount;
         size.clusters += info.clusterCount;
@@ -178,7 +178,7 @@ CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progre
     progress.stage("measure", "pages", file.pages().size());
     for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
         progress.advance(1);
-        if (isLeftOut(file.pages()[p], limit)) continue;
+        if (isSkipped(file.pages()[p], limit)) continue;
         const Page page = file.readPage(p);
         for (std::uint32_t g = 0; g < page.groups.size(); ++g) {
             if (!limit.isRefined(page.groups[g].drawnError(), {p, g})) continue;
@@ -229,7 +229,7 @@ UniformCut collect(const ModelFile& file, const CutLimit& limit, const CutRoom& 
     progress.stage("cut", "pages", file.pages().size());
     for (std::uint32_t p = 0; p < file.pages().size(); ++p) {
         progress.advance(1);
-        if (isLeftOut(file.pages()[p], limit)) continue;
+        if (isSkipped(file.pages()[p], limit)) continue;
         const Page page = file.readPage(p, fields);
         cut.mesh.fields.layout = fields.layout;
         for (std::uint32_t g = 0; g < page.groups.size(); ++g)

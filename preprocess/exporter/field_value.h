@@ -10,8 +10,8 @@ namespace gnomon::exporter {
 /// Returns the value of field `i` of a vertex with the packed fields `word`.
 inline double fieldValue(
     const hierarchy::Field& field, const hierarchy::FieldLayout& layout, std::uint32_t word, std::size_t i) {
-    const double part = static_cast<double>(layout.number(word, i)) / layout.greatest(i);
-    return field.least + part * (field.greatest - field.least);
+    const double part = static_cast<double>(layout.number(word, i)) / layout.maxNumber(i);
+    return field.min + part * (field.max - field.min);
 }
 
 /// Returns true if each position is exactly representable by floats.

@@ -16,8 +16,8 @@ namespace {
 
 /// Returns true if floats distinguish the values of a field as well as doubles do.
 bool fitsFloats(const Field& field) {
-    const double step = (field.greatest - field.least) / ((1U << field.bits) - 1U);
-    return std::max(std::abs(field.least), std::abs(field.greatest)) * 0x1p-24 <= step / 64;
+    const double step = (field.max - field.min) / ((1U << field.bits) - 1U);
+    return std::max(std::abs(field.min), std::abs(field.max)) * 0x1p-24 <= step / 64;
 }
 
 /// Throws Error if a field name is invalid or repeated in a PLY header. The name comes from the model file and can be

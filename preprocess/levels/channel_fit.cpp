@@ -71,7 +71,7 @@ ChannelFit::Channels ChannelFit::channelsOf(std::uint32_t word) const {
 std::uint32_t ChannelFit::packed(const Channels& channels) const {
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < channels.size() && layout_.bits[i] > 0; ++i) {
-        const float channel = std::clamp(channels[i], 0.0F, static_cast<float>(layout_.greatest(i)));
+        const float channel = std::clamp(channels[i], 0.0F, static_cast<float>(layout_.maxNumber(i)));
         word |= static_cast<std::uint32_t>(std::lround(channel)) << layout_.shift(i);
     }
     return word;

@@ -45,7 +45,7 @@ public:
             float largest = 0;
             for (std::size_t i = 0; i < there.size(); ++i)
                 largest = std::max(largest, std::abs(sample.channels[i] - there[i]));
-            take(sample.length, static_cast<double>(largest) / layout_.greatest(0));
+            take(sample.length, static_cast<double>(largest) / layout_.maxNumber(0));
         }
     }
 

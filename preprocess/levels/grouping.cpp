@@ -18,7 +18,7 @@ constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
 
 // The share of triangles that defines the usual error. Clusters with up to twice this error are grouped.
 constexpr double kUsualShare = 2.0 / 3;
-constexpr double kMostTimesUsual = 2;
+constexpr double kMaxUsualRatio = 2;
 
 glm::vec3 toVector(const hierarchy::GridPoint& p) {
     return glm::dvec3(p.x, p.y, p.z);
@@ -43,7 +43,7 @@ double greatestGroupedError(const Level& level) {
     std::vector<WeightedError> errors;
     for (const LevelCluster& cluster : level.clusters)
         errors.push_back({level.refinements[cluster.refinement].drawnError(), cluster.triangleCount});
-    return kMostTimesUsual * errorQuantile(std::move(errors), kUsualShare);
+    return kMaxUsualRatio * errorQuantile(std::move(errors), kUsualShare);
 }
 
 /// Appends `cluster` of `from`, with its triangles.

@@ -27,12 +27,12 @@ struct Place {
 /// Buckets of equal width. The bucket index never decreases as the value increases, independent of rounding.
 class Buckets {
 public:
-    static constexpr std::size_t kMost = 256;
+    static constexpr std::size_t kMaxCount = 256;
 
     /// Creates buckets for `points` values from `low` to `high`. If the range is too small for a division, it uses one
     /// bucket.
     Buckets(float low, float high, std::size_t points)
-        : low_(low), count_(std::clamp<std::size_t>(points / 2, 16, kMost)) {
+        : low_(low), count_(std::clamp<std::size_t>(points / 2, 16, kMaxCount)) {
         const float scale = static_cast<float>(count_ - 1) / (high - low);
         scale_ = std::isfinite(scale) ? scale : 0;
     }
@@ -61,7 +61,7 @@ template <int kAxis>
 std::size_t narrow(
     const CutInput& input, std::span<const KdPoint> candidates, const KdBounds& bounds, std::uint64_t& before) {
     const Buckets buckets(bounds.low[kAxis], bounds.high[kAxis], candidates.size());
-    std::array<std::uint64_t, Buckets::kMost> weight{};
+    std::array<std::uint64_t, Buckets::kMaxCount> weight{};
     for (const KdPoint& point : candidates)
         weight[buckets.of(point.center[kAxis])] += input.weights[point.item];
     std::size_t bucket = 0;

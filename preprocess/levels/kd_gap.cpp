@@ -9,14 +9,14 @@ namespace gnomon::levels {
 namespace {
 
 constexpr std::size_t kBuckets = 64;
-constexpr double kLeastShare = 0.15;
+constexpr double kMinShare = 0.15;
 // min gap width as a multiple of 1 / sqrt(n), the distance between n points evenly spread over a unit square
-constexpr double kLeastSpacings = 1.5;
+constexpr double kMinSpacings = 1.5;
 
 } // namespace
 
 std::uint64_t weightBeforeGap(
-    std::span<const KdPoint> points, std::span<const std::uint32_t> weights, std::uint64_t leastWeight) {
+    std::span<const KdPoint> points, std::span<const std::uint32_t> weights, std::uint64_t minWeight) {
     const KdBounds bounds = boundsOf(points);
     const int axis = widestAxis(bounds);
     const float low = bounds.low[axis];
@@ -28,8 +28,8 @@ std::uint64_t weightBeforeGap(
         weight[static_cast<std::size_t>(static_cast<int>((point.center[axis] - low) * scale))] += weights[point.item];
         total += weights[point.item];
     }
-    const double least = std::max(kLeastShare, kLeastSpacings / std::sqrt(static_cast<double>(points.size())));
-    auto widest = static_cast<std::size_t>(least * kBuckets);
+    const double minShare = std::max(kMinShare, kMinSpacings / std::sqrt(static_cast<double>(points.size())));
+    auto widest = static_cast<std::size_t>(minShare * kBuckets);
     std::uint64_t before = 0;
     std::uint64_t found = 0;
     std::size_t empty = 0;
@@ -38,7 +38,7 @@ std::uint64_t weightBeforeGap(
             ++empty;
             continue;
         }
-        if (empty > widest && before >= leastWeight && total - before >= leastWeight) {
+        if (empty > widest && before >= minWeight && total - before >= minWeight) {
             widest = empty;
             found = before;
         }

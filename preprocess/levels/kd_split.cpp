@@ -22,7 +22,7 @@ struct Splitter {
     std::span<const std::uint32_t> weights;
     std::uint64_t maxWeight;
     double fraction;
-    std::uint64_t leastAtGap;
+    std::uint64_t minWeightAtGap;
     std::vector<std::uint8_t>& isEnd;
 
     void split(std::size_t first, std::size_t count, std::uint64_t weight) const {
@@ -33,7 +33,7 @@ struct Splitter {
         const std::uint64_t parts = (weight + maxWeight - 1) / maxWeight;
         const auto lowParts = std::clamp<std::uint64_t>(
             static_cast<std::uint64_t>(std::floor(static_cast<double>(parts) * fraction + 0.5)), 1, parts - 1);
-        const std::uint64_t gap = weightBeforeGap(points.subspan(first, count), weights, leastAtGap);
+        const std::uint64_t gap = weightBeforeGap(points.subspan(first, count), weights, minWeightAtGap);
         const std::uint64_t target = gap > 0 ? gap : weight * lowParts / parts;
         const KdSide low = cutPoints(points.subspan(first, count), spare.subspan(first, count), weights, target);
         const auto splitLow = [&] { split(first, low.count, low.weight); };
@@ -53,7 +53,7 @@ bool isInOrder(std::span<const KdItem> items) {
 }
 
 KdParts splitInOrder(
-    std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap) {
+    std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t minWeightAtGap) {
     KdParts parts;
     if (items.empty()) return parts;
     std::vector<KdPoint> points(items.size());
@@ -67,7 +67,7 @@ KdParts splitInOrder(
         weight += items[i].weight;
     }
     std::vector<std::uint8_t> isEnd(items.size(), 0);
-    Splitter{points, spare, weights, maxWeight, fraction, leastAtGap, isEnd}.split(0, items.size(), weight);
+    Splitter{points, spare, weights, maxWeight, fraction, minWeightAtGap, isEnd}.split(0, items.size(), weight);
     parts.order.resize(items.size());
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         parts.order[i] = items[points[i].item].index;
@@ -78,11 +78,11 @@ KdParts splitInOrder(
 
 } // namespace
 
-KdParts kdSplit(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap) {
-    if (isInOrder(items)) return splitInOrder(items, maxWeight, fraction, leastAtGap);
+KdParts kdSplit(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t minWeightAtGap) {
+    if (isInOrder(items)) return splitInOrder(items, maxWeight, fraction, minWeightAtGap);
     std::vector<KdItem> sorted(items.begin(), items.end());
     std::sort(sorted.begin(), sorted.end(), [](const KdItem& a, const KdItem& b) { return a.index < b.index; });
-    return splitInOrder(sorted, maxWeight, fraction, leastAtGap);
+    return splitInOrder(sorted, maxWeight, fraction, minWeightAtGap);
 }
 
 } // namespace gnomon::levels

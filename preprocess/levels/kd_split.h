@@ -24,9 +24,10 @@ struct KdParts {
 
 /// Splits `items` into parts of at most `maxWeight` (at least 1). A part may exceed this weight only if it is a single
 /// item. Each cut is across the widest axis. It uses the widest gap if `weightBeforeGap` finds one with at least
-/// `leastAtGap` on each side, so that a part seldom contains distant points. Otherwise the low side gets about
+/// `minWeightAtGap` on each side, so that a part seldom contains distant points. Otherwise the low side gets about
 /// `fraction` of the weight. Neighbours in the order of parts are near each other in space. Within a part, items are
 /// ordered by index (Bentley, "Multidimensional binary search trees", 1975).
-KdParts kdSplit(std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap = 0);
+KdParts kdSplit(
+    std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t minWeightAtGap = 0);
 
 } // namespace gnomon::levels

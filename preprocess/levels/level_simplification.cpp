@@ -3,7 +3,7 @@
 #include "preprocess/levels/group_patch.h"
 #include "preprocess/levels/grouping.h"
 #include "preprocess/levels/level_clusters.h"
-#include "preprocess/simplify/deviation.h"
+#include "preprocess/simplify/hausdorff_bound.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -18,7 +18,7 @@ namespace {
 using hierarchy::kNone;
 
 // Max error of a group, in medians of the level; more expensive groups are deferred.
-constexpr double kMostTimesMedian = 4;
+constexpr double kMaxMedianRatio = 4;
 constexpr double kToleranceShare = 0.25; // share of the existing error that the measurement may add
 constexpr double kTightShare = 0.5;      // share of the collapse bound below which the measurement stops its search
 
@@ -53,8 +53,8 @@ double largestOf(std::span<const simplify::TriangleError> errors) {
 std::vector<simplify::TriangleError> tightErrors(
     const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     const double worst = largestOf(simplified.errors);
-    simplify::Deviation measured =
-        simplify::measureDeviation(patch, simplified, std::max(largestOf(patch.errors), kTightShare * worst));
+    simplify::HausdorffBound measured =
+        simplify::measureHausdorffBound(patch, simplified, std::max(largestOf(patch.errors), kTightShare * worst));
     if (measured.worst < worst) return std::move(measured.errors);
     return simplified.errors;
 }
@@ -91,7 +91,7 @@ public:
         result.before = std::max(before, attributesBefore);
         std::vector<simplify::TriangleError> errors(simplified.triangles.size());
         if (options_.error == ErrorKind::Estimated) {
-            result.error = before + simplified.claimedError * mesh_.grid.step();
+            result.error = before + simplified.estimatedError * mesh_.grid.step();
         } else {
             errors = boundedErrors(patch.patch, simplified, before);
             // The distances are rounded, so the bound is slightly enlarged.
@@ -110,7 +110,7 @@ private:
         const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified, double before) const {
         if (simplified.errors.empty()) {
             const double goal = before / mesh_.grid.step() * (1 + kToleranceShare);
-            return simplify::measureDeviation(patch, simplified, goal).errors;
+            return simplify::measureHausdorffBound(patch, simplified, goal).errors;
         }
         return options_.error == ErrorKind::Tight ? tightErrors(patch, simplified) : simplified.errors;
     }
@@ -175,12 +175,12 @@ private:
 };
 
 /// Defers groups whose error is far above the median of the level.
-void deferDearGroups(Level& level, const std::vector<GroupResult>& results) {
+void deferExpensiveGroups(Level& level, const std::vector<GroupResult>& results) {
     std::vector<WeightedError> errors;
     for (std::size_t g = 0; g < results.size(); ++g)
         if (!level.groups[g].isDeferred)
             errors.push_back({results[g].drawnError(), triangleCount(level, level.groups[g])});
-    const double greatest = kMostTimesMedian * errorQuantile(std::move(errors), 0.5);
+    const double greatest = kMaxMedianRatio * errorQuantile(std::move(errors), 0.5);
     for (std::size_t g = 0; g < results.size(); ++g)
         if (!results[g].isWithin(greatest)) level.groups[g].isDeferred = true;
 }
@@ -201,7 +201,7 @@ Level simplifiedLevel(
         if (!level.groups[g].isDeferred) results[g] = simplifier(static_cast<std::uint32_t>(g), numbers.local());
         progress.advance(triangleCount(level, level.groups[g]));
     });
-    if (mayDefer) deferDearGroups(level, results);
+    if (mayDefer) deferExpensiveGroups(level, results);
     Level next;
     for (std::size_t g = 0; g < results.size(); ++g) {
         LevelGroup& group = level.groups[g];

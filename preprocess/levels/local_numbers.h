@@ -13,17 +13,18 @@ namespace gnomon::levels {
 /// recognisable by their smaller values.
 class LocalNumbers {
 public:
-    static constexpr std::uint32_t kMostNumbers = std::numeric_limits<std::uint32_t>::max() / 2;
+    static constexpr std::uint32_t kMaxNumbers = std::numeric_limits<std::uint32_t>::max() / 2;
 
-    /// Creates a table for ids below `count`. After more than `most` numbers (at most kMostNumbers) the table clears
-    /// its memory.
-    explicit LocalNumbers(std::size_t count, std::uint32_t most = kMostNumbers) : known_(count, 0), most_(most) {}
+    /// Creates a table for ids below `count`. After more than `maxNumbers` numbers (at most kMaxNumbers) the table
+    /// clears its memory.
+    explicit LocalNumbers(std::size_t count, std::uint32_t maxNumbers = kMaxNumbers)
+        : known_(count, 0), maxNumbers_(maxNumbers) {}
 
-    /// Starts a new part. A part has at most kMostNumbers elements.
+    /// Starts a new part. A part has at most kMaxNumbers elements.
     void begin() {
         first_ += static_cast<std::uint32_t>(ids_.size());
         ids_.clear();
-        if (first_ <= most_) return;
+        if (first_ <= maxNumbers_) return;
         std::fill(known_.begin(), known_.end(), 0);
         first_ = 1;
     }
@@ -44,7 +45,7 @@ public:
 private:
     std::vector<std::uint32_t> known_; // per id: `first_` at the time plus the local number
     std::vector<std::uint32_t> ids_;
-    std::uint32_t most_;
+    std::uint32_t maxNumbers_;
     std::uint32_t first_ = 1;
 };
 

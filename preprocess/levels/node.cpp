@@ -11,7 +11,7 @@ using hierarchy::kNone;
 
 // Only levels below this number may defer, so that the hierarchy reaches its root.
 constexpr std::uint32_t kDeferringLevels = hierarchy::kMaxLevels / 2;
-constexpr double kLeastProgress = 0.95; // max share of triangles that a useful next level may keep
+constexpr double kMinProgress = 0.95; // max share of triangles that a useful next level may keep
 
 hierarchy::LevelInfo infoOf(const Level& level, const hierarchy::Grid& grid) {
     hierarchy::LevelInfo info;
@@ -30,7 +30,7 @@ hierarchy::LevelInfo infoOf(const Level& level, const hierarchy::Grid& grid) {
 
 bool isWorthwhile(const Level& next, std::uint64_t triangles) {
     return !next.triangles.empty() &&
-           static_cast<double>(next.triangles.size()) <= kLeastProgress * static_cast<double>(triangles);
+           static_cast<double>(next.triangles.size()) <= kMinProgress * static_cast<double>(triangles);
 }
 
 /// The next coarser level, and whether it has sufficiently fewer triangles.
@@ -111,7 +111,7 @@ BuiltNode buildNode(
             endAtRoot(level);
             keep(number);
             node.rootTriangles = level.triangles.size();
-            if (number == 0 && !isSingle) node.stuckTriangles = level.triangles.size();
+            if (number == 0 && !isSingle) node.irreducibleTriangles = level.triangles.size();
             return node;
         }
         if (!coarser.isWorthwhile && number > 0) break;
@@ -121,7 +121,7 @@ BuiltNode buildNode(
         level = std::move(coarser.level);
         takeVertices(level, mesh);
     }
-    node.pending = encodePendingLevel(mesh, level);
+    node.pending = encodeOpenClusters(mesh, level);
     return node;
 }
 

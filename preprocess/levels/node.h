@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/progress.h"
+#include "preprocess/levels/open_clusters.h"
 #include "preprocess/levels/page_layout.h"
-#include "preprocess/levels/pending_level.h"
 
 namespace gnomon::levels {
 
@@ -23,9 +23,9 @@ struct NodeLevel {
 /// The result of a node: its finished levels and its clusters without groups.
 struct BuiltNode {
     std::vector<NodeLevel> levels; // from the first level of the plan on
-    EncodedPendingLevel pending;   // empty after the root
+    EncodedOpenClusters pending;   // empty after the root
     std::uint64_t rootTriangles = 0;
-    std::uint64_t stuckTriangles = 0; // triangles of level 0 that no coarser cluster replaces
+    std::uint64_t irreducibleTriangles = 0; // triangles of level 0 that no coarser cluster replaces
 };
 
 /// Builds the levels of `plan` from `level`, whose clusters have no groups yet. Up to the root means: until one cluster

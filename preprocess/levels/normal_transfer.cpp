@@ -12,7 +12,7 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr double kLeastAgreement = 0.5; // min cosine between the normals of one smooth surface
+constexpr double kMinAgreement = 0.5; // min cosine between the normals of one smooth surface
 
 class NormalFit {
 public:
@@ -65,7 +65,7 @@ private:
         glm::dvec3 found(0);
         for (int i = 0; i < 3; ++i) {
             const glm::dvec3& normal = normal_[t[static_cast<std::size_t>(i)]];
-            if (glm::dot(normal, normal_[v]) < kLeastAgreement) weights[i] = 0;
+            if (glm::dot(normal, normal_[v]) < kMinAgreement) weights[i] = 0;
             found += normal * weights[i];
             sum += weights[i];
         }

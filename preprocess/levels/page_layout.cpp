@@ -31,10 +31,10 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
 /// Returns the exponent of a group's error, clamped. The exponents of all other doubles lie between those of error 0
 /// and of a root.
 int errorExponent(const LevelGroup& group) {
-    constexpr int kMostExponent = 2048;
+    constexpr int kMaxExponent = 2048;
     const double error = std::max(group.error, group.attributeError);
     // Ilogb is INT_MIN for 0 and INT_MAX for infinity.
-    return std::clamp(std::ilogb(error), -kMostExponent, kMostExponent);
+    return std::clamp(std::ilogb(error), -kMaxExponent, kMaxExponent);
 }
 
 int floorOfQuotient(int value, int by) {

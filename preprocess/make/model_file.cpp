@@ -135,9 +135,9 @@ MeshSize writeMadeModel(
             triangleOffset + before[block].triangles * kTriangleBytes);
         model.makeBlock(block, before[block].vertices, sink);
         const MeshSize made = sink.finish();
-        const MeshSize promised = model.blockSize(block);
-        GNOMON_CHECK_OP(made.vertices, ==, promised.vertices);
-        GNOMON_CHECK_OP(made.triangles, ==, promised.triangles);
+        const MeshSize planned = model.blockSize(block);
+        GNOMON_CHECK_OP(made.vertices, ==, planned.vertices);
+        GNOMON_CHECK_OP(made.triangles, ==, planned.triangles);
         progress.advance(made.triangles);
     };
     const int cores = tbb::this_task_arena::max_concurrency();

@@ -14,7 +14,7 @@ namespace {
 
 struct Kind {
     const char* name;
-    std::uint64_t fewestTriangles;
+    std::uint64_t minTriangles;
     std::uint64_t defaultTriangles;
     std::unique_ptr<MadeModel> (*make)(std::uint64_t triangles, std::uint64_t seed);
 };
@@ -25,9 +25,9 @@ std::unique_ptr<MadeModel> make(std::uint64_t triangles, std::uint64_t seed) {
 }
 
 constexpr std::array<Kind, 3> kKinds{{
-    {"statue", Statue::kFewestTriangles, 1'000'000, make<Statue>},
-    {"plant", Plant::kFewestTriangles, 1'000'000, make<Plant>},
-    {"planes", Planes::kFewestTriangles, 275'500, make<Planes>}, // 18,000 per aeroplane
+    {"statue", Statue::kMinTriangles, 1'000'000, make<Statue>},
+    {"plant", Plant::kMinTriangles, 1'000'000, make<Plant>},
+    {"planes", Planes::kMinTriangles, 275'500, make<Planes>}, // 18,000 per aeroplane
 }};
 
 const Kind& kindOf(const std::string& name) {
@@ -52,11 +52,11 @@ std::uint64_t defaultTriangles(const std::string& kind) {
 
 std::unique_ptr<MadeModel> makeNamedModel(const std::string& kind, std::uint64_t triangles, std::uint64_t seed) {
     const Kind& found = kindOf(kind);
-    if (triangles < found.fewestTriangles)
+    if (triangles < found.minTriangles)
         throw Error(
             "make " + kind,
             "too few triangles",
-            "at least " + std::to_string(found.fewestTriangles),
+            "at least " + std::to_string(found.minTriangles),
             std::to_string(triangles));
     return found.make(triangles, seed);
 }

@@ -79,8 +79,8 @@ public:
     }
 
 private:
-    std::uint64_t steps(double base, std::uint64_t least) const {
-        return std::max(least, static_cast<std::uint64_t>(std::llround(base * fineness_)));
+    std::uint64_t steps(double base, std::uint64_t minSteps) const {
+        return std::max(minSteps, static_cast<std::uint64_t>(std::llround(base * fineness_)));
     }
 
     void addFoil(const Foil& foil, double rings, double around) {
@@ -196,7 +196,7 @@ glm::dmat3 flightAxes(double courseTurns, double pitchTurns, double bankTurns) {
 
 Planes::Planes(std::uint64_t triangles, std::uint64_t seed)
     : groundSeed_(static_cast<std::uint32_t>(mix64(seed ^ 0x6E0U))) {
-    GNOMON_CHECK_OP(triangles, >=, kFewestTriangles);
+    GNOMON_CHECK_OP(triangles, >=, kMinTriangles);
     Random random(mix64(seed ^ 0x91A7E5U));
     for (std::size_t i = 0; i < kCount; ++i) {
         const auto column = static_cast<double>(i % 5) - 2;

@@ -12,9 +12,9 @@ namespace gnomon::make {
 class Planes final : public MadeModel {
 public:
     static constexpr std::size_t kCount = 15;
-    static constexpr std::uint64_t kFewestTriangles = 20'000;
+    static constexpr std::uint64_t kMinTriangles = 20'000;
 
-    /// Creates the scene with `triangles` triangles, within 1%. `triangles` is at least kFewestTriangles.
+    /// Creates the scene with `triangles` triangles, within 1%. `triangles` is at least kMinTriangles.
     Planes(std::uint64_t triangles, std::uint64_t seed);
 
     /// Returns one block per aeroplane and one for the ground.

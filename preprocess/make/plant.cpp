@@ -126,7 +126,7 @@ constexpr double kLowestLevel = 1.0 / 64;
 } // namespace
 
 Plant::Plant(std::uint64_t triangles, std::uint64_t seed) {
-    GNOMON_CHECK_OP(triangles, >=, kFewestTriangles);
+    GNOMON_CHECK_OP(triangles, >=, kMinTriangles);
     const auto aim = static_cast<std::uint64_t>(kPartShare * static_cast<double>(triangles));
     // First find the max number of lots that fits at the lowest level, then the highest level that fits.
     std::size_t lots = kLots;

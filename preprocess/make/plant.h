@@ -12,9 +12,9 @@ namespace gnomon::make {
 /// about 300,000 triangles some lots are empty.
 class Plant final : public MadeModel {
 public:
-    static constexpr std::uint64_t kFewestTriangles = 20'000;
+    static constexpr std::uint64_t kMinTriangles = 20'000;
 
-    /// Creates the plant with `triangles` triangles, within 0.1%. `triangles` is at least kFewestTriangles.
+    /// Creates the plant with `triangles` triangles, within 0.1%. `triangles` is at least kMinTriangles.
     Plant(std::uint64_t triangles, std::uint64_t seed);
 
     std::size_t blockCount() const override { return jobs_.size(); }

@@ -21,8 +21,8 @@ std::uint64_t pieces(double length, double spacing) {
 
 Detail::Detail(double level) : level_(level), growth_(std::sqrt(level * std::sqrt(level))) {}
 
-std::uint64_t Detail::amount(double base, std::uint64_t least, std::uint64_t most) const {
-    return std::clamp(static_cast<std::uint64_t>(std::llround(base * growth_)), least, most);
+std::uint64_t Detail::amount(double base, std::uint64_t minAmount, std::uint64_t maxAmount) const {
+    return std::clamp(static_cast<std::uint64_t>(std::llround(base * growth_)), minAmount, maxAmount);
 }
 
 std::uint64_t Detail::sides(double radius) const {

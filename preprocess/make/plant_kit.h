@@ -21,8 +21,8 @@ public:
 
     double level() const { return level_; }
 
-    /// Returns the number of parts, `base` at level 1, clamped to `least` and `most`.
-    std::uint64_t amount(double base, std::uint64_t least = 1, std::uint64_t most = 1U << 20U) const;
+    /// Returns the number of parts, `base` at level 1, clamped to `minAmount` and `maxAmount`.
+    std::uint64_t amount(double base, std::uint64_t minAmount = 1, std::uint64_t maxAmount = 1U << 20U) const;
 
     /// Returns the number of sides of a round part with this radius in metres, from 3 to 256.
     std::uint64_t sides(double radius) const;

@@ -46,7 +46,7 @@ Statue::Statue(std::uint64_t triangles, std::uint64_t seed)
 
 Statue::Statue(std::uint64_t triangles, std::uint64_t seed, std::shared_ptr<const StatueSurface> surface)
     : seed_(seed), surface_(std::move(surface)) {
-    GNOMON_CHECK_OP(triangles, >=, kFewestTriangles);
+    GNOMON_CHECK_OP(triangles, >=, kMinTriangles);
     const double sideLength =
         surface_->meridian() * (static_cast<double>(surface_->crownBegin()) - static_cast<double>(surface_->baseEnd()));
     const double girth = surface_->area() / surface_->meridian();

@@ -19,9 +19,9 @@ struct GrainOctave {
 /// A closed 2-manifold with the grid of a box: a ring of 4 * cells columns and `rows` rows, and two square lids.
 class Statue final : public MadeModel {
 public:
-    static constexpr std::uint64_t kFewestTriangles = 2000;
+    static constexpr std::uint64_t kMinTriangles = 2000;
 
-    /// Creates the statue with `triangles` triangles, within 2%. `triangles` is at least kFewestTriangles.
+    /// Creates the statue with `triangles` triangles, within 2%. `triangles` is at least kMinTriangles.
     Statue(std::uint64_t triangles, std::uint64_t seed);
 
     /// Creates the statue with an existing surface. The surface depends only on the seed.

@@ -59,7 +59,7 @@ Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> opt
             summary.bounds.add(node.bounds);
             summary.hasNormals = summary.hasNormals || node.hasNormals;
             summary.coarsestTriangles += node.rootTriangles;
-            totals.stuckTriangles += node.stuckTriangles;
+            totals.irreducibleTriangles += node.irreducibleTriangles;
         }
     hierarchy::setMainPart(summary, log.binned()->mainPart);
     summary.levels.resize(log.pageCounts().size());

@@ -14,7 +14,7 @@ namespace gnomon::pipeline {
 struct Totals {
     hierarchy::ModelSummary summary;
     std::uint64_t pages = 0;
-    std::uint64_t stuckTriangles = 0;
+    std::uint64_t irreducibleTriangles = 0;
 };
 
 /// Returns the numbers of dropped source triangles: degenerate, doubled, collapsed by the grid, covered.

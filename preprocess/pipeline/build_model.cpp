@@ -32,8 +32,9 @@ double lap(Stopwatch& watch) {
     return std::exchange(watch, Stopwatch()).elapsed().count / 1000;
 }
 
-void requireFewStuck(const std::string& output, std::uint64_t stuck, std::uint64_t triangles, double maxPercent) {
-    const double percent = 100.0 * static_cast<double>(stuck) / static_cast<double>(triangles);
+void requireFewIrreducible(
+    const std::string& output, std::uint64_t irreducible, std::uint64_t triangles, double maxPercent) {
+    const double percent = 100.0 * static_cast<double>(irreducible) / static_cast<double>(triangles);
     if (percent <= maxPercent) return;
     const auto text = [](double value) {
         std::array<char, 32> digits{};
@@ -41,7 +42,7 @@ void requireFewStuck(const std::string& output, std::uint64_t stuck, std::uint64
         return std::string(digits.data());
     };
     throw LimitError(
-        Limit::StuckTriangles,
+        Limit::IrreducibleTriangles,
         {output, "too many triangles stay at full detail", "at most " + text(maxPercent), text(percent)});
 }
 
@@ -95,7 +96,7 @@ public:
         report_.temporaryBytes = workDirectory_.space().peakBytes();
         report_.scratchRead = workDirectory_.space().bytesRead();
         report_.scratchWritten = workDirectory_.space().bytesWritten();
-        report_.tableBytes = work_->mostTableBytes();
+        report_.tableBytes = work_->maxTableBytes();
         return std::move(report_);
     }
 
@@ -113,14 +114,14 @@ private:
     MemoryNeeds affordableNeeds() const {
         MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
         needs.threads = threads_;
-        if (needs.most() > options_.memory) {
+        if (needs.peak() > options_.memory) {
             source_.pollWith(progress_);
             requireMemory(source_.summary(), options_, countedNeed(source_, needs, options_.memory, progress_));
         }
         return needs;
     }
 
-    Bytes room() const { return roomBeside(options_, needs_.base()); }
+    Bytes room() const { return remainingMemory(options_, needs_.base()); }
 
     void endPhase(const std::string& name, std::uint64_t sourceBytes) {
         scratch::TemporarySpace& space = workDirectory_.space();
@@ -323,9 +324,12 @@ private:
     void assemble() {
         Totals totals = totalsOf(log(), optionsOf(options_));
         hierarchy::ModelSummary& summary = totals.summary;
-        if (options_.maxStuckPercent)
-            requireFewStuck(
-                options_.output, totals.stuckTriangles, summary.levels.front().triangles, *options_.maxStuckPercent);
+        if (options_.maxIrreduciblePercent)
+            requireFewIrreducible(
+                options_.output,
+                totals.irreducibleTriangles,
+                summary.levels.front().triangles,
+                *options_.maxIrreduciblePercent);
         hierarchy::ModelWriter writer(options_.output);
         workDirectory_.scratch().reopenOthers();
         UprightModel upright(options_, summary, pagesOf(log()));
@@ -347,7 +351,7 @@ private:
         report_.contentHash = writer.finish(summary);
         report_.fileBytes = writer.bytesWritten();
         report_.pages = totals.pages;
-        report_.stuckTriangles = totals.stuckTriangles;
+        report_.irreducibleTriangles = totals.irreducibleTriangles;
         report_.summary = summary;
         report_.strays = log().binned()->strayed.corners;
         report_.medianEdge = log().binned()->medianEdge;

@@ -33,7 +33,7 @@ struct RoundReport {
 struct BuildReport {
     hierarchy::ModelSummary summary; // the summary in the file
     std::uint64_t pages = 0;
-    std::uint64_t stuckTriangles = 0;
+    std::uint64_t irreducibleTriangles = 0;
     std::uint64_t fileBytes = 0;
     std::uint64_t temporaryBytes = 0; // peak size
     std::uint64_t scratchRead = 0;    // bytes of temporary files, read by this process
@@ -59,7 +59,7 @@ struct BuildReport {
 /// - if `memory` is too small (the message names the required memory),
 /// - if a resumed build has another input or other options,
 /// - if temporary data are damaged,
-/// - if more than `maxStuckPercent` of the triangles of level 0 are irreducible.
+/// - if more than `maxIrreduciblePercent` of the triangles of level 0 are irreducible.
 /// After an error there is no file with the name of the output.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress);
 

@@ -25,7 +25,7 @@ struct BuildOptions {
     Bytes memory = gibibytes(2); // max resident size of the process
     levels::LevelOptions level;
     std::uint32_t chunkTriangles = kChunkTriangles;
-    std::optional<double> maxStuckPercent;
+    std::optional<double> maxIrreduciblePercent;
     int threads = 0;                     // 0: all threads
     std::string temporaryFolder;         // folder for temporary files; empty: next to the output
     bool isInMemory = false;             // whether temporary files are in memory

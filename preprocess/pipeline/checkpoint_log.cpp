@@ -122,8 +122,8 @@ void binnedFields(Fields& fields, Record& record) {
     fields.count(record.fields);
     for (auto& field : record.fields) {
         fields.text(field.name);
-        fields.field(field.least);
-        fields.field(field.greatest);
+        fields.field(field.min);
+        fields.field(field.max);
         fields.field(field.bits);
     }
     fields.field(record.triangles);
@@ -182,7 +182,7 @@ void nodeFields(Fields& fields, Record& record) {
     fields.block(record.clusters);
     sumFields(fields, record.pending);
     fields.field(record.rootTriangles);
-    fields.field(record.stuckTriangles);
+    fields.field(record.irreducibleTriangles);
     for (auto& count : record.dropped)
         fields.field(count);
     vectorFields(fields, record.bounds.min);
@@ -344,11 +344,11 @@ std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {
     const auto take = [&](const scratch::Block& block) {
         if (block.bytes == 0) return;
         const std::uint32_t part = scratch::partOf(block.offset);
-        const std::uint64_t room = scratch::placeOf(part, 0) + scratch::kMostPartBytes - block.offset;
+        const std::uint64_t room = scratch::placeOf(part, 0) + scratch::kMaxPartBytes - block.offset;
         if (block.bytes > room) throw hierarchy::Damage{"a block that is too long"};
-        ends[part] = std::max(ends[part], scratch::kMostPartBytes - room + block.bytes);
+        ends[part] = std::max(ends[part], scratch::kMaxPartBytes - room + block.bytes);
         sums[part] += block.bytes;
-        if (sums[part] > scratch::kMostPartBytes) throw hierarchy::Damage{"blocks that share bytes"};
+        if (sums[part] > scratch::kMaxPartBytes) throw hierarchy::Damage{"blocks that share bytes"};
     };
     if (binned_) forEachBlock(binned_->directory, take);
     if (bordered_) forEachBlock(bordered_->directory, take);

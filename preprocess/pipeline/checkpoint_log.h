@@ -67,7 +67,7 @@ struct NodeRecord {
     scratch::Block clusters; // the remaining clusters
     ClusterSums pending;     // their sums
     std::uint64_t rootTriangles = 0;
-    std::uint64_t stuckTriangles = 0;
+    std::uint64_t irreducibleTriangles = 0;
     DroppedCounts dropped{};
     Box bounds;              // bounds of the chunk, in round 0
     bool hasNormals = false; // whether the chunk has normals, in round 0

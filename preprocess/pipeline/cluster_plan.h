@@ -2,7 +2,7 @@
 // shifted in each round.
 #pragma once
 
-#include "preprocess/levels/pending_level.h"
+#include "preprocess/levels/open_clusters.h"
 
 namespace gnomon::pipeline {
 

@@ -26,7 +26,7 @@ void put(StreamBytes& streams, std::uint32_t stream, const T& value) {
 /// The new nodes that use each position of one old node.
 class PositionUses {
 public:
-    explicit PositionUses(std::size_t mostPositions) : table_(mostPositions) {}
+    explicit PositionUses(std::size_t maxPositions) : table_(maxPositions) {}
 
     void addBorder(const GridPoint& position) { positions_[find(position)].isBorder = true; }
 

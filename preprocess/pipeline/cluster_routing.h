@@ -2,7 +2,7 @@
 // nodes.
 #pragma once
 
-#include "preprocess/levels/pending_level.h"
+#include "preprocess/levels/open_clusters.h"
 
 #include <map>
 #include <span>
@@ -38,7 +38,7 @@ struct RoutedClusters {
 
 /// The remaining clusters of a node after a round.
 struct LeftClusters {
-    std::span<const std::byte> bytes;          // EncodedPendingLevel
+    std::span<const std::byte> bytes;          // EncodedOpenClusters
     std::span<const std::uint32_t> nodeOf;     // node in the next round, per cluster
     std::uint32_t firstLevel = 0;              // first level of the node
     std::span<const std::uint32_t> firstPages; // number of its first page in each level

@@ -17,7 +17,7 @@ Bytes countedNeed(read::MeshSource& source, const MemoryNeeds& needs, Bytes memo
     serial.isSerial = true;
     const bool isRefused = needs.sorting() > memory; // the caller needs the required memory for its message
     if (serial.sorting() > (isRefused ? std::max(memory, kSmallModel) : memory))
-        return isRefused ? needs.most() : needs.sorting();
+        return isRefused ? needs.peak() : needs.sorting();
     const chunk::SourceSurvey survey = chunk::surveySource(source, progress);
     read::MeshSummary counted = source.summary();
     counted.likelyTriangles = survey.triangles; // the header of a file with strips gives a larger number

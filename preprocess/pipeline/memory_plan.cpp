@@ -6,13 +6,13 @@ namespace gnomon::pipeline {
 
 namespace {
 
-constexpr Bytes kProcess = mebibytes(19);       // while it sorts the source
-constexpr Bytes kBuilding = mebibytes(3);       // code and small tables that only the building of nodes touches
-constexpr std::uint64_t kMostSampled = 540'000; // triangles
+constexpr Bytes kProcess = mebibytes(19);      // while it sorts the source
+constexpr Bytes kBuilding = mebibytes(3);      // code and small tables that only the building of nodes touches
+constexpr std::uint64_t kMaxSampled = 540'000; // triangles
 constexpr std::uint64_t kSampleBytesPerTriangle = 96;
 constexpr std::uint64_t kSampleBytesPerVertex = 24;
 constexpr std::uint64_t kReadingBytes = std::uint64_t{5} << 20U; // a window over the file, and the rows of a block
-constexpr std::uint64_t kLeastReadingBytes = std::uint64_t{256} << 10U;
+constexpr std::uint64_t kMinReadingBytes = std::uint64_t{256} << 10U;
 constexpr std::uint64_t kTableBytes = std::uint64_t{4} << 20U;
 constexpr std::uint64_t kTableBytesPerVertex = 8;
 constexpr std::uint64_t kBytesPerCell = 12; // first table of an octree
@@ -22,9 +22,9 @@ constexpr std::uint64_t kRoutingBytesPerVertex = 64;   // in addition to the rec
 constexpr std::uint64_t kScratchBytesPerTriangle = 44; // if temporary files are in memory
 // Rows of the page table; measured: 0.036 to 0.048 bytes per triangle.
 constexpr std::uint64_t kTrianglesPerPageRowByte = 16;
-constexpr std::uint32_t kLeastFullChunk = 1U << 16U; // triangles; the pages of smaller chunks are mostly empty
+constexpr std::uint32_t kMinFullChunk = 1U << 16U; // triangles; the pages of smaller chunks are mostly empty
 constexpr std::uint64_t kFullPageTriangles = 1U << 20U;
-constexpr std::size_t kLeastBlock = 512;
+constexpr std::size_t kMinBlock = 512;
 constexpr std::size_t kLargestBlock = std::size_t{64} << 10U;
 
 std::uint64_t trianglesOf(const read::MeshSummary& source) {
@@ -34,7 +34,7 @@ std::uint64_t trianglesOf(const read::MeshSummary& source) {
 /// Returns the size of the page table rows and node records. Small chunks need one byte per triangle. The first chunk
 /// also needs this, because its coarse levels have their own pages.
 std::uint64_t pageRowBytes(std::uint64_t triangles, std::uint32_t chunkTriangles) {
-    if (chunkTriangles < kLeastFullChunk) return triangles;
+    if (chunkTriangles < kMinFullChunk) return triangles;
     return std::min(triangles, kFullPageTriangles) + triangles / kTrianglesPerPageRowByte;
 }
 
@@ -71,7 +71,7 @@ Bytes MemoryNeeds::minRangeTables(const read::MeshSummary& source) {
 namespace {
 
 std::uint64_t readingBytes(const read::MeshSummary& source) {
-    return std::min(kReadingBytes, kLeastReadingBytes + source.fileBytes);
+    return std::min(kReadingBytes, kMinReadingBytes + source.fileBytes);
 }
 
 std::uint64_t cellBytes(const read::MeshSummary& source) {
@@ -80,7 +80,7 @@ std::uint64_t cellBytes(const read::MeshSummary& source) {
 
 /// Returns the size of the edge sample: its triangles and the positions of their corners.
 std::uint64_t sampleBytes(const read::MeshSummary& source) {
-    const std::uint64_t triangles = std::min(trianglesOf(source), kMostSampled);
+    const std::uint64_t triangles = std::min(trianglesOf(source), kMaxSampled);
     return kSampleBytesPerTriangle * triangles + kSampleBytesPerVertex * std::min(source.vertexCount, 3 * triangles);
 }
 
@@ -103,32 +103,32 @@ Bytes MemoryNeeds::survey() const {
 Bytes MemoryNeeds::binning() const {
     if (source.hasRanges && !isSerial) return survey();
     // A chunk is at least seven eighths full, unless it ends before a heavy point.
-    const std::uint64_t mostChunks = 2 * (trianglesOf(source) / chunkTriangles + 1);
-    return {base().count + readingBytes(source) + source.vertexCount * (mostChunks > chunk::kNarrowChunks ? 5 : 3)};
+    const std::uint64_t maxChunks = 2 * (trianglesOf(source) / chunkTriangles + 1);
+    return {base().count + readingBytes(source) + source.vertexCount * (maxChunks > chunk::kNarrowChunks ? 5 : 3)};
 }
 
 Bytes MemoryNeeds::sorting() const {
     const std::uint64_t chunks = trianglesOf(source) / chunkTriangles + 1;
-    return {std::max(survey().count, binning().count + 3 * chunks * 2 * kLeastBlock)};
+    return {std::max(survey().count, binning().count + 3 * chunks * 2 * kMinBlock)};
 }
 
 Bytes MemoryNeeds::building(const chunk::PartSize& largest) const {
     return {base().count + kBuilding.count + node(largest, threads).count};
 }
 
-Bytes MemoryNeeds::most() const {
-    chunk::PartSize most;
-    most.triangles = std::min<std::uint64_t>(chunkTriangles, trianglesOf(source));
+Bytes MemoryNeeds::peak() const {
+    chunk::PartSize largest;
+    largest.triangles = std::min<std::uint64_t>(chunkTriangles, trianglesOf(source));
     // A chunk can have more vertices per triangle than the average of the source.
-    most.vertices = std::min(
-        {3 * most.triangles,
+    largest.vertices = std::min(
+        {3 * largest.triangles,
          source.vertexCount,
-         2 * most.triangles * source.vertexCount / std::max<std::uint64_t>(trianglesOf(source), 1)});
-    return {std::max(sorting(), building(most))};
+         2 * largest.triangles * source.vertexCount / std::max<std::uint64_t>(trianglesOf(source), 1)});
+    return {std::max(sorting(), building(largest))};
 }
 
 std::size_t blockBytes(Bytes room, std::uint64_t streams) {
-    return static_cast<std::size_t>(std::clamp<std::uint64_t>(room.count / streams, kLeastBlock, kLargestBlock));
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>(room.count / streams, kMinBlock, kLargestBlock));
 }
 
 std::size_t countAtOnce(Bytes room, Bytes each, std::size_t threads) {

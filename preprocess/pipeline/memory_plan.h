@@ -53,7 +53,7 @@ struct MemoryNeeds {
     Bytes building(const chunk::PartSize& largest) const;
 
     /// Returns a memory that is always sufficient, computed from the header. The chunks may need less.
-    Bytes most() const;
+    Bytes peak() const;
 };
 
 /// Returns the block size for `streams` streams that are written at the same time in `room`.

@@ -53,7 +53,7 @@ nlohmann::ordered_json reportJson(
         {"level_count", report.summary.levels.size()},
         {"pages", report.pages},
         {"coarsest_triangles", report.summary.coarsestTriangles},
-        {"stuck_triangles", report.stuckTriangles},
+        {"stuck_triangles", report.irreducibleTriangles},
         {"file_bytes", report.fileBytes},
         {"bytes_per_source_triangle", static_cast<double>(report.fileBytes) / triangles},
         {"peak_rss_bytes", peakResidentBytes},

@@ -44,8 +44,8 @@ std::string reportText(
         text += "textures: their colours at vertices, " + formatted("%.1f", *source.texelsPerEdge) +
                 " texels apart; what is between them is lost\n";
     text += "up " + hierarchy::upText(model);
-    const bool isTold = upConfidenceOf(model) == hierarchy::UpConfidence::Told;
-    text += (isTold ? "" : "; " + howToTurn) + "\n";
+    const bool isGiven = upConfidenceOf(model) == hierarchy::UpConfidence::Told;
+    text += (isGiven ? "" : "; " + howToTurn) + "\n";
     const double rate = report.seconds > 0 ? triangles / report.seconds : 0;
     return text + formatted("%.2f", report.seconds) + " s, " + readableCount(static_cast<std::uint64_t>(rate)) +
            " triangles/s, peak " + readableBytes({peakResidentBytes}) + "\n";
@@ -53,20 +53,22 @@ std::string reportText(
 
 std::string warningOfCoarsest(const BuildReport& report) {
     constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh of any size has fewer triangles at its root
-    constexpr double kManyStuckPercent = 1;
+    constexpr double kManyIrreduciblePercent = 1;
     const std::uint64_t source = report.summary.sourceTriangles;
-    const double stuckPercent = 100 * static_cast<double>(report.stuckTriangles) / static_cast<double>(source);
+    const double irreduciblePercent =
+        100 * static_cast<double>(report.irreducibleTriangles) / static_cast<double>(source);
     const std::uint64_t coarsest = report.summary.coarsestTriangles;
-    if (coarsest <= kManyTriangles && stuckPercent <= kManyStuckPercent) return "";
+    if (coarsest <= kManyTriangles && irreduciblePercent <= kManyIrreduciblePercent) return "";
     return "the coarsest level has " + std::to_string(coarsest) + " of " + std::to_string(source) +
            " triangles, expected at most " + std::to_string(kManyTriangles) + "; stuck are " +
-           formatted("%.3g", stuckPercent) + " percent, expected at most " + formatted("%g", kManyStuckPercent);
+           formatted("%.3g", irreduciblePercent) + " percent, expected at most " +
+           formatted("%g", kManyIrreduciblePercent);
 }
 
 std::string warningOfStrays(const BuildReport& report) {
-    const auto beyond = report.summary.dropped.find("beyond_grid");
-    if (beyond == report.summary.dropped.end() || beyond->second == 0) return "";
-    return std::to_string(beyond->second) + (beyond->second == 1 ? " triangle is" : " triangles are") +
+    const auto outside = report.summary.dropped.find("beyond_grid");
+    if (outside == report.summary.dropped.end() || outside->second == 0) return "";
+    return std::to_string(outside->second) + (outside->second == 1 ? " triangle is" : " triangles are") +
            " left out: too far from the main part for the grid, with corners at " + pointText(report.strays.min) +
            " to " + pointText(report.strays.max);
 }

@@ -12,9 +12,9 @@ namespace {
 /// Returns the number of streams for shared borders, given the `bytes` of all remaining clusters. Each old node writes
 /// one block into each stream. One stream at a time is in memory.
 std::uint32_t borderStreamsFor(std::uint64_t bytes, std::uint32_t nodeCount) {
-    constexpr std::uint64_t kLeast = 16;
-    constexpr std::uint64_t kMost = 256;
-    const std::uint64_t wanted = std::clamp(bytes / mebibytes(16).count, kLeast, kMost);
+    constexpr std::uint64_t kMinBins = 16;
+    constexpr std::uint64_t kMaxBins = 256;
+    const std::uint64_t wanted = std::clamp(bytes / mebibytes(16).count, kMinBins, kMaxBins);
     return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(nodeCount, 1, wanted));
 }
 
@@ -78,18 +78,18 @@ void RoundBins::routeAll(const Round& round, const BinningMeans& means, const Cl
     const std::vector<NodeRecord>& nodes = log().nodes(round.number);
     const auto nodeCount = static_cast<std::uint32_t>(plan.nodes.size());
     std::vector<std::size_t> firstCluster(1, 0); // per old node
-    Bytes most;
+    Bytes maxBytes;
     std::uint64_t leftBytes = 0;
     TaskPhase phase;
     phase.kind = TaskKind::RouteClusters;
     for (const NodeRecord& node : nodes) {
         firstCluster.push_back(firstCluster.back() + node.pending.clusters);
-        most = std::max(most, MemoryNeeds::routing(bytesLeftBy(node), node.pending.vertices));
+        maxBytes = std::max(maxBytes, MemoryNeeds::routing(bytesLeftBy(node), node.pending.vertices));
         leftBytes += bytesLeftBy(node);
         phase.tasks.push_back(node.node);
     }
     const std::uint32_t borderStreams = borderStreamsFor(leftBytes, nodeCount);
-    phase.atOnce = std::max<std::size_t>(countAtOnce(means.room, most, means.threads), 1);
+    phase.atOnce = std::max<std::size_t>(countAtOnce(means.room, maxBytes, means.threads), 1);
     phase.weight = [&](std::uint32_t node) { return bytesLeftBy(nodes[node]); };
     phase.input = [&](std::uint32_t node) {
         const auto begin = plan.nodeOf.begin() + static_cast<std::ptrdiff_t>(firstCluster[node]);

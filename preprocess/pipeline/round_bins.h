@@ -1,7 +1,7 @@
 // The data between rounds: the clusters of finished nodes, binned for the nodes of the next round.
 #pragma once
 
-#include "preprocess/levels/pending_level.h"
+#include "preprocess/levels/open_clusters.h"
 #include "preprocess/pipeline/rounds.h"
 #include "preprocess/pipeline/tasks/task_bytes.h"
 #include "preprocess/pipeline/work_directory.h"

@@ -7,7 +7,7 @@ namespace gnomon::pipeline {
 namespace {
 
 constexpr std::uint64_t kAlwaysAffordable = 8192;
-constexpr double kLeastProgress = 0.8; // max share of a round's triangles that may remain if another round follows
+constexpr double kMinProgress = 0.8; // max share of a round's triangles that may remain if another round follows
 
 } // namespace
 
@@ -36,7 +36,7 @@ std::uint64_t nodeTriangles(std::uint32_t chunkTriangles) {
 }
 
 bool isLastRound(std::size_t nodeCount, std::uint64_t triangles, std::uint64_t before) {
-    return nodeCount <= 1 || static_cast<double>(triangles) > kLeastProgress * static_cast<double>(before);
+    return nodeCount <= 1 || static_cast<double>(triangles) > kMinProgress * static_cast<double>(before);
 }
 
 } // namespace gnomon::pipeline

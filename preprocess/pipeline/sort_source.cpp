@@ -34,7 +34,7 @@ std::optional<RangeBinning> rangesOf(const SortingMeans& means) {
          means.runner,
          means.perform,
          means.progress,
-         roomBeside(means.options, needs.ranges()),
+         remainingMemory(means.options, needs.ranges()),
          means.threads,
          means.processes,
          straysOf(means.options)});
@@ -52,7 +52,7 @@ void requireMemory(const read::MeshSummary& source, const BuildOptions& options,
              readableBytes(options.memory)});
 }
 
-Bytes roomBeside(const BuildOptions& options, Bytes taken) {
+Bytes remainingMemory(const BuildOptions& options, Bytes taken) {
     return {options.memory.count > taken.count ? options.memory.count - taken.count : 0};
 }
 
@@ -88,7 +88,7 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
     record.notAPolygon = survey->notAPolygon;
     record.badNormals = survey->badNormals;
     record.chunkCount = tree.chunkCount();
-    const Bytes room = roomBeside(means.options, serialNeeds(means).binning());
+    const Bytes room = remainingMemory(means.options, serialNeeds(means).binning());
     bins.emplace(
         means.scratch,
         chunk::binStreams(tree.chunkCount()),

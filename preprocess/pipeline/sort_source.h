@@ -31,7 +31,7 @@ struct SortingMeans {
 void requireMemory(const read::MeshSummary& source, const BuildOptions& options, Bytes needed);
 
 /// Returns the memory limit minus `taken`.
-Bytes roomBeside(const BuildOptions& options, Bytes taken);
+Bytes remainingMemory(const BuildOptions& options, Bytes taken);
 
 /// Sorts the source into chunks. Returns the record of the phase, and stores the chunks in `bins`.
 BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::StreamStore>& bins);

@@ -14,7 +14,7 @@ namespace {
 
 using hierarchy::UpAxis;
 
-constexpr std::size_t kMostHeader = 64U << 10U; // bytes of a file that are searched
+constexpr std::size_t kMaxHeaderBytes = 64U << 10U; // bytes of a file that are searched
 
 bool isLetter(char c) {
     return c >= 'a' && c <= 'z';
@@ -91,7 +91,7 @@ constexpr int kKindVotes = 1000;
 std::string commentsOf(const std::string& path, const std::string& suffix) {
     constexpr std::size_t kStlHeader = 80;
     const File file(path, File::Mode::Read);
-    std::string text(suffix == ".stl" ? kStlHeader : kMostHeader, '\0');
+    std::string text(suffix == ".stl" ? kStlHeader : kMaxHeaderBytes, '\0');
     text.resize(file.readSomeAt(0, std::as_writable_bytes(std::span(text.data(), text.size()))));
     if (suffix == ".stl") return text.substr(0, text.find_first_of("\r\n"));
     const bool isPly = text.starts_with("ply");

@@ -27,7 +27,7 @@ struct TreeBox {
         high = glm::max(high, other.high);
     }
 
-    bool meets(const TreeBox& other) const {
+    bool intersects(const TreeBox& other) const {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
                low.z <= other.high.z && other.low.z <= high.z;
     }
@@ -55,10 +55,10 @@ public:
         while (depth > 0) {
             const std::uint32_t index = stack[--depth];
             const Node& node = nodes_[index];
-            if ((node.hasOneLabel && node.label == label) || !node.box.meets(box)) continue;
+            if ((node.hasOneLabel && node.label == label) || !node.box.intersects(box)) continue;
             if (node.right == 0) {
                 for (std::uint32_t i = node.begin; i < node.end; ++i)
-                    if (labels_[order_[i]] != label && boxes_[order_[i]].meets(box)) visit(order_[i]);
+                    if (labels_[order_[i]] != label && boxes_[order_[i]].intersects(box)) visit(order_[i]);
                 continue;
             }
             stack[depth++] = node.right;

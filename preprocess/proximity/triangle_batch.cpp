@@ -58,10 +58,10 @@ HWY_INLINE Doubles squareBeside(const Vector& offset, const Vector& edge, Double
     return squareOf(minus(offset, times(edge, along)));
 }
 
-/// Clamps `v` to 0 to `most`, with the result of std::clamp in each lane.
-HWY_INLINE Doubles clamped(Doubles v, Doubles most) {
+/// Clamps `v` to 0 to `upper`, with the result of std::clamp in each lane.
+HWY_INLINE Doubles clamped(Doubles v, Doubles upper) {
     const Doubles zero = hn::Zero(kDoubles);
-    return hn::IfThenElse(hn::Lt(v, zero), zero, hn::IfThenElse(hn::Lt(most, v), most, v));
+    return hn::IfThenElse(hn::Lt(v, zero), zero, hn::IfThenElse(hn::Lt(upper, v), upper, v));
 }
 
 /// Returns the squared distance from `p` to the triangle in each lane. The code evaluates the cases of

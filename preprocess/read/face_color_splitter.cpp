@@ -10,7 +10,7 @@ namespace gnomon::read {
 namespace {
 
 constexpr unsigned kColorBits = 32;
-constexpr std::uint64_t kMostVertices = std::uint64_t{1} << kColorBits;
+constexpr std::uint64_t kMaxVertices = std::uint64_t{1} << kColorBits;
 
 /// The max memory per corner: its key twice while keys are sorted, a vertex of its own, and twice the size while an
 /// array grows.
@@ -22,7 +22,7 @@ constexpr std::uint64_t kBytesPerCorner =
 void FaceColorSplitter::requireRoom() const {
     const std::uint64_t needed = bytesOf(mesh_.positions) + bytesOf(mesh_.normals) + bytesOf(mesh_.faceSizes) +
                                  2 * bytesOf(mesh_.fields) + mesh_.corners.size() * kBytesPerCorner;
-    if (needed > memoryLimit_.count || mesh_.positions.size() > kMostVertices)
+    if (needed > memoryLimit_.count || mesh_.positions.size() > kMaxVertices)
         throw Error(
             path_,
             "too large: face colours are read into memory as a whole (vertex colours are streamed)",

@@ -38,7 +38,7 @@ struct MeshSummary {
     std::vector<std::string> fields; ///< names of the scalar vertex properties that are read
     std::uint64_t heldBytes = 0;     ///< memory that the source uses during its lifetime
     /// Other files that were read because an input refers to them: buffers, images, material libraries.
-    std::vector<std::string> filesBesides;
+    std::vector<std::string> additionalFiles;
     std::map<std::string, std::uint64_t> attributesDropped; ///< data of the input that is not read: name and count
     std::vector<Camera> cameras; ///< cameras of the input's scene; all have the same projection
     /// Notes on ambiguous inputs and how they were read; one line each, beginning with the path.

@@ -22,7 +22,7 @@ namespace gnomon::read {
 
 namespace {
 
-std::optional<double> mostOf(const std::optional<double>& a, const std::optional<double>& b) {
+std::optional<double> maxOf(const std::optional<double>& a, const std::optional<double>& b) {
     return a && b ? std::max(*a, *b) : a ? a : b;
 }
 
@@ -46,9 +46,9 @@ public:
             summary_.hasColors |= more.hasColors;
             summary_.isDouble |= more.isDouble;
             summary_.heldBytes += more.heldBytes;
-            summary_.texelsPerEdge = mostOf(summary_.texelsPerEdge, more.texelsPerEdge);
-            summary_.filesBesides.insert(
-                summary_.filesBesides.end(), more.filesBesides.begin(), more.filesBesides.end());
+            summary_.texelsPerEdge = maxOf(summary_.texelsPerEdge, more.texelsPerEdge);
+            summary_.additionalFiles.insert(
+                summary_.additionalFiles.end(), more.additionalFiles.begin(), more.additionalFiles.end());
             summary_.remarks.insert(summary_.remarks.end(), more.remarks.begin(), more.remarks.end());
             for (const auto& [name, count] : more.attributesDropped)
                 summary_.attributesDropped[name] += count;

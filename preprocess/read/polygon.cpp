@@ -181,7 +181,7 @@ public:
         : points_(std::move(loop)),
           links_(points_.size()),
           left_(points_.size()),
-          mostWork_(kMostWorkPerCorner * points_.size()),
+          maxWork_(kMaxWorkPerCorner * points_.size()),
           out_(out),
           progress_(progress) {
         const auto n = static_cast<std::uint32_t>(points_.size());
@@ -198,7 +198,7 @@ public:
     void run() {
         std::deque<std::uint32_t> candidates;
         bool foundSinceScan = true;
-        while (left_ > 3 && work_ < mostWork_) {
+        while (left_ > 3 && work_ < maxWork_) {
             pollNowAndThen();
             if (candidates.empty()) {
                 // Clipping can turn far corners into ears. So all corners are tested again before the loop counts as
@@ -225,12 +225,12 @@ public:
 
 private:
     // Simple loops need less work: a star of a million spikes with random lengths needs less than half.
-    static constexpr std::uint64_t kMostWorkPerCorner = 2'000;
+    static constexpr std::uint64_t kMaxWorkPerCorner = 2'000;
 
     // The work that remains for a loop with corners without area or with crossings. A loop that crosses itself
     // everywhere needs a scan of all corners per triangle, and none of its triangulations is correct.
-    static constexpr std::uint64_t kMostWorkPerFlatCorner = 1'000;
-    static constexpr std::uint64_t kMostWorkPerCrossingCorner = 100;
+    static constexpr std::uint64_t kMaxWorkPerFlatCorner = 1'000;
+    static constexpr std::uint64_t kMaxWorkPerCrossingCorner = 100;
 
     static constexpr std::uint64_t kWorkBetweenPolls = std::uint64_t{1} << 22U; // a few milliseconds
 
@@ -304,7 +304,7 @@ private:
             return turn(points_[links_[i].previous], points_[i], points_[links_[i].next]) == 0;
         });
         const bool isFlat = flat != corners.end();
-        allowOnly(isFlat ? kMostWorkPerFlatCorner : kMostWorkPerCrossingCorner);
+        allowOnly(isFlat ? kMaxWorkPerFlatCorner : kMaxWorkPerCrossingCorner);
         if (isFlat) return clip(*flat);
         const auto convex = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t i) { return isConvex(i); });
         clip(convex != corners.end() ? *convex : corners.front());
@@ -314,7 +314,7 @@ private:
     void allowOnly(std::uint64_t workPerCorner) {
         if (workPerCorner >= workPerCorner_) return;
         workPerCorner_ = workPerCorner;
-        mostWork_ = std::min(mostWork_, work_ + workPerCorner * points_.size());
+        maxWork_ = std::min(maxWork_, work_ + workPerCorner * points_.size());
     }
 
     void clip(std::uint32_t corner) {
@@ -341,9 +341,9 @@ private:
     std::size_t left_;
     std::uint32_t first_ = 0; ///< no remaining corner comes before it
     std::uint64_t work_ = 0;  ///< number of visited corners and boxes
-    std::uint64_t mostWork_;
+    std::uint64_t maxWork_;
     std::uint64_t nextPoll_ = 0;
-    std::uint64_t workPerCorner_ = kMostWorkPerCorner;
+    std::uint64_t workPerCorner_ = kMaxWorkPerCorner;
     std::vector<PolygonTriangle>& out_;
     Progress& progress_;
 };

@@ -17,7 +17,7 @@ constexpr unsigned kPartShift = 48;
 constexpr std::uint32_t kMaxParts = 1U << (64U - kPartShift);
 
 /// The max size of a part, in bytes.
-constexpr std::uint64_t kMostPartBytes = std::uint64_t{1} << kPartShift;
+constexpr std::uint64_t kMaxPartBytes = std::uint64_t{1} << kPartShift;
 
 constexpr std::uint32_t partOf(std::uint64_t place) {
     return static_cast<std::uint32_t>(place >> kPartShift);

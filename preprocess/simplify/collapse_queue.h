@@ -24,7 +24,7 @@ public:
             winner_[node] = winner_[node * 2];
     }
 
-    bool isEmpty() const { return leastCost() == kAbsent; }
+    bool isEmpty() const { return minCost() == kAbsent; }
 
     bool contains(std::uint32_t vertex) const { return cost_[vertex] != kAbsent; }
 
@@ -32,7 +32,7 @@ public:
     double costOf(std::uint32_t vertex) const { return cost_[vertex]; }
 
     /// Returns the lowest cost.
-    double leastCost() const { return cost_[winner_[1]]; }
+    double minCost() const { return cost_[winner_[1]]; }
 
     /// Inserts `vertex` or changes its cost. The cost must be finite.
     void put(std::uint32_t vertex, double cost) {

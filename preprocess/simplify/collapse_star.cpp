@@ -13,7 +13,7 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr double kLeastTurnCosine = 0.25; // a collapse may turn a face by at most 75 degrees
+constexpr double kMinTurnCosine = 0.25; // a collapse may turn a face by at most 75 degrees
 
 /// Returns the index of the corner of `t` at position `p`. `t` must contain `p`.
 std::uint32_t placeOf(std::uint32_t p, const Triangle& t) {
@@ -59,7 +59,7 @@ bool CollapseStar::turnsFace() const {
         const glm::dvec3 after = glm::cross(side, target - b);
         const double square = proximity::squaredLength(before);
         const double turned = glm::dot(before, after);
-        if (square > 0 && (turned <= 0 || turned * turned < kLeastTurnCosine * kLeastTurnCosine * square *
+        if (square > 0 && (turned <= 0 || turned * turned < kMinTurnCosine * kMinTurnCosine * square *
                                                                 proximity::squaredLength(after)))
             return true;
         const glm::dvec3& first = mesh_.originalNormal(face.triangle);

@@ -76,7 +76,7 @@ void CostEstimate::loadSites() {
 }
 
 std::span<const double> CostEstimate::squares(std::uint32_t from, std::span<const std::uint32_t> to) {
-    if (squares_.size() < to.size() + kMostCostLanes) squares_.resize(to.size() + kMostCostLanes);
+    if (squares_.size() < to.size() + kMaxCostLanes) squares_.resize(to.size() + kMaxCostLanes);
     if (quadric_[from].weight > 0)
         edgeSquares({sites_[from], quadric_[from], sites_, to}, weights_, squares_.data());
     else

@@ -12,9 +12,9 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::simplify::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, kMostCostLanes>;
+using Tag = hn::CappedTag<double, kMaxCostLanes>;
 using Doubles = hn::Vec<Tag>;
-using Ends = std::array<const CostSite*, kMostCostLanes>;
+using Ends = std::array<const CostSite*, kMaxCostLanes>;
 using Row = CostSite::Row;
 
 constexpr Tag kDoubles;
@@ -82,8 +82,8 @@ HWY_INLINE Doubles meanSquares(const Quadric& planes, const Vector& p) {
     const Vector squares{hn::Mul(p.x, p.x), hn::Mul(p.y, p.y), hn::Mul(p.z, p.z)};
     const Doubles square = hn::Add(dot(all(planes.diagonal), squares), twice(across));
     const Doubles sum = hn::Add(hn::Add(square, twice(dot(all(planes.linear), p))), hn::Set(kDoubles, planes.constant));
-    const Doubles atLeastZero = hn::IfThenElseZero(hn::Gt(sum, hn::Zero(kDoubles)), sum);
-    return hn::Div(atLeastZero, hn::Set(kDoubles, planes.weight));
+    const Doubles nonNegative = hn::IfThenElseZero(hn::Gt(sum, hn::Zero(kDoubles)), sum);
+    return hn::Div(nonNegative, hn::Set(kDoubles, planes.weight));
 }
 
 void squaresInLanes(const EdgeFan& fan, const EdgeWeights& weights, double* squares) {

@@ -42,7 +42,7 @@ struct EdgeFan {
 };
 
 /// The max number of lanes. `edgeSquares` may write up to this number of additional values.
-constexpr std::size_t kMostCostLanes = 4;
+constexpr std::size_t kMaxCostLanes = 4;
 
 /// Writes the estimates in the order of `fan.to`. They are identical to the bit with CostEstimate::square.
 void edgeSquares(const EdgeFan& fan, const EdgeWeights& weights, double* squares);

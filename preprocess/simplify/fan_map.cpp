@@ -16,17 +16,17 @@ using Row = std::array<double, Fan::kMaxRim>;
 class FanMap {
 public:
     explicit FanMap(const Fan& fan) : fan_(fan) {
-        most_.fill(1);
+        maxT_.fill(1);
         placeApex();
         for (std::uint32_t i = host_ + 2; i < fan.count; ++i) {
-            double least = 0;
+            double minT = 0;
             for (std::uint32_t j = host_ + 1; j < i; ++j)
-                cross(i, j, least);
+                cross(i, j, minT);
         }
         for (std::uint32_t i = host_; i-- > 1;) {
-            double least = 0;
+            double minT = 0;
             for (std::uint32_t j = host_; j > i; --j)
-                cross(i, j, least);
+                cross(i, j, minT);
         }
     }
 
@@ -57,8 +57,8 @@ private:
     }
 
     /// Places the crossing of the old edge to rim `i` with the new edge to rim `j`. Its parameter on the old edge is at
-    /// least `least`.
-    void cross(std::uint32_t i, std::uint32_t j, double& least) {
+    /// least `minT`.
+    void cross(std::uint32_t i, std::uint32_t j, double& minT) {
         const glm::dvec3& pivot = fan_.rim[0];
         const glm::dvec3 spoke = fan_.rim[i] - fan_.apex;
         const glm::dvec3 chord = fan_.rim[j] - pivot;
@@ -70,11 +70,11 @@ private:
         const double chordOffset = glm::dot(chord, offset);
         const double across = spokeSquare * chordSquare - both * both;
         double s = across > 0 ? (both * chordOffset - spokeOffset * chordSquare) / across : 0;
-        s = std::clamp(s, least, 1.0);
+        s = std::clamp(s, minT, 1.0);
         double t = chordSquare > 0 ? (both * s + chordOffset) / chordSquare : 0;
-        t = std::clamp(t, 0.0, most_[j]);
-        least = s;
-        most_[j] = t;
+        t = std::clamp(t, 0.0, maxT_[j]);
+        minT = s;
+        maxT_[j] = t;
         const glm::dvec3 way = offset + spoke * s - chord * t;
         const double square = glm::dot(way, way);
         square_[j] = std::max(square_[j], square);
@@ -101,7 +101,7 @@ private:
     const Fan& fan_;
     std::uint32_t host_ = 1;
     Row square_{}; // per new triangle
-    Row most_{};   // per new edge: the max parameter of the next crossing, measured from rim 0
+    Row maxT_{};   // per new edge: the max parameter of the next crossing, measured from rim 0
 };
 
 } // namespace

@@ -57,7 +57,7 @@ bool touch(const Side& a, const Side& b) {
 }
 
 /// Returns true if the line through `p` along `direction` intersects the triangle.
-bool meets(const Side& side, const glm::dvec3& p, const glm::dvec3& direction) {
+bool intersects(const Side& side, const glm::dvec3& p, const glm::dvec3& direction) {
     std::array<double, 3> turn{};
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 a = side.corners[i] - p;
@@ -73,7 +73,7 @@ std::optional<double> distanceToLayer(const Side& side, const Side& other, const
     const double cosine = glm::dot(side.normal, other.normal);
     if (std::abs(cosine) < kParallel || touch(side, other)) return std::nullopt;
     const double ahead = glm::dot(other.corners[0] - p, other.normal) / cosine;
-    if ((cosine < 0 && ahead >= 0) || std::abs(ahead) > side.width || !meets(other, p, side.normal))
+    if ((cosine < 0 && ahead >= 0) || std::abs(ahead) > side.width || !intersects(other, p, side.normal))
         return std::nullopt;
     return std::abs(ahead);
 }

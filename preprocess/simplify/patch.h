@@ -53,7 +53,7 @@ struct SimplifiedPatch {
     // Per position: the position that it was collapsed into; itself if it did not move.
     std::vector<std::uint32_t> movedTo;
     std::vector<TriangleError> errors; // upper bounds per triangle; empty if unknown or not needed
-    double claimedError = 0;           // estimate of the simplifier, in grid steps; not a bound
+    double estimatedError = 0;         // estimate of the simplifier, in grid steps; not a bound
     double layerCharge = 0; // grid steps: max charge of a triangle that may have changed its order with another layer
 
     /// Returns the position that `vertex` of `patch` has after simplification.

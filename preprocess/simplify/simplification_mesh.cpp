@@ -126,8 +126,8 @@ std::span<const SimplificationMesh::Duplicate> SimplificationMesh::duplicates(st
         const std::uint32_t b = t[(corner % 3 + 2) % 3];
         oppositeEdges_.push_back({std::min(a, b), std::max(a, b), corner / 3});
     });
-    constexpr std::size_t kMostCompared = 16; // up to this number, comparisons of all pairs are faster than sorting
-    if (oppositeEdges_.size() <= kMostCompared && !hasEqualOppositeEdges()) return duplicates_;
+    constexpr std::size_t kMaxCompared = 16; // up to this number, comparisons of all pairs are faster than sorting
+    if (oppositeEdges_.size() <= kMaxCompared && !hasEqualOppositeEdges()) return duplicates_;
     std::sort(oppositeEdges_.begin(), oppositeEdges_.end());
     const auto locked = [&](std::uint32_t q) { return patch_.isLocked[q] != 0 ? 1 : 0; };
     std::size_t first = 0;

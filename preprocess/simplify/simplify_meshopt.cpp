@@ -37,7 +37,8 @@ struct Input {
     }
 };
 
-std::vector<Triangle> simplified(const Patch& patch, const Input& input, std::size_t targetTriangles, float& claimed) {
+std::vector<Triangle> simplified(
+    const Patch& patch, const Input& input, std::size_t targetTriangles, float& estimated) {
     std::vector<unsigned> indices(input.indices.size());
     indices.resize(meshopt_simplify(
         indices.data(),
@@ -49,7 +50,7 @@ std::vector<Triangle> simplified(const Patch& patch, const Input& input, std::si
         targetTriangles * 3 + input.dummyIndices,
         1e6F, // in extents of the patch: no limit
         0,
-        &claimed));
+        &estimated));
     std::vector<Triangle> triangles;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         const Triangle t{indices[i], indices[i + 1], indices[i + 2]};
@@ -64,20 +65,20 @@ std::vector<Triangle> simplified(const Patch& patch, const Input& input, std::si
 
 SimplifiedPatch simplifyMeshopt(const Patch& patch, std::size_t targetTriangles) {
     SimplifiedPatch result;
-    float claimed = 0;
+    float estimated = 0;
     const Input input(patch, patch.isLocked);
-    result.triangles = simplified(patch, input, targetTriangles, claimed);
+    result.triangles = simplified(patch, input, targetTriangles, estimated);
     if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles))
-        result.triangles = simplified(patch, Input(patch, lockedWithRing(patch)), targetTriangles, claimed);
+        result.triangles = simplified(patch, Input(patch, lockedWithRing(patch)), targetTriangles, estimated);
     if (result.triangles.empty() || !keepsLockedEdges(patch, result.triangles)) {
         result.triangles = patch.triangles;
-        claimed = 0;
+        estimated = 0;
     }
     result.origin.assign(result.triangles.size(), hierarchy::kNone);
     for (std::uint32_t p = 0; p < patch.positions.size(); ++p)
         result.movedTo.push_back(p);
-    result.claimedError =
-        double{claimed} * double{meshopt_simplifyScale(input.positions.data(), input.positions.size() / 3, 12)};
+    result.estimatedError =
+        double{estimated} * double{meshopt_simplifyScale(input.positions.data(), input.positions.size() / 3, 12)};
     return result;
 }
 

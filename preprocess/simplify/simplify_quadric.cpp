@@ -91,7 +91,7 @@ private:
     std::vector<LayerGap> gaps_; // per triangle; empty if the patch has one colour
     CollapseStar star_;          // star of the last collapse that `boundedCost` evaluated
     double maxCost_;             // max cost of a collapse
-    double claimed_ = 0;
+    double estimated_ = 0;
     double layerCharge_ = 0;
     CollapseQueue queue_;
     std::vector<std::uint32_t> target_;   // per position in the queue
@@ -249,7 +249,7 @@ std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, doubl
 
 /// Applies the collapse that `boundedCost` evaluated last.
 void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
-    claimed_ = std::max(claimed_, estimate_.planes(from, to));
+    estimated_ = std::max(estimated_, estimate_.planes(from, to));
     layerCharge_ = std::max(layerCharge_, layerCost());
     around_.clear();
     for (const std::uint32_t q : mesh_.neighbours(from))
@@ -303,7 +303,7 @@ SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
     double maxAcceptedCost = 0; // largest cost before the early stop is allowed
     while (mesh_.triangleCount() > targetTriangles && !queue_.isEmpty()) {
         const bool mayStopEarly = static_cast<double>(mesh_.triangleCount()) < earlyStopCount;
-        const double cost = queue_.leastCost();
+        const double cost = queue_.minCost();
         if (cost > maxCost_ || (mayStopEarly && cost > kMaxCostRise * maxAcceptedCost)) break;
         const std::uint32_t p = queue_.pop();
         const std::optional<Choice> choice = evaluateFirst(p, cost);
@@ -325,7 +325,7 @@ SimplifiedPatch Collapser::result() const {
     result.movedTo.reserve(patch_.positions.size());
     for (std::uint32_t p = 0; p < patch_.positions.size(); ++p)
         result.movedTo.push_back(mesh_.representative(p));
-    result.claimedError = std::sqrt(claimed_);
+    result.estimatedError = std::sqrt(estimated_);
     result.layerCharge = layerCharge_;
     return result;
 }

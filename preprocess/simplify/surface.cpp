@@ -21,12 +21,12 @@ Surface::Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> tr
       triangles_(std::move(triangles)),
       adjacency_(positions.size(), triangles_),
       across_(triangles_.size(), Triangle{hierarchy::kNone, hierarchy::kNone, hierarchy::kNone}) {
-    constexpr std::size_t kMostLookedAt = 32; // bounds the quadratic cost at a position with very many triangles
+    constexpr std::size_t kMaxVisited = 32; // bounds the quadratic cost at a position with very many triangles
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t b = triangles_[t][(i + 1) % 3];
             const auto star = around(triangles_[t][i]);
-            for (const std::uint32_t u : star.first(std::min(star.size(), kMostLookedAt))) {
+            for (const std::uint32_t u : star.first(std::min(star.size(), kMaxVisited))) {
                 const Triangle& other = triangles_[u];
                 if (u == t || (other[0] != b && other[1] != b && other[2] != b)) continue;
                 across_[t][i] = u;

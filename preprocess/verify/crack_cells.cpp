@@ -18,7 +18,7 @@ constexpr std::uint64_t kBytesPerVertex = 36;
 
 /// Bytes per vertex in each thread that tests cuts: the state of the edges around the vertex.
 constexpr std::uint64_t kBytesPerVertexAndThread = 2;
-constexpr double kLeastGain = 0.95; // max share of a cell on one side of a useful cut
+constexpr double kMinGain = 0.95; // max share of a cell on one side of a useful cut
 constexpr std::array kAxes = {&GridPoint::x, &GridPoint::y, &GridPoint::z};
 
 class Cells {
@@ -40,8 +40,8 @@ public:
                     if (pages_[page].box.min.*axis <= at) low.pages.push_back(page);
                     if (pages_[page].box.max.*axis > at) high.pages.push_back(page);
                 }
-                const auto most = static_cast<double>(std::max(bytes(low), bytes(high)));
-                if (most > kLeastGain * static_cast<double>(whole)) continue;
+                const auto maxBytes = static_cast<double>(std::max(bytes(low), bytes(high)));
+                if (maxBytes > kMinGain * static_cast<double>(whole)) continue;
                 cut(std::move(low));
                 cut(std::move(high));
                 return;

@@ -17,7 +17,7 @@ using namespace hierarchy;
 
 namespace {
 
-constexpr std::size_t kMostCuts = 8;
+constexpr std::size_t kMaxCuts = 8;
 constexpr std::size_t kPointSamples = 60'000;  // samples by area per direction and cut, and the same number of corners
 constexpr std::size_t kDenseGroups = 150;      // groups per cut
 constexpr std::uint32_t kDensePoints = 4;      // points per triangle, in addition to its corners
@@ -84,8 +84,8 @@ std::vector<double> cutErrors(const ModelSummary& summary) {
         errors.insert(level.maxError);
     std::vector<double> all(errors.begin(), errors.end());
     std::vector<double> thinned;
-    for (std::size_t i = 0; i < std::min(all.size(), kMostCuts); ++i)
-        thinned.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(std::min(all.size(), kMostCuts) - 1, 1)]);
+    for (std::size_t i = 0; i < std::min(all.size(), kMaxCuts); ++i)
+        thinned.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(std::min(all.size(), kMaxCuts) - 1, 1)]);
     return thinned;
 }
 

@@ -11,16 +11,16 @@ namespace gnomon::verify {
 /// Prevents a small malicious file from allocating all memory. For comparison, the pages of a flat sheet, the most
 /// repetitive valid model, decode to 255 times their stored bytes.
 void requireBelievable(const hierarchy::ModelFile& file) {
-    constexpr std::uint64_t kMostTimes = 1024;
-    const Bytes most{mebibytes(64).count + kMostTimes * file.fileBytes()};
+    constexpr std::uint64_t kMaxExpansion = 1024;
+    const Bytes maxBytes{mebibytes(64).count + kMaxExpansion * file.fileBytes()};
     Bytes decoded;
     for (const hierarchy::PageInfo& page : file.pages())
         decoded.count += hierarchy::decodedPageBytes(page);
-    if (decoded > most)
+    if (decoded > maxBytes)
         throw Error(
             file.path(),
             "the decoded pages are too large for a file of this size",
-            "at most " + readableBytes(most),
+            "at most " + readableBytes(maxBytes),
             readableBytes(decoded));
 }
 

@@ -42,11 +42,12 @@ double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec
     const double vb = d5 * d2 - d1 * d6;
     const double vc = d1 * d4 - d3 * d2;
     const double sum = va + vb + vc;
-    double least = std::min(
+    double minSquare = std::min(
         {squaredDistanceToSegment(p, a, b), squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)});
     // Even if rounding makes the weights of a sliver wrong, positive weights describe a point of the triangle.
-    if (va > 0 && vb > 0 && vc > 0) least = std::min(least, squaredLength(p - (a + ab * (vb / sum) + ac * (vc / sum))));
-    return least;
+    if (va > 0 && vb > 0 && vc > 0)
+        minSquare = std::min(minSquare, squaredLength(p - (a + ab * (vb / sum) + ac * (vc / sum))));
+    return minSquare;
 }
 
 struct TriangleTree::Item {

@@ -19,7 +19,7 @@ namespace gnomon::verify {
 
 namespace {
 
-constexpr std::size_t kMostLevels = 62; // a cut marks levels as bits of one word
+constexpr std::size_t kMaxLevels = 62; // a cut marks levels as bits of one word
 
 Check checkChecksums(const hierarchy::ModelFile& file, const ModelFacts& model) {
     Check check{"checksums"};
@@ -33,15 +33,15 @@ Check checkChecksums(const hierarchy::ModelFile& file, const ModelFacts& model) 
     return check;
 }
 
-Check leftOut(const std::string& name, const std::string& why) {
+Check skippedCheck(const std::string& name, const std::string& why) {
     Check check{name};
     check.detail = "not checked: " + why;
     return check;
 }
 
-void leaveOut(Verification& verification, const std::vector<std::string>& names, const std::string& why) {
+void skipChecks(Verification& verification, const std::vector<std::string>& names, const std::string& why) {
     for (const std::string& name : names)
-        verification.checks.push_back(leftOut(name, why));
+        verification.checks.push_back(skippedCheck(name, why));
 }
 
 /// Returns the max number of threads whose pages fit into half of the memory that remains after the facts.
@@ -52,8 +52,8 @@ std::size_t threadsFor(const hierarchy::ModelFile& file, Bytes memory) {
     const std::uint64_t facts = factsBytes(file.pages()).count;
     requireRoom({facts + 2 * page}, memory, file.path(), "the facts of its pages");
     const std::uint64_t room = memory.count - residentSize().count - facts;
-    const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    return static_cast<std::size_t>(std::clamp<std::uint64_t>(room / 2 / page, 1, most));
+    const auto maxThreads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>(room / 2 / page, 1, maxThreads));
 }
 
 Check checkCracksWithin(
@@ -108,7 +108,7 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
         file.emplace(std::move(source));
     } catch (const Error& error) {
         verification.checks.push_back({"checksums", 1, 1, 0, error.what()});
-        leaveOut(verification, rest, "the tables are damaged");
+        skipChecks(verification, rest, "the tables are damaged");
         return verification;
     }
     requireBelievable(*file);
@@ -117,16 +117,16 @@ Verification verifyModel(const VerifyOptions& options, Progress& progress) {
     const ModelFacts model = readFacts(*file, progress);
     verification.checks.push_back(checkChecksums(*file, model));
     if (!model.damage.empty()) {
-        leaveOut(verification, rest, "pages are damaged");
+        skipChecks(verification, rest, "pages are damaged");
         return verification;
     }
     verification.checks.push_back(checkStructure(model));
-    verification.checks.back().test(model.summary.levels.size() <= kMostLevels, [&] {
-        return options.model + ": levels: expected at most " + std::to_string(kMostLevels) + ", found " +
+    verification.checks.back().test(model.summary.levels.size() <= kMaxLevels, [&] {
+        return options.model + ": levels: expected at most " + std::to_string(kMaxLevels) + ", found " +
                std::to_string(model.summary.levels.size());
     });
-    if (!refinementsResolve(model) || model.summary.levels.size() > kMostLevels) {
-        leaveOut(verification, {rest.begin() + 1, rest.end()}, "the structure is broken");
+    if (!refinementsResolve(model) || model.summary.levels.size() > kMaxLevels) {
+        skipChecks(verification, {rest.begin() + 1, rest.end()}, "the structure is broken");
         return verification;
     }
     verification.checks.push_back(checkNesting(model));

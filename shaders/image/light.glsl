@@ -2,8 +2,8 @@
 
 #include "image/transfer.glsl"
 
-vec3 shoulder(vec3 light) {
-    return min(isShouldered == 1 ? light / (1.0 + light) : light, 1.0);
+vec3 toneMapped(vec3 light) {
+    return min(isToneMapped == 1 ? light / (1.0 + light) : light, 1.0);
 }
 
 // Returns the unit direction to the light, and in w its brightness at `position` relative to the sun.

@@ -13,8 +13,8 @@ vec3 indexColor(int index) {
 vec3 heat(float value) {
     float x = clamp(log2(max(value, 1e-6)) * 0.5, -1.0, 2.0);
     vec3 kept = mix(vec3(0.03, 0.09, 0.36), vec3(0.37, 0.4, 0.44), clamp(x + 1.0, 0.0, 1.0));
-    vec3 beyond = mix(kept, vec3(0.86, 0.57, 0.18), clamp(x, 0.0, 1.0));
-    return mix(beyond, vec3(1.0, 0.99, 0.86), clamp(x - 1.0, 0.0, 1.0));
+    vec3 above = mix(kept, vec3(0.86, 0.57, 0.18), clamp(x, 0.0, 1.0));
+    return mix(above, vec3(1.0, 0.99, 0.86), clamp(x - 1.0, 0.0, 1.0));
 }
 
 // Returns the striped colour of surfaces without a map. The stripes are four pixels wide.

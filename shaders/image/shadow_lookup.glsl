@@ -10,14 +10,14 @@ int sliceOf(float z) {
 }
 
 // Returns the face partition of `p` (relative to the eye): the first face whose two tests succeed, or the last. Then it
-// tests the near face. Identical to shadow::ownerOf.
+// tests the near face. Identical to shadow::partitionIndex.
 int faceOf(vec3 p, int slice) {
     int face = 0;
     float inside = dot(faceFirst[0].xyz, p);
     while (face + 1 < sideFaceCount) {
-        float beyond = dot(faceSecond[face].xyz, p);
-        if (inside >= 0.0 && beyond >= 0.0) break;
-        inside = -beyond; // both neighbours use the same number, so rounding cannot exclude a point from both
+        float insideSecond = dot(faceSecond[face].xyz, p);
+        if (inside >= 0.0 && insideSecond >= 0.0) break;
+        inside = -insideSecond; // both neighbours use the same number, so rounding cannot exclude a point from both
         ++face;
     }
     bool inNear = hasOwnNear == 1 && dot(faceEdge[face].xyz, p) < faceEdge[face].w * slices[slice].near;
@@ -65,7 +65,7 @@ float receiverBias(Partition part, vec4 plane, float cosine, float w) {
     return (slope + uneven) * part.reach + 6e-7;
 }
 
-// Returns the lit fraction of `p` (draw space) on a receiver with flat normal `normal` and cosine `cosine` to the
+// Returns the lit fraction of `p` (camera-relative space) on a receiver with flat normal `normal` and cosine `cosine` to the
 // light.
 float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     if (index < 0) return 1.0;

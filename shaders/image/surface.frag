@@ -54,7 +54,7 @@ void main() {
     }
     float direct = lit * max(dot(smoothNormal, incoming.xyz), 0.0) * incoming.w;
     vec3 light = linearFromDisplay(color) * lightOf(smoothNormal, normalize(towardsEye), direct);
-    vec3 shaded = displayFromLinear(shoulder(light));
+    vec3 shaded = displayFromLinear(toneMapped(light));
 #if OVERLAY
     shaded = overlay(shaded, position, flatNormal, depth, index, error, cluster);
 #endif

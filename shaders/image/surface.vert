@@ -1,4 +1,4 @@
-// A visible surface: position in draw space, normal and colour.
+// A visible surface: position in camera-relative space, normal and colour.
 #include "shared/geometry.glsl"
 
 out Surface {

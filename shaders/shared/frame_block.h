@@ -1,4 +1,4 @@
-// The uniform blocks of a frame, declared once for C++ and GLSL in the std140 layout. "Draw space" is camera-relative:
+// The uniform blocks of a frame, declared once for C++ and GLSL in the std140 layout. "Camera-relative space":
 // world axes and units, with the origin at a grid point near the eye, so that floats are precise near the eye.
 #ifdef __cplusplus
 #pragma once
@@ -21,13 +21,13 @@ using mat4 = glm::mat4;
 // A vec3 and the following scalar share a slot of 16 bytes, in std140 as in C++.
 GNOMON_BLOCK(0, Frame) {
     mat4 clipFromDraw;  // of the current pass
-    ivec3 originCell;   // grid point at draw space's origin
+    ivec3 originCell;   // grid point at the origin of camera-relative space
     int filterTexels;   // width of the filter kernel
-    vec3 eye;           // in draw space
+    vec3 eye;           // in camera-relative space
     float gridStep;     // in world units
-    vec3 viewDirection; // in draw space
-    float originDepth;  // view depth of draw space's origin
-    vec3 towardsLight;  // in draw space
+    vec3 viewDirection; // in camera-relative space
+    float originDepth;  // view depth of the origin of camera-relative space
+    vec3 towardsLight;  // in camera-relative space
     float pixelSlope;   // 2 tan(theta) / height: a pixel's height at view depth 1
     int sliceCount;
     int sideFaceCount;    // per slice
@@ -35,7 +35,7 @@ GNOMON_BLOCK(0, Frame) {
     float errorPixels;    // error limit
     float drawnResidence; // for the residency overlay: reason of the current draws (render::Residence)
     int isFaceted;        // 1 if surfaces use the normals of their triangles
-    int isShouldered;     // 1 if light x is tone-mapped to x / (1 + x)
+    int isToneMapped;     // 1 if light x is tone-mapped to x / (1 + x)
     int unusedInt;
     // The light of a surface with normal n, in linear RGB (render/light/light_model.h), is ambientMean + ambientTilt
     // (n.skyAxis) + headlight (n.v)^2, plus sun max(n.l, 0) if the surface is lit.
@@ -47,11 +47,11 @@ GNOMON_BLOCK(0, Frame) {
     float pointReach;
     vec3 sun;
     float unusedY;
-    vec3 skyAxis; // in draw space
+    vec3 skyAxis; // in camera-relative space
     float unusedZ;
 };
 
-// shadow::MapImage in single precision, for positions in draw space.
+// shadow::MapImage in single precision, for positions in camera-relative space.
 struct Partition {
     mat4 clipFromOffset; // position - origin -> (x, y, depth, 1) w, with x and y in [-1, 1] over the partition
     vec3 origin;         // origin of the offsets
@@ -61,9 +61,9 @@ struct Partition {
     vec4 byColumn; // dot products with the receiver's plane: its depth changes by byColumn / byDepth per column
     vec4 byRow;
     vec4 byDepth;
-    vec3 axisX;      // the light frame's x axis in draw space
+    vec3 axisX;      // the light frame's x axis in camera-relative space
     float unevenX;   // depth change per texel along x of a slightly uneven receiver
-    vec3 axisZ;      // the light frame's z axis in draw space
+    vec3 axisZ;      // the light frame's z axis in camera-relative space
     float unevenZ;   // the same along z, where the map's w is 1
     vec2 firstTexel; // first column and row of the partition, including gutters
     vec2 endTexel;   // one past the last

@@ -6,7 +6,7 @@ layout(location = 0) in uvec3 gridPoint;
 layout(location = 1) in uint normalBits;
 layout(location = 2) in vec4 colorAndError;
 
-// Returns the position in draw space. Integers are below 2^31, so only the conversion to float rounds.
+// Returns the position in camera-relative space. Integers are below 2^31, so only the conversion to float rounds.
 vec3 drawPosition() {
     return vec3(ivec3(gridPoint & 0x7FFFFFFFu) - originCell) * gridStep;
 }

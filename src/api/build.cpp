@@ -23,7 +23,7 @@ pipeline::BuildOptions buildOptionsOf(
     named.reserve(inputs.size());
     for (const std::string& input : inputs)
         named.push_back({"an input", input});
-    settings::requireApart(named, {{"the output", output}});
+    settings::requireDistinctFiles(named, {{"the output", output}});
     settings::requireExtension("the output", output, ".gnm");
     const auto unit = hierarchy::unitNamed(asked.unit);
     if (!unit) throw Error("unit", "there is no such unit", "m, cm, mm, ft or in", asked.unit);

@@ -86,8 +86,8 @@ public:
     /// Returns the coarsest uniform cut whose error is at most `error`, in units of the model.
     Mesh cutByError(double error) const;
 
-    /// Returns the finest uniform cut with at most `most` triangles.
-    Mesh cutByTriangles(std::uint64_t most) const;
+    /// Returns the finest uniform cut with at most `maxTriangles` triangles.
+    Mesh cutByTriangles(std::uint64_t maxTriangles) const;
 
     /// Returns the cut of a view, whose error on the screen is at most the option error-pixels. Vertices on borders of
     /// clusters are duplicated. `error` is the largest error of all clusters.

@@ -103,8 +103,8 @@ Mesh Model::cutByError(double error) const {
     return uniformMesh(state_->session.model(), {std::nullopt, error});
 }
 
-Mesh Model::cutByTriangles(std::uint64_t most) const {
-    return uniformMesh(state_->session.model(), {most, std::nullopt});
+Mesh Model::cutByTriangles(std::uint64_t maxTriangles) const {
+    return uniformMesh(state_->session.model(), {maxTriangles, std::nullopt});
 }
 
 Mesh Model::cutForView(const Options& options) const {
@@ -134,12 +134,9 @@ std::string Model::plan(const Options& options) const {
 }
 
 Picture Model::render(const Options& options, int samples) const {
-    if (samples < 1 || samples > settings::kMostSamples)
+    if (samples < 1 || samples > settings::kMaxSamples)
         throw Error(
-            "samples",
-            "no number of frames",
-            "1 to " + std::to_string(settings::kMostSamples),
-            std::to_string(samples));
+            "samples", "no number of frames", "1 to " + std::to_string(settings::kMaxSamples), std::to_string(samples));
     return withPlainErrors([&] {
         const auto [view, quality] = state_->viewOf(options);
         NoProgress progress;

@@ -55,14 +55,14 @@ bench::WalkOptions walkOf(const BenchOptions& options) {
         walk.warmup = 1;
     }
     walk.repetitions = options.repetitions.value_or(options.report.empty() ? 1 : 3);
-    const bool isProven = walk.oracle != validation::Oracle::None;
+    const bool isProven = walk.groundTruth != validation::GroundTruth::None;
     if (walk.isRealTime && isProven)
         throw settings::UsageError{
             "--oracle",
             "--oracle and --no-wait contradict each other: a frame that is compared with rays waits for its pages"};
     walk.provenFrames = walk.frames;
     if (!options.report.empty() && !isProven && !walk.isRealTime) {
-        walk.oracle = validation::Oracle::SameDetail;
+        walk.groundTruth = validation::GroundTruth::SameDetail;
         walk.countsWrongPixels = true;
         walk.provenFrames = options.isQuick ? 3 : 8;
     }
@@ -77,8 +77,8 @@ struct Bounds {
 
 /// Parses the limits. Throws UsageError for a negative percentage, or for a budget of 0 or less.
 Bounds boundsOf(const BenchOptions& options) {
-    const auto atLeastZero = settings::number("a number of at least 0", [](double value) { return value >= 0; });
-    Bounds bounds{settings::parsed(atLeastZero, "--fail-above", options.failAbovePercent), std::nullopt};
+    const auto nonNegative = settings::number("a number of at least 0", [](double value) { return value >= 0; });
+    Bounds bounds{settings::parsed(nonNegative, "--fail-above", options.failAbovePercent), std::nullopt};
     if (!options.budgetMs.empty())
         bounds.budgetMs = settings::parsed(settings::positiveNumber(), "--budget-ms", options.budgetMs);
     return bounds;
@@ -87,8 +87,8 @@ Bounds boundsOf(const BenchOptions& options) {
 /// Returns the requested runs. Throws UsageError if options contradict each other in any of them.
 std::vector<bench::BenchRun> runsOf(const BenchOptions& options) {
     settings::Settings fixed = options.settings.fixedSettings();
-    if (options.shadowMaps || validation::isOfMaps(options.walk.oracle)) settings::askForMaps(fixed);
-    if (validation::isOfMaps(options.walk.oracle) && !options.report.empty())
+    if (options.shadowMaps || validation::isOfMaps(options.walk.groundTruth)) settings::askForMaps(fixed);
+    if (validation::isOfMaps(options.walk.groundTruth) && !options.report.empty())
         settings::requireDirectionalLight(fixed, "--report");
     requireNoWindow(fixed);
     settings::Request request{options.model, fixed, {}};
@@ -198,7 +198,7 @@ private:
 
     report::RunSummary walkedAgain(std::size_t run) {
         bench::WalkOptions walk = options_.walk;
-        walk.oracle = validation::Oracle::None;
+        walk.groundTruth = validation::GroundTruth::None;
         const auto progress = staged("once more", bench::frameCount({runs_[run]}, walk));
         return bench::summarize(bench::walkAgain(walks(), run, *progress));
     }
@@ -240,7 +240,7 @@ private:
 
 void runBench(BenchOptions options) {
     const ThreadLimit limit(options.common);
-    settings::requireApart(
+    settings::requireDistinctFiles(
         {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
         {{"--csv", options.csv}, {"--json-file", options.json}});
     options.walk = walkOf(options);
@@ -280,7 +280,7 @@ void addBenchCommand(CLI::App& program) {
         settings::withOldNames("--no-wait"),
         options->walk.isRealTime,
         "Do not wait for pages; draw coarser triangles until they arrive");
-    addOracleOption(*command, options->walk.oracle);
+    addOracleOption(*command, options->walk.groundTruth);
     command->add_flag("--quick", options->isQuick, "First impression within two minutes: at most 8 frames per run");
     CLI::Option* shadowMaps = command->add_option_function<std::string>(
         "--shadow-maps",

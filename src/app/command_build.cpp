@@ -39,7 +39,7 @@ struct BuildCommand {
     std::string error = "measured";
     std::uint32_t clusterTriangles = 128;
     std::string chunkTriangles = std::to_string(pipeline::kChunkTriangles);
-    double maxStuckPercent = 100;
+    double maxIrreduciblePercent = 100;
     bool isInMemory = false;
     bool isResumed = false;
     bool keepsStrays = false;
@@ -81,7 +81,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     std::vector<settings::NamedFile> inputs;
     for (const std::string& input : command.inputs)
         inputs.push_back({"INPUT", input});
-    settings::requireApart(inputs, {{"--output", command.output}});
+    settings::requireDistinctFiles(inputs, {{"--output", command.output}});
     settings::requireExtension("--output", command.output, ".gnm");
     pipeline::BuildOptions options;
     options.output = command.output;
@@ -104,7 +104,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
         {"meshopt", Simplifier::Meshopt},
         {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
-    if (command.maxStuckPercent < 100) options.maxStuckPercent = command.maxStuckPercent;
+    if (command.maxIrreduciblePercent < 100) options.maxIrreduciblePercent = command.maxIrreduciblePercent;
     options.fields = command.fields;
     options.keepsStrays = command.keepsStrays;
     options.unit = *hierarchy::unitNamed(command.unit);
@@ -113,7 +113,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     const auto source =
         read::openMeshSources(command.inputs, options.memory, command.fields, textures, command.sourceRoot);
     std::vector<std::string> read = command.inputs;
-    read.insert(read.end(), source->summary().filesBesides.begin(), source->summary().filesBesides.end());
+    read.insert(read.end(), source->summary().additionalFiles.begin(), source->summary().additionalFiles.end());
     options.inputKey = pipeline::fingerprintOf(read) + (command.textures == "bake" ? "" : ", textures off");
     const std::optional<BuildReport> done = built(*source, options, command.common, buildBy);
     if (!done) return;
@@ -214,7 +214,7 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
     addShapeOptions(*command, *options);
     command
         ->add_option(
-            "--max-stuck", options->maxStuckPercent, "Max percentage of triangles that no coarser level replaces")
+            "--max-stuck", options->maxIrreduciblePercent, "Max percentage of triangles that no coarser level replaces")
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("PERCENT")
         ->capture_default_str();

@@ -63,7 +63,7 @@ void runTiles(const ExportOptions& options) {
 
 void runCut(const ExportOptions& options) {
     const exporter::ExportLimit limit = limitOf(options);
-    settings::requireApart({{"MODEL", options.model}}, {{"--output", options.output}});
+    settings::requireDistinctFiles({{"MODEL", options.model}}, {{"--output", options.output}});
     const bool isGlb = options.format.empty() ? options.output.ends_with(".glb") : options.format == "glb";
     settings::requireExtension("--output", options.output, isGlb ? ".glb" : ".ply");
     const auto progress = makeProgress(options.common);

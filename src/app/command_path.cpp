@@ -67,7 +67,7 @@ void addPathCommand(CLI::App& program) {
     command->callback([options] {
         settings::checkPathOptions(options->path);
         const ThreadLimit limit(options->common);
-        settings::requireApart({{"MODEL", options->model}}, {{"--output", options->output}});
+        settings::requireDistinctFiles({{"MODEL", options->model}}, {{"--output", options->output}});
         const auto progress = makeProgress(options->common, Polling::No);
         progress->stage("path", "paths", 1);
         const path::CameraPath found =

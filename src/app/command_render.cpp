@@ -75,7 +75,7 @@ void addPictures(CLI::App& command, settings::Output& output) {
     command.add_option("--time", output.time, "Time in seconds of the view, if --camera is a camera path")
         ->type_name("T");
     command.add_option("--samples", output.samples, "Frames that are averaged to one picture")
-        ->check(CLI::Range(1, settings::kMostSamples))
+        ->check(CLI::Range(1, settings::kMaxSamples))
         ->type_name("N")
         ->default_str(std::to_string(settings::kUsualSamples));
 }
@@ -110,7 +110,7 @@ void addFiles(CLI::App& command, settings::Output& output) {
         .add_option(
             "--shadow-depth", output.shadowDepth, "Write the depth of each shadow map to this folder, as PFM files")
         ->type_name("DIR");
-    addOracleOption(command, output.oracle);
+    addOracleOption(command, output.groundTruth);
 }
 
 } // namespace

@@ -108,7 +108,7 @@ void runHours(HoursOptions options, task::SunHoursTeam& team) {
         throw settings::UsageError{
             "--output", "sun hours needs an output: -o IMAGE.png, --pfm FILE, --csv FILE or --report DIR"};
     settings::requireExtension("--output", task.output, task.isOfVertices ? ".ply" : ".png");
-    settings::requireApart(
+    settings::requireDistinctFiles(
         {{"MODEL", task.model}, {"--camera", task.settings.cameraFile}, {"--points", task.points}},
         {{"--output", task.output}, {"--pfm", task.pfm}, {"--csv", task.csv}});
     const auto done = task::computeSunHours(task, *makeProgress(options.common));

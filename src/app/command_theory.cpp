@@ -51,7 +51,7 @@ void addEval(CLI::App& theory) {
     addCommonOptions(*command, options->common);
     command->callback([options] {
         const ThreadLimit limit(options->common);
-        settings::requireApart({{"ROWS.json", options->rows}}, {{"--output", options->output}});
+        settings::requireDistinctFiles({{"ROWS.json", options->rows}}, {{"--output", options->output}});
         const std::string text =
             telemetry::jsonText(theory::evaluateRows(readJsonFile(options->rows), options->rows), 1) + "\n";
         if (options->output.empty())

@@ -24,7 +24,7 @@ void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
     settings::requireCapable(settings, options.colors);
     settings::viewOf(settings, hierarchy::ModelSummary());
-    settings::requireApart(
+    settings::requireDistinctFiles(
         {{"MODEL", options.file}, {"--path", options.path}, {"--camera", settings.cameraFile}},
         {{"--csv", options.csv}});
     if (settings.backend == settings::Backend::Osmesa || settings.backend == settings::Backend::Egl)
@@ -54,13 +54,12 @@ void addViewCommand(CLI::App& program) {
     command->add_option("MODEL", viewer.file, "A .gnm file, its http(s):// address, or a mesh, which becomes MESH.gnm")
         ->required();
     addServerOptions(*command);
-    command
-        ->add_option("--target-ms", viewer.targetMs, "Max frame time in motion in ms; 0 is no limit")
+    command->add_option("--target-ms", viewer.targetMs, "Max frame time in motion in ms; 0 is no limit")
         ->check(CLI::Range(0.0, 10000.0))
         ->type_name("T")
         ->capture_default_str();
     command->add_option("--samples", viewer.samples, "Frames that are averaged while the camera rests")
-        ->check(CLI::Range(1, settings::kMostSamples))
+        ->check(CLI::Range(1, settings::kMaxSamples))
         ->type_name("N")
         ->capture_default_str();
     command->add_option("--path", viewer.path, "Camera path to play at the start")->type_name("FILE.json");

@@ -11,7 +11,7 @@ Error inOptions(const LimitError& error) {
         return {parts.where, parts.what, "--memory " + parts.expected, parts.found};
     case Limit::ChunkTriangles:
         return {"--chunk-triangles", "too few for this model", parts.expected, parts.found};
-    case Limit::StuckTriangles:
+    case Limit::IrreducibleTriangles:
         return {"--max-stuck", parts.what, parts.expected, parts.found};
     case Limit::Textures:
         return {parts.where, parts.what, parts.expected + ", or --textures off", parts.found};

@@ -2,17 +2,17 @@
 
 namespace gnomon::app {
 
-void addOracleOption(CLI::App& command, validation::Oracle& oracle) {
-    static const std::string kFlagAlone(wordOf(validation::kOracles, validation::Oracle::SameDetail));
+void addOracleOption(CLI::App& command, validation::GroundTruth& groundTruth) {
+    static const std::string kFlagAlone(wordOf(validation::kGroundTruths, validation::GroundTruth::SameDetail));
     command
         .add_option_function<std::string>(
             "--oracle",
-            [&oracle](const std::string& text) { oracle = valueOf(validation::kOracles, text).value(); },
+            [&groundTruth](const std::string& text) { groundTruth = valueOf(validation::kGroundTruths, text).value(); },
             "Compare with ground truth: rays, full (finest) or exact (integers)")
         ->expected(0, 1)
         ->check(
             [](const std::string& text) {
-                return valueOf(validation::kOracles, text)
+                return valueOf(validation::kGroundTruths, text)
                            ? ""
                            : "expected no value, full or exact, found '" + text + "'; write MODEL before this option";
             },

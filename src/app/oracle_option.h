@@ -2,11 +2,12 @@
 #pragma once
 
 #include "app/commands.h"
-#include "validation/oracle.h"
+#include "validation/ground_truth_kind.h"
 
 namespace gnomon::app {
 
-/// Adds `--oracle` to `command`: the ground truth that shadows are compared with. `oracle` must outlive the parsing.
-void addOracleOption(CLI::App& command, validation::Oracle& oracle);
+/// Adds `--groundTruth` to `command`: the ground truth that shadows are compared with. `groundTruth` must outlive the
+/// parsing.
+void addOracleOption(CLI::App& command, validation::GroundTruth& groundTruth);
 
 } // namespace gnomon::app

@@ -100,9 +100,9 @@ settings::Settings backendSettings(const std::vector<BenchRun>& runs) {
 
 std::vector<RunResult> walkAll(const BenchWalks& walks, Progress& progress) {
     std::vector<RunResult> results = walked(walks, walks.runs, walks.options, progress);
-    if (walks.options.oracle != validation::Oracle::None)
+    if (walks.options.groundTruth != validation::GroundTruth::None)
         for (RunResult& result : results)
-            Walk(walks.session, walks.path, walks.options, result).prove(progress);
+            Walk(walks.session, walks.path, walks.options, result).validate(progress);
     return results;
 }
 
@@ -113,7 +113,7 @@ RunResult walkAgain(const BenchWalks& walks, std::size_t run, Progress& progress
 }
 
 std::size_t frameCount(const std::vector<BenchRun>& runs, const WalkOptions& options) {
-    const int walks = options.repetitions + (options.oracle == validation::Oracle::None ? 0 : 1);
+    const int walks = options.repetitions + (options.groundTruth == validation::GroundTruth::None ? 0 : 1);
     return runs.size() * static_cast<std::size_t>(options.frames) * static_cast<std::size_t>(walks);
 }
 

@@ -21,10 +21,11 @@ std::string tableText(std::span<const report::RunSummary> summaries) {
     std::string table =
         padded("run") + formatted(" %9s %9s %9s %6s %10s\n", "p50 ms", "p95 ms", "p99 ms", "maps", "promise");
     for (const report::RunSummary& s : summaries) {
-        const auto promise = report::knownError(s, report::ErrorKind::PromisedAliasing);
-        const std::string promised = promise ? formatted("%.3g", *promise) : "-";
-        table += padded(s.name) +
-                 formatted(" %9.2f %9.2f %9.2f %6d %10s\n", s.p50Ms, s.p95Ms, s.p99Ms, s.shadowMaps, promised.c_str());
+        const auto bound = report::knownError(s, report::ErrorKind::AliasingBound);
+        const std::string aliasingBound = bound ? formatted("%.3g", *bound) : "-";
+        table +=
+            padded(s.name) +
+            formatted(" %9.2f %9.2f %9.2f %6d %10s\n", s.p50Ms, s.p95Ms, s.p99Ms, s.shadowMaps, aliasingBound.c_str());
     }
     for (const std::string& sentence : report::sentences(summaries))
         table += sentence + "\n";
@@ -51,7 +52,7 @@ std::string underBudgetText(
 
 std::string underBoundText(double maxAliasing, std::span<const report::RunSummary> summaries) {
     const std::string question = "fastest with a promise of at most " + settings::shortest(maxAliasing) + ": ";
-    const auto choice = report::cheapestUnderError(summaries, report::ErrorKind::PromisedAliasing, maxAliasing);
+    const auto choice = report::cheapestUnderError(summaries, report::ErrorKind::AliasingBound, maxAliasing);
     if (!choice) return question + "no run does\n";
     return question + summaries[*choice].options + formatted(" (%.4g ms)\n", summaries[*choice].p50Ms);
 }

@@ -41,17 +41,18 @@ void Walk::repeat(int repetition, const OnFrame& onFrame, Progress& progress) {
     }
 }
 
-void Walk::prove(Progress& progress) {
+void Walk::validate(Progress& progress) {
     warmUp(progress);
-    validation::ProofOptions options;
+    validation::ValidationOptions options;
     options.measuresAliasing = options.measuresCrawl = options.comparesWithFinest = true;
-    options.oracle = options_.oracle;
+    options.groundTruth = options_.groundTruth;
     options.countsWrongPixels = options_.countsWrongPixels;
     for (int frame = 0; frame < options_.frames; ++frame) {
         const frame::Frame drawn = draw(frame);
         if (isProvenFrame(frame))
             validation::setAccuracy(
-                validation::prove(session_.renderer(), drawn, options), result_.rows[static_cast<std::size_t>(frame)]);
+                validation::validate(session_.renderer(), drawn, options),
+                result_.rows[static_cast<std::size_t>(frame)]);
         progress.advance(1);
     }
 }

@@ -6,7 +6,7 @@
 #include "render/backend.h"
 #include "task/session.h"
 #include "telemetry/frame_row.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <functional>
 #include <span>
@@ -28,8 +28,8 @@ struct WalkOptions {
     int repetitions = 1;
     int warmup = 2;
     bool isRealTime = false;
-    validation::Oracle oracle = validation::Oracle::None;
-    int provenFrames = 0;           // number of frames, evenly over the path, that are compared with `oracle`
+    validation::GroundTruth groundTruth = validation::GroundTruth::None;
+    int provenFrames = 0;           // number of frames, evenly over the path, that are compared with `groundTruth`
     bool countsWrongPixels = false; // also compares these frames with integer arithmetic
     /// Called with the picture of each frame of the first repetition, as the bytes of a PNG. Can be empty.
     std::function<void(std::size_t run, int frame, std::span<const std::uint8_t> png)> onPicture;
@@ -57,7 +57,7 @@ public:
 
     /// Draws the frames of the first repetition again, without timing and with the same plans. Compares `provenFrames`
     /// of them with the ground truth and fills their accuracy columns.
-    void prove(Progress& progress);
+    void validate(Progress& progress);
 
     /// Draws `frame` and returns its work: the number of triangles plus two per pixel, because a pixel costs about as
     /// much as two triangles.

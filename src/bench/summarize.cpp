@@ -68,8 +68,8 @@ std::optional<double> noise(const std::vector<telemetry::FrameRow>& rows) {
     medians.reserve(times.size());
     for (const auto& [repetition, values] : times)
         medians.push_back(telemetry::quantile(values, 0.5));
-    const auto [least, largest] = std::minmax_element(medians.begin(), medians.end());
-    return *least + *largest > 0 ? (*largest - *least) / (*largest + *least) : 0;
+    const auto [min, largest] = std::minmax_element(medians.begin(), medians.end());
+    return *min + *largest > 0 ? (*largest - *min) / (*largest + *min) : 0;
 }
 
 } // namespace
@@ -86,13 +86,13 @@ report::RunSummary summarize(const RunResult& result) {
     if (isExact) s.settings["cells"] = wordOf(plan::kCellSchemes, result.run.settings.quality.cellScheme);
     if (!rows.empty()) s.scheme = isExact ? s.settings["cells"] : rows.front().scheme;
     std::vector<double> totals;
-    double promised = 0;
+    double aliasingBound = 0;
     for (const FrameRow& row : rows) {
         totals.push_back(row.totalMs.value_or(0));
-        promised = std::max({promised, row.promisedAliasingX.value_or(0), row.promisedAliasingZ.value_or(0)});
+        aliasingBound = std::max({aliasingBound, row.aliasingBoundX.value_or(0), row.aliasingBoundZ.value_or(0)});
         s.shadowMaps = std::max(s.shadowMaps, static_cast<int>(row.shadowMaps));
         s.storageFactor = std::max(s.storageFactor, row.storageFactor.value_or(0));
-        s.promiseKept = s.promiseKept && row.promiseKept.value_or(true);
+        s.isBoundKept = s.isBoundKept && row.isBoundKept.value_or(true);
         s.pagesDamaged = std::max(s.pagesDamaged, static_cast<std::uint64_t>(row.pagesDamaged.value_or(0)));
         s.pagesMissing = std::max(s.pagesMissing, static_cast<std::uint64_t>(row.pagesMissing.value_or(0)));
     }
@@ -109,7 +109,7 @@ report::RunSummary summarize(const RunResult& result) {
         median(rows, &FrameRow::imageMs)};
     s.imageTriangles = mean(rows, &FrameRow::imageTriangles);
     s.shadowTriangles = mean(rows, &FrameRow::shadowTriangles);
-    if (promised > 0) s.errors[report::ErrorKind::PromisedAliasing] = promised;
+    if (aliasingBound > 0) s.errors[report::ErrorKind::AliasingBound] = aliasingBound;
     const auto addError = [&](report::ErrorKind kind, std::optional<double> value) {
         if (value) s.errors[kind] = *value;
     };

@@ -25,8 +25,8 @@ CameraBasis cameraBasis(const Camera& camera) {
     glm::dvec3 side = glm::cross(basis.view, camera.up);
     if (!(glm::length(side) > 1e-9 * glm::length(camera.up))) {
         const glm::dvec3 a = glm::abs(basis.view);
-        const bool xLeast = a.x <= a.y && a.x <= a.z;
-        const glm::dvec3 axis = xLeast ? glm::dvec3(1, 0, 0) : a.y <= a.z ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+        const bool isXMin = a.x <= a.y && a.x <= a.z;
+        const glm::dvec3 axis = isXMin ? glm::dvec3(1, 0, 0) : a.y <= a.z ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
         side = glm::cross(basis.view, axis);
     }
     basis.right = glm::normalize(side);

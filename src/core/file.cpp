@@ -22,7 +22,7 @@ namespace gnomon {
 namespace {
 
 /// Resolves the symbolic links of `path`, also if the final target does not exist.
-std::string beyondLinks(const std::string& path) {
+std::string withoutLinks(const std::string& path) {
     constexpr int kMaxLinks = 40; // the limit of the kernel; it ends cycles of links
     std::filesystem::path end = path;
     std::error_code error;
@@ -91,7 +91,7 @@ std::string temporaryPathFor(const std::string& finalPath) {
 
 File::File(const std::string& path, Mode mode) : File(path, mode, path) {}
 
-File::File(const std::string& path, Mode mode, std::string toldPath) : File(-1, std::move(toldPath)) {
+File::File(const std::string& path, Mode mode, std::string displayPath) : File(-1, std::move(displayPath)) {
     if (mode == Mode::Create) {
         constexpr int kAttempts = 8; // another process can create the same name in between
         std::optional<File> made;
@@ -119,12 +119,12 @@ File::File(const std::string& path, Mode mode, std::string toldPath) : File(-1, 
             std::to_string(info.st_nlink));
 }
 
-File::File(int descriptor, std::string toldPath) : path_(std::move(toldPath)), descriptor_(descriptor) {}
+File::File(int descriptor, std::string displayPath) : path_(std::move(displayPath)), descriptor_(descriptor) {}
 
-std::optional<File> File::createdNew(const std::string& path, unsigned permissions, std::string toldPath) {
+std::optional<File> File::createdNew(const std::string& path, unsigned permissions, std::string displayPath) {
     const int descriptor = openedDescriptor(path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, permissions);
-    if (descriptor >= 0) return File(descriptor, std::move(toldPath));
-    if (errno != EEXIST) throwSystemError(toldPath, "cannot create");
+    if (descriptor >= 0) return File(descriptor, std::move(displayPath));
+    if (errno != EEXIST) throwSystemError(displayPath, "cannot create");
     return {};
 }
 
@@ -241,7 +241,7 @@ void File::resemble(const std::string& path) {
 }
 
 AtomicFile::AtomicFile(const std::string& finalPath)
-    : finalPath_(isOtherThanFile(finalPath) ? finalPath : beyondLinks(finalPath)) {
+    : finalPath_(isOtherThanFile(finalPath) ? finalPath : withoutLinks(finalPath)) {
     if (isOtherThanFile(finalPath_)) {
         file_.emplace(finalPath_, File::Mode::Device, finalPath);
         return;
@@ -273,14 +273,14 @@ void AtomicFile::commit() {
     if (!temporary_->keep(rename)) throwSystemError(finalPath_, "cannot rename the finished file");
 }
 
-std::string readTextFile(const std::string& path, Bytes most) {
+std::string readTextFile(const std::string& path, Bytes maxBytes) {
     File file(path, File::Mode::Read);
     // The size of a pipe or a device is known only at its end.
     std::string text;
     std::size_t length = 0;
     for (;;) {
-        if (std::max<std::uint64_t>(length, file.size()) > most.count)
-            throw Error(path, "too large for a text file", "at most " + readableBytes(most), "more");
+        if (std::max<std::uint64_t>(length, file.size()) > maxBytes.count)
+            throw Error(path, "too large for a text file", "at most " + readableBytes(maxBytes), "more");
         if (length == text.size()) text.resize(std::max<std::size_t>({file.size() + 1, 2 * length, 4096}));
         const std::size_t got = file.readSome(std::as_writable_bytes(std::span(text)).subspan(length));
         if (got == 0) break;

@@ -28,12 +28,12 @@ public:
     /// Opens `path`. Throws Error with the reason of the operating system.
     File(const std::string& path, Mode mode);
 
-    /// Opens `path`. Errors and `path()` show `toldPath` as the name of the file.
-    File(const std::string& path, Mode mode, std::string toldPath);
+    /// Opens `path`. Errors and `path()` show `displayPath` as the name of the file.
+    File(const std::string& path, Mode mode, std::string displayPath);
 
     /// Creates a new file for reading and writing. Returns nullopt if the name exists, also as a link. The permissions
     /// are `permissions` without the bits of the user's umask.
-    static std::optional<File> createdNew(const std::string& path, unsigned permissions, std::string toldPath);
+    static std::optional<File> createdNew(const std::string& path, unsigned permissions, std::string displayPath);
 
     ~File();
     File(File&& other) noexcept;
@@ -85,7 +85,7 @@ public:
     void sync();
 
 private:
-    File(int descriptor, std::string toldPath);
+    File(int descriptor, std::string displayPath);
 
     std::string path_;
     int descriptor_ = -1;
@@ -114,8 +114,8 @@ private:
     std::optional<File> file_;
 };
 
-/// Reads the whole text of a small file, pipe or device. Throws Error if it has more than `most` bytes.
-std::string readTextFile(const std::string& path, Bytes most = {std::uint64_t{1} << 30U});
+/// Reads the whole text of a small file, pipe or device. Throws Error if it has more than `maxBytes` bytes.
+std::string readTextFile(const std::string& path, Bytes maxBytes = {std::uint64_t{1} << 30U});
 
 /// Writes `text` to `path` through an AtomicFile.
 void writeTextFile(const std::string& path, const std::string& text);

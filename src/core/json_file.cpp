@@ -57,8 +57,8 @@ private:
         at_ = end;
     }
 
-    [[noreturn]] void fail(const char* what, const std::string& most, const std::string& found) const {
-        throw Error(atByte(path_, at_), what, "at most " + most, found);
+    [[noreturn]] void fail(const char* what, const std::string& limit, const std::string& found) const {
+        throw Error(atByte(path_, at_), what, "at most " + limit, found);
     }
 
     const std::string& path_;

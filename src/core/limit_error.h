@@ -15,7 +15,7 @@ namespace gnomon {
 enum class Limit : std::uint8_t {
     Memory,
     ChunkTriangles,
-    StuckTriangles,
+    IrreducibleTriangles,
     Textures,
     SourceRoot,
     PageMemory,

@@ -24,37 +24,37 @@ HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::exact::HWY_NAMESPACE {
 
-void ClusterCaster::castOver(std::size_t map) {
-    const CellMap& cells = context_.grid->maps()[map];
+void ClusterCaster::rasterizeInto(std::size_t map) {
+    const GridMap& cells = context_.grid->maps()[map];
     const bool isPoint = context_.samples->space().pointLight.has_value();
     if (isPoint) findNearness(cells);
     const glm::dmat4x3& m = cells.cellsFromLight;
-    double leastW = std::numeric_limits<double>::infinity();
-    double mostW = -leastW;
+    double minW = std::numeric_limits<double>::infinity();
+    double maxW = -minW;
     for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i) {
         const double u = sheared_[i][0];
         const double v = sheared_[i][1];
         const double h = sheared_[i][2];
         const double w = m[0][2] * u + m[1][2] * v + m[2][2] * h + m[3][2];
         w_[i] = w;
-        leastW = std::min(leastW, w);
-        mostW = std::max(mostW, w);
+        minW = std::min(minW, w);
+        maxW = std::max(maxW, w);
         x_[i] = (m[0][0] * u + m[1][0] * v + m[2][0] * h + m[3][0]) / w;
         y_[i] = (m[0][1] * u + m[1][1] * v + m[2][1] * h + m[3][1]) / w;
         floatX_[i] = static_cast<float>(x_[i]);
         floatY_[i] = static_cast<float>(y_[i]);
     }
-    if (isPoint ? mostW <= 0 : mostW < cells.leastW) return;
-    if (leastW >= cells.leastW)
-        castWhole(map);
+    if (isPoint ? maxW <= 0 : maxW < cells.minW) return;
+    if (minW >= cells.minW)
+        rasterizeWhole(map);
     else if (isPoint)
-        castBesideLight(map);
+        rasterizeNearLight(map);
     else
-        castClipped(map);
+        rasterizeClipped(map);
 }
 
 /// Computes the cell boxes of triangles and tests them against the mask, several triangles at once.
-void ClusterCaster::castWhole(std::size_t map) {
+void ClusterCaster::rasterizeWhole(std::size_t map) {
     const SampleGrid& grid = *context_.grid;
     const std::size_t count = caster_.geometry.triangles.size();
     const auto side = hn::Set(kFloats, static_cast<float>(grid.side()));
@@ -67,18 +67,18 @@ void ClusterCaster::castWhole(std::size_t map) {
         const auto a = hn::Load(kInts, &corner_[0][t]);
         const auto b = hn::Load(kInts, &corner_[1][t]);
         const auto c = hn::Load(kInts, &corner_[2][t]);
-        const auto least = [&](const std::array<float, kMostVertices>& from) HWY_ATTR {
+        const auto min = [&](const std::array<float, kMaxVertices>& from) HWY_ATTR {
             const auto ab = hn::Min(hn::GatherIndex(kFloats, from.data(), a), hn::GatherIndex(kFloats, from.data(), b));
             return hn::Min(ab, hn::GatherIndex(kFloats, from.data(), c));
         };
-        const auto most = [&](const std::array<float, kMostVertices>& from) HWY_ATTR {
+        const auto max = [&](const std::array<float, kMaxVertices>& from) HWY_ATTR {
             const auto ab = hn::Max(hn::GatherIndex(kFloats, from.data(), a), hn::GatherIndex(kFloats, from.data(), b));
             return hn::Max(ab, hn::GatherIndex(kFloats, from.data(), c));
         };
-        const auto x0 = hn::Sub(least(floatX_), slack);
-        const auto x1 = hn::Add(most(floatX_), slack);
-        const auto y0 = hn::Sub(least(floatY_), slack);
-        const auto y1 = hn::Add(most(floatY_), slack);
+        const auto x0 = hn::Sub(min(floatX_), slack);
+        const auto x1 = hn::Add(max(floatX_), slack);
+        const auto y0 = hn::Sub(min(floatY_), slack);
+        const auto y1 = hn::Add(max(floatY_), slack);
         auto isIn = hn::And(hn::And(hn::Ge(x1, zero), hn::Ge(y1, zero)), hn::And(hn::Lt(x0, side), hn::Lt(y0, side)));
         isIn = hn::And(isIn, hn::FirstN(kFloats, count - t));
         if (hn::AllFalse(kFloats, isIn)) continue;
@@ -89,21 +89,21 @@ void ClusterCaster::castWhole(std::size_t map) {
         hn::Store(cell(y0), kInts, boxes[1]);
         hn::Store(cell(x1), kInts, boxes[2]);
         hn::Store(cell(y1), kInts, boxes[3]);
-        hn::Store(most(floatH_), kFloats, highest);
+        hn::Store(max(floatH_), kFloats, highest);
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(kFloats, isIn, bits);
         for (unsigned lanes = bits[0] | static_cast<unsigned>(bits[1]) << 8U; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
             const CellBox box{boxes[0][lane], boxes[1][lane], boxes[2][lane], boxes[3][lane]};
-            if (grid.mask(map).mayShadow(box, highest[lane])) castTriangle(map, t + lane, box, true);
+            if (grid.mask(map).mayShadow(box, highest[lane])) rasterizeTriangle(map, t + lane, box, true);
         }
     }
 }
 
 /// Rasterises triangles that are partly behind the centre of the warp. Only the part with a sufficient w can cover a
 /// sample.
-void ClusterCaster::castClipped(std::size_t map) {
-    const CellMap& cells = context_.grid->maps()[map];
+void ClusterCaster::rasterizeClipped(std::size_t map) {
+    const GridMap& cells = context_.grid->maps()[map];
     const int side = context_.grid->side();
     for (std::size_t t = 0; t < caster_.geometry.triangles.size(); ++t) {
         glm::dvec2 low(std::numeric_limits<double>::infinity());
@@ -117,10 +117,10 @@ void ClusterCaster::castClipped(std::size_t map) {
             const glm::dvec3 p = place(cells, static_cast<std::size_t>(corner_[k][t]));
             const glm::dvec3 q = place(cells, static_cast<std::size_t>(corner_[(k + 1) % 3][t]));
             highest = std::max(highest, floatH_[static_cast<std::size_t>(corner_[k][t])]);
-            if (p.z >= cells.leastW) add(p);
-            if ((p.z >= cells.leastW) == (q.z >= cells.leastW)) continue;
-            const double share = (cells.leastW - p.z) / (q.z - p.z);
-            add({glm::dvec2(p) + share * (glm::dvec2(q) - glm::dvec2(p)), cells.leastW});
+            if (p.z >= cells.minW) add(p);
+            if ((p.z >= cells.minW) == (q.z >= cells.minW)) continue;
+            const double share = (cells.minW - p.z) / (q.z - p.z);
+            add({glm::dvec2(p) + share * (glm::dvec2(q) - glm::dvec2(p)), cells.minW});
         }
         if (!(high.x >= -kCellSlack && high.y >= -kCellSlack && low.x <= side + kCellSlack &&
               low.y <= side + kCellSlack))
@@ -130,13 +130,13 @@ void ClusterCaster::castClipped(std::size_t map) {
             cellAt(low.y - kCellSlack, side),
             cellAt(high.x + kCellSlack, side),
             cellAt(high.y + kCellSlack, side)};
-        if (context_.grid->mask(map).mayShadow(box, highest)) castTriangle(map, t, box, false);
+        if (context_.grid->mask(map).mayShadow(box, highest)) rasterizeTriangle(map, t, box, false);
     }
 }
 
 /// Rasterises the triangles of a cluster that extends beside or behind the point light.
-void ClusterCaster::castBesideLight(std::size_t map) {
-    const CellMap& cells = context_.grid->maps()[map];
+void ClusterCaster::rasterizeNearLight(std::size_t map) {
+    const GridMap& cells = context_.grid->maps()[map];
     const int side = context_.grid->side();
     for (std::size_t t = 0; t < caster_.geometry.triangles.size(); ++t) {
         std::array<glm::dvec3, 3> places{};
@@ -146,14 +146,14 @@ void ClusterCaster::castBesideLight(std::size_t map) {
             places[k] = place(cells, vertex);
             highest = std::max(highest, floatH_[vertex]);
         }
-        const std::optional<CellReach> reach = reachOfPyramid(places, side, 2 * kCellSlack, cells.leastW);
+        const std::optional<CellReach> reach = reachOfPyramid(places, side, 2 * kCellSlack, cells.minW);
         if (!reach) continue;
         const CellBox box{
-            cellAt(reach->leastX - kCellSlack, side),
-            cellAt(reach->leastY - kCellSlack, side),
-            cellAt(reach->mostX + kCellSlack, side),
-            cellAt(reach->mostY + kCellSlack, side)};
-        if (context_.grid->mask(map).mayShadow(box, highest)) castTriangle(map, t, box, false);
+            cellAt(reach->minX - kCellSlack, side),
+            cellAt(reach->minY - kCellSlack, side),
+            cellAt(reach->maxX + kCellSlack, side),
+            cellAt(reach->maxY + kCellSlack, side)};
+        if (context_.grid->mask(map).mayShadow(box, highest)) rasterizeTriangle(map, t, box, false);
     }
 }
 
@@ -161,8 +161,8 @@ void ClusterCaster::castBesideLight(std::size_t map) {
 CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row) const {
     const double low = row == box.y0 ? -std::numeric_limits<double>::infinity() : row - kCellSlack;
     const double high = row == box.y1 ? std::numeric_limits<double>::infinity() : row + 1 + kCellSlack;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double min = std::numeric_limits<double>::infinity();
+    double max = -min;
     for (std::size_t k = 0; k < 3; ++k) {
         auto i = static_cast<std::size_t>(corner_[k][triangle]);
         auto j = static_cast<std::size_t>(corner_[(k + 1) % 3][triangle]);
@@ -172,15 +172,12 @@ CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row
         const double slope = height > 0 ? (x_[j] - x_[i]) / height : 0;
         const double p = y_[i] >= low ? x_[i] : x_[i] + (low - y_[i]) * slope;
         const double q = y_[j] <= high ? x_[j] : x_[i] + (high - y_[i]) * slope;
-        least = std::min({least, p, q});
-        most = std::max({most, p, q});
+        min = std::min({min, p, q});
+        max = std::max({max, p, q});
     }
     const int side = context_.grid->side();
     return {
-        std::max(box.x0, cellAt(least - kCellSlack, side)),
-        row,
-        std::min(box.x1, cellAt(most + kCellSlack, side)),
-        row};
+        std::max(box.x0, cellAt(min - kCellSlack, side)), row, std::min(box.x1, cellAt(max + kCellSlack, side)), row};
 }
 
 /// Prepares a test. Returns false if the triangle's plane is parallel to the light.
@@ -203,22 +200,22 @@ bool ClusterCaster::prepare(std::size_t triangle, PointTriangleTest& test) const
     return test.set(corner(0), corner(1), corner(2), glm::dvec3(light), context_.coordinateError, orientation);
 }
 
-void ClusterCaster::castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
-    ++counts_.trianglesCast;
+void ClusterCaster::rasterizeTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
+    ++counts_.trianglesRasterized;
     if (context_.samples->space().pointLight)
-        castTriangleAs<PointTriangleTest>(map, triangle, box, isNarrowed);
+        rasterizeTriangleAs<PointTriangleTest>(map, triangle, box, isNarrowed);
     else
-        castTriangleAs<TriangleTest>(map, triangle, box, isNarrowed);
+        rasterizeTriangleAs<TriangleTest>(map, triangle, box, isNarrowed);
 }
 
 /// Returns true if the sample certainly lies in the triangle's plane. Such a triangle casts no shadow on it.
-bool ClusterCaster::isMetAtOnce(const PointTriangleTest& test, std::size_t place) const {
+bool ClusterCaster::isHitAtOnce(const PointTriangleTest& test, std::size_t place) const {
     return test.surelyHolds(ownCorners(context_, place));
 }
 
-void ClusterCaster::decide(std::size_t triangle, std::size_t place, bool mayCast) {
+void ClusterCaster::resolve(std::size_t triangle, std::size_t place, bool mayCast) {
     counts_.exactDecisions += static_cast<std::uint64_t>(mayCast);
-    const std::uint8_t bits = decideExactly(context_, caster_, triangle, place);
+    const std::uint8_t bits = resolveExactly(context_, caster_, triangle, place);
     if (bits != kLit) mark(context_.statuses[place], bits);
 }
 
@@ -231,10 +228,10 @@ float ClusterCaster::highestOf(std::size_t triangle) const {
 /// no shadow on them. Long ranges return false, because their blocks have boxes for this test.
 template <class Test>
 bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest) const {
-    if (!std::is_same_v<Test, TriangleTest> || end - begin >= kLeastInBlocks) return false;
-    const auto most = constant(highest);
+    if (!std::is_same_v<Test, TriangleTest> || end - begin >= kMinBlockSamples) return false;
+    const auto max = constant(highest);
     for (std::size_t i = begin; i < end; i += hn::Lanes(kDoubles)) {
-        const auto isAbove = hn::Ge(hn::LoadU(kDoubles, &context_.samples->h[i]), most);
+        const auto isAbove = hn::Ge(hn::LoadU(kDoubles, &context_.samples->h[i]), max);
         if (!hn::AllTrue(kDoubles, hn::Or(isAbove, hn::Not(hn::FirstN(kDoubles, end - i))))) return false;
     }
     return true;
@@ -242,23 +239,23 @@ bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest
 
 /// Tests the triangle against the samples at [begin, end). `blocks` stores the prepared block test for later spans.
 template <class Test>
-void ClusterCaster::castSpan(
+void ClusterCaster::testSpan(
     std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end) {
     counts_.sampleTests += end - begin;
-    const auto decideOpen = [&](std::size_t place, bool mayCast) {
-        if (!isMetAtOnce(test, place)) decide(triangle, place, mayCast);
+    const auto resolveOpen = [&](std::size_t place, bool mayCast) {
+        if (!isHitAtOnce(test, place)) resolve(triangle, place, mayCast);
     };
     if constexpr (std::is_same_v<Test, TriangleTest>) {
-        if (end - begin >= kLeastInBlocks) {
+        if (end - begin >= kMinBlockSamples) {
             if (!blocks) blocks.emplace(test, context_);
-            return testBlocks(*blocks, test, context_, begin, end, decideOpen);
+            return testBlocks(*blocks, test, context_, begin, end, resolveOpen);
         }
     }
-    testSamples(test, context_, begin, end, decideOpen);
+    testSamples(test, context_, begin, end, resolveOpen);
 }
 
 template <class Test>
-void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
+void ClusterCaster::rasterizeTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed) {
     const SampleGrid& grid = *context_.grid;
     Test test;
     std::optional<BlockTest> blocks;
@@ -281,12 +278,12 @@ void ClusterCaster::castTriangleAs(std::size_t map, std::size_t triangle, const 
         }
         if (!isSet && !prepare(triangle, test)) return;
         isSet = true;
-        castSpan(triangle, test, blocks, begin, end);
+        testSpan(triangle, test, blocks, begin, end);
     }
 }
 
-void castClusterInLanes(const CastContext& context, std::size_t caster, CastCounts& counts) {
-    ClusterCaster(context, caster, counts).cast();
+void rasterizeClusterInLanes(const CasterContext& context, std::size_t caster, CasterCounts& counts) {
+    ClusterCaster(context, caster, counts).rasterize();
 }
 
 } // namespace gnomon::exact::HWY_NAMESPACE
@@ -296,23 +293,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gnomon::exact {
 
-HWY_EXPORT(castClusterInLanes);
+HWY_EXPORT(rasterizeClusterInLanes);
 
-CastCounts& CastCounts::operator+=(const CastCounts& other) {
+CasterCounts& CasterCounts::operator+=(const CasterCounts& other) {
     clustersTested += other.clustersTested;
     clustersKept += other.clustersKept;
     triangles += other.triangles;
-    trianglesCast += other.trianglesCast;
+    trianglesRasterized += other.trianglesRasterized;
     sampleTests += other.sampleTests;
     exactDecisions += other.exactDecisions;
     return *this;
 }
 
-void castCluster(const CastContext& context, std::size_t caster, CastCounts& counts) {
-    HWY_DYNAMIC_DISPATCH(castClusterInLanes)(context, caster, counts);
+void rasterizeCluster(const CasterContext& context, std::size_t caster, CasterCounts& counts) {
+    HWY_DYNAMIC_DISPATCH(rasterizeClusterInLanes)(context, caster, counts);
 }
 
-Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t triangle) {
+Corners cornersOf(const CasterContext& context, const Caster& caster, std::size_t triangle) {
     Corners corners;
     const std::size_t stride = caster.geometry.positionStride / sizeof(std::uint32_t);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -323,23 +320,25 @@ Corners cornersOf(const CastContext& context, const Caster& caster, std::size_t 
     return corners;
 }
 
-Corners ownCorners(const CastContext& context, std::size_t place) {
+Corners ownCorners(const CasterContext& context, std::size_t place) {
     constexpr unsigned kTriangleBits = 8;
     const std::uint32_t own = context.grid->triangle[place];
     return cornersOf(context, context.casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1));
 }
 
-std::uint8_t decideExactly(const CastContext& context, const Caster& caster, std::size_t triangle, std::size_t place) {
+std::uint8_t resolveExactly(
+    const CasterContext& context, const Caster& caster, std::size_t triangle, std::size_t place) {
     const SampleList& samples = *context.samples;
     const std::size_t sample = context.grid->source[place];
     const PointOnTriangle point{ownCorners(context, place), samples.second[sample], samples.third[sample]};
     const Corners corners = cornersOf(context, caster, triangle);
     const SampleSpace& space = samples.space();
-    const RayMeeting met = space.pointLight ? meetTowards(corners, *space.pointLight, scaledPoint(point))
-                                            : meet(corners, space.light, scaledPoint(point), samples.tolerance[sample]);
-    if (met.meeting == Meeting::None) return kLit;
-    if (met.meeting == Meeting::Touching) return kTouched;
-    return met.isOnEdge ? kDarkByEdge : kDark;
+    const RayHit hit = space.pointLight
+                           ? intersectTowards(corners, *space.pointLight, scaledPoint(point))
+                           : intersect(corners, space.light, scaledPoint(point), samples.tolerance[sample]);
+    if (hit.kind == Hit::None) return kLit;
+    if (hit.kind == Hit::WithinTolerance) return kWithinTolerance;
+    return hit.isOnEdge ? kDarkByEdge : kDark;
 }
 
 } // namespace gnomon::exact

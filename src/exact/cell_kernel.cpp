@@ -57,15 +57,15 @@ struct PlaceLanes {
 /// The min and max over lanes. NaN is ignored.
 struct RangeLanes {
     HWY_INLINE RangeLanes()
-        : least(hn::Set(kDoubles, std::numeric_limits<double>::infinity())),
-          most(hn::Set(kDoubles, -std::numeric_limits<double>::infinity())) {}
+        : min(hn::Set(kDoubles, std::numeric_limits<double>::infinity())),
+          max(hn::Set(kDoubles, -std::numeric_limits<double>::infinity())) {}
 
     HWY_INLINE void add(Mask mask, Doubles value) {
-        least = hn::IfThenElse(hn::And(mask, hn::Lt(value, least)), value, least);
-        most = hn::IfThenElse(hn::And(mask, hn::Lt(most, value)), value, most);
+        min = hn::IfThenElse(hn::And(mask, hn::Lt(value, min)), value, min);
+        max = hn::IfThenElse(hn::And(mask, hn::Lt(max, value)), value, max);
     }
 
-    Doubles least, most;
+    Doubles min, max;
 };
 
 Extent extentInLanes(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run) {
@@ -82,14 +82,12 @@ Extent extentInLanes(const glm::dmat4x3& plane, std::size_t map, const SampleRun
         y.add(isOfMap, place.y);
         w.add(isOfMap, place.w);
     }
-    const auto least = [](const RangeLanes& range)
-                           HWY_ATTR { return hn::GetLane(hn::MinOfLanes(kDoubles, range.least)); };
-    const auto most = [](const RangeLanes& range)
-                          HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(kDoubles, range.most)); };
-    extent.leastW = least(w);
-    extent.mostW = most(w);
-    extent.least = {least(x), least(y)};
-    extent.most = {most(x), most(y)};
+    const auto min = [](const RangeLanes& range) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(kDoubles, range.min)); };
+    const auto max = [](const RangeLanes& range) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(kDoubles, range.max)); };
+    extent.minW = min(w);
+    extent.maxW = max(w);
+    extent.min = {min(x), min(y)};
+    extent.max = {max(x), max(y)};
     return extent;
 }
 
@@ -136,10 +134,10 @@ HWY_EXPORT(findCellsInLanes);
 
 void Extent::add(const Extent& other) {
     samples += other.samples;
-    leastW = std::min(leastW, other.leastW);
-    mostW = std::max(mostW, other.mostW);
-    least = glm::min(least, other.least);
-    most = glm::max(most, other.most);
+    minW = std::min(minW, other.minW);
+    maxW = std::max(maxW, other.maxW);
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
 }
 
 Extent extentOn(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run) {

@@ -15,10 +15,10 @@ namespace gnomon::exact {
 /// The extent of a map's samples on the map's plane.
 struct Extent {
     std::size_t samples = 0;
-    double leastW = std::numeric_limits<double>::infinity();
-    double mostW = -std::numeric_limits<double>::infinity();
-    glm::dvec2 least{std::numeric_limits<double>::infinity()};
-    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+    double minW = std::numeric_limits<double>::infinity();
+    double maxW = -std::numeric_limits<double>::infinity();
+    glm::dvec2 min{std::numeric_limits<double>::infinity()};
+    glm::dvec2 max{-std::numeric_limits<double>::infinity()};
 
     void add(const Extent& other);
 };

@@ -8,7 +8,7 @@
 #endif
 
 #include "exact/blocks/block_test-inl.h"
-#include "exact/cast_context.h"
+#include "exact/caster_context.h"
 #include "exact/float_rounding.h"
 #include "exact/point_span_test-inl.h"
 #include "exact/span_test-inl.h"
@@ -32,18 +32,18 @@ using Ints = hn::Vec<IntTag>;
 constexpr FloatTag kFloats;
 constexpr IntTag kInts;
 
-constexpr std::size_t kLeastInBlocks = 32; // spans with fewer samples are faster without blocks
-constexpr std::size_t kMostVertices = raster::kMaxClusterVertices;
-constexpr std::size_t kMostTriangles = raster::kMaxClusterTriangles;
+constexpr std::size_t kMinBlockSamples = 32; // spans with fewer samples are faster without blocks
+constexpr std::size_t kMaxVertices = raster::kMaxClusterVertices;
+constexpr std::size_t kMaxTriangles = raster::kMaxClusterTriangles;
 
 /// Rasterises one cluster of casters into the sample grid of each map.
 class ClusterCaster {
 public:
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): initialising zeros would cost more than most casts
-    ClusterCaster(const CastContext& context, std::size_t caster, CastCounts& counts)
+    ClusterCaster(const CasterContext& context, std::size_t caster, CasterCounts& counts)
         : context_(context), caster_(context.casters[caster]), counts_(counts) {}
 
-    void cast() {
+    void rasterize() {
         ++counts_.clustersTested;
         bool isSheared = false;
         for (std::size_t map = 0; map < context_.grid->maps().size(); ++map) {
@@ -54,7 +54,7 @@ public:
             }
             isSheared = true;
             counts_.triangles += caster_.geometry.triangles.size();
-            castOver(map);
+            rasterizeInto(map);
         }
     }
 
@@ -63,37 +63,37 @@ private:
     bool mayShadowFromPoint(std::size_t map) const;
     bool isUnmasked(std::size_t map, const glm::dvec2& low, const glm::dvec2& high, double h) const;
     void shear();
-    void findNearness(const CellMap& cells);
-    void castOver(std::size_t map);
-    void castWhole(std::size_t map);
-    void castClipped(std::size_t map);
-    void castBesideLight(std::size_t map);
-    glm::dvec3 place(const CellMap& cells, std::size_t vertex) const;
+    void findNearness(const GridMap& cells);
+    void rasterizeInto(std::size_t map);
+    void rasterizeWhole(std::size_t map);
+    void rasterizeClipped(std::size_t map);
+    void rasterizeNearLight(std::size_t map);
+    glm::dvec3 place(const GridMap& cells, std::size_t vertex) const;
     bool prepare(std::size_t triangle, TriangleTest& test) const;
     bool prepare(std::size_t triangle, PointTriangleTest& test) const;
 
-    static bool isMetAtOnce(const TriangleTest& /*test*/, std::size_t /*place*/) { return false; }
+    static bool isHitAtOnce(const TriangleTest& /*test*/, std::size_t /*place*/) { return false; }
 
-    bool isMetAtOnce(const PointTriangleTest& test, std::size_t place) const;
-    void decide(std::size_t triangle, std::size_t place, bool mayCast);
+    bool isHitAtOnce(const PointTriangleTest& test, std::size_t place) const;
+    void resolve(std::size_t triangle, std::size_t place, bool mayCast);
     float highestOf(std::size_t triangle) const;
     template <class Test>
     bool isBelowAll(std::size_t begin, std::size_t end, float highest) const;
     template <class Test>
-    void castSpan(
+    void testSpan(
         std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end);
     template <class Test>
-    void castTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
-    void castTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
+    void rasterizeTriangleAs(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
+    void rasterizeTriangle(std::size_t map, std::size_t triangle, const CellBox& box, bool isNarrowed);
     CellBox rowSpan(std::size_t triangle, const CellBox& box, int row) const;
 
-    const CastContext& context_;
+    const CasterContext& context_;
     const Caster& caster_;
-    CastCounts& counts_;
-    std::array<std::array<double, 3>, kMostVertices> sheared_; // u, v, h
-    std::array<double, kMostVertices> x_, y_, w_;              // in cells of the map; valid where w is large enough
-    alignas(64) std::array<float, kMostVertices> floatX_, floatY_, floatH_;
-    alignas(64) std::array<std::int32_t, kMostTriangles> corner_[3];
+    CasterCounts& counts_;
+    std::array<std::array<double, 3>, kMaxVertices> sheared_; // u, v, h
+    std::array<double, kMaxVertices> x_, y_, w_;              // in cells of the map; valid where w is large enough
+    alignas(64) std::array<float, kMaxVertices> floatX_, floatY_, floatH_;
+    alignas(64) std::array<std::int32_t, kMaxTriangles> corner_[3];
 };
 
 /// Returns true if a caster from `low` to `high` with the largest h `h` may shadow a sample of the map.
@@ -112,26 +112,25 @@ inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, co
 /// Tests the cluster's box against the mask for a point light. A box that reaches behind the light or close to it may
 /// cover any cell.
 inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
-    const CellMap& cells = context_.grid->maps()[map];
+    const GridMap& cells = context_.grid->maps()[map];
     glm::dvec2 low(std::numeric_limits<double>::infinity());
     glm::dvec2 high(-std::numeric_limits<double>::infinity());
     int beside = 0;
     int behind = 0;
     for (unsigned i = 0; i < 8; ++i) {
         const glm::dvec3 corner(
-            (i & 1U) != 0 ? caster_.most.x : caster_.least.x,
-            (i & 2U) != 0 ? caster_.most.y : caster_.least.y,
-            (i & 4U) != 0 ? caster_.most.z : caster_.least.z);
+            (i & 1U) != 0 ? caster_.max.x : caster_.min.x,
+            (i & 2U) != 0 ? caster_.max.y : caster_.min.y,
+            (i & 4U) != 0 ? caster_.max.z : caster_.min.z);
         const glm::dvec3 p = cells.cellsFromLight * glm::dvec4(corner, 1);
         behind += p.z <= 0 ? 1 : 0;
-        beside += p.z < cells.leastW ? 1 : 0;
+        beside += p.z < cells.minW ? 1 : 0;
         low = glm::min(low, glm::dvec2(p) / p.z);
         high = glm::max(high, glm::dvec2(p) / p.z);
     }
     if (behind == 8) return false;
     const int axis = cells.nearAxis;
-    const double h =
-        cells.nearSign * static_cast<double>(cells.nearSign > 0 ? caster_.most[axis] : caster_.least[axis]);
+    const double h = cells.nearSign * static_cast<double>(cells.nearSign > 0 ? caster_.max[axis] : caster_.min[axis]);
     if (beside == 0) return isUnmasked(map, low, high, h + context_.coordinateError);
     return isUnmasked(map, glm::dvec2(0), glm::dvec2(context_.grid->side()), h + context_.coordinateError);
 }
@@ -141,24 +140,24 @@ inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
 inline bool ClusterCaster::mayShadow(std::size_t map) const {
     if (context_.samples->space().pointLight) return mayShadowFromPoint(map);
     const LightShear& shear = context_.samples->space().shear;
-    const glm::dvec3 least(caster_.least);
-    const glm::dvec3 most(caster_.most);
+    const glm::dvec3 min(caster_.min);
+    const glm::dvec3 max(caster_.max);
     const auto span = [&](int axis, double ratio) {
-        const double p = ratio * least[shear.along];
-        const double q = ratio * most[shear.along];
-        return std::array{least[axis] - std::max(p, q), most[axis] - std::min(p, q)};
+        const double p = ratio * min[shear.along];
+        const double q = ratio * max[shear.along];
+        return std::array{min[axis] - std::max(p, q), max[axis] - std::min(p, q)};
     };
     const double error = context_.coordinateError;
     const auto u = span(shear.first, shear.firstRatio);
     const auto v = span(shear.second, shear.secondRatio);
-    const double h = (shear.sign > 0 ? most[shear.along] : -least[shear.along]) + error;
-    const CellMap& cells = context_.grid->maps()[map];
+    const double h = (shear.sign > 0 ? max[shear.along] : -min[shear.along]) + error;
+    const GridMap& cells = context_.grid->maps()[map];
     glm::dvec2 low(std::numeric_limits<double>::infinity());
     glm::dvec2 high(-std::numeric_limits<double>::infinity());
     for (int i = 0; i < 4; ++i) {
         const glm::dvec3 p = cells.cellsFromLight *
                              glm::dvec4(u[static_cast<std::size_t>(i & 1)], v[static_cast<std::size_t>(i >> 1)], 0, 1);
-        if (p.z < cells.leastW) return true;
+        if (p.z < cells.minW) return true;
         low = glm::min(low, glm::dvec2(p) / p.z);
         high = glm::max(high, glm::dvec2(p) / p.z);
     }
@@ -192,13 +191,13 @@ inline void ClusterCaster::shear() {
 }
 
 /// Sets the nearness of each vertex for a point light: the coordinate along the axis of the map's face.
-inline void ClusterCaster::findNearness(const CellMap& cells) {
+inline void ClusterCaster::findNearness(const GridMap& cells) {
     const auto axis = static_cast<std::size_t>(cells.nearAxis);
     for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i)
         floatH_[i] = roundedUp(cells.nearSign * sheared_[i][axis] + context_.coordinateError);
 }
 
-inline glm::dvec3 ClusterCaster::place(const CellMap& cells, std::size_t vertex) const {
+inline glm::dvec3 ClusterCaster::place(const GridMap& cells, std::size_t vertex) const {
     const auto& [u, v, h] = sheared_[vertex];
     return cells.cellsFromLight * glm::dvec4(u, v, h, 1);
 }

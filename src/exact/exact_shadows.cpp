@@ -18,7 +18,7 @@ double reachOf(std::span<const Caster> casters) {
     std::int64_t reach = 1;
     for (const Caster& caster : casters)
         for (int axis = 0; axis < 3; ++axis)
-            reach = std::max({reach, -caster.least[axis], caster.most[axis]});
+            reach = std::max({reach, -caster.min[axis], caster.max[axis]});
     return static_cast<double>(reach);
 }
 
@@ -40,18 +40,18 @@ bool castsAnything(const Caster& caster) {
     return caster.geometry.vertexCount > 0;
 }
 
-/// Casts the clusters of `round` among the first `casting` casters. Returns the counts.
-CastCounts castRound(const CastContext& context, std::size_t casting, const Round& round) {
-    tbb::combinable<CastCounts> counts;
+/// Rasterises the clusters of `round` among the first `casting` casters. Returns the counts.
+CasterCounts rasterizeRound(const CasterContext& context, std::size_t casting, const Round& round) {
+    tbb::combinable<CasterCounts> counts;
     const std::size_t strides = (casting + kStride - 1) / kStride;
     tbb::parallel_for(std::size_t{0}, strides, [&](std::size_t stride) {
-        CastCounts& local = counts.local();
+        CasterCounts& local = counts.local();
         const std::size_t end = std::min(stride * kStride + round.end, casting);
         for (std::size_t i = stride * kStride + round.first; i < end; ++i)
-            if (castsAnything(context.casters[i])) castCluster(context, i, local);
+            if (castsAnything(context.casters[i])) rasterizeCluster(context, i, local);
     });
-    CastCounts sum;
-    counts.combine_each([&](const CastCounts& part) { sum += part; });
+    CasterCounts sum;
+    counts.combine_each([&](const CasterCounts& part) { sum += part; });
     return sum;
 }
 
@@ -66,8 +66,8 @@ std::size_t sumOver(std::size_t size, const SumOf& sumOf) {
 }
 
 /// Returns the largest tolerance of all samples, in cells along h.
-double mostTolerance(const SampleList& samples) {
-    const std::uint32_t most = tbb::parallel_reduce(
+double maxTolerance(const SampleList& samples) {
+    const std::uint32_t maxSteps = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, samples.size(), kGrain),
         0U,
         [&](const auto& range, std::uint32_t largest) {
@@ -76,7 +76,7 @@ double mostTolerance(const SampleList& samples) {
             return largest;
         },
         [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
-    return most * samples.perTolerance();
+    return maxSteps * samples.perTolerance();
 }
 
 } // namespace
@@ -93,8 +93,8 @@ std::size_t ExactShadows::countDark() const {
 /// Removes the `dark` dark samples from the grid, if there are so many that this saves time.
 void ExactShadows::removeDark(std::size_t dark) {
     if (static_cast<double>(dark) < kWorthwhile * static_cast<double>(grid_.size())) return;
-    const auto isDecided = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
-    grid_.remove(samples_, sorted_, isDecided, [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; });
+    const auto isResolved = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
+    grid_.remove(samples_, sorted_, isResolved, [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; });
 }
 
 /// Copies the statuses of the samples still in the grid, and counts each kind.
@@ -107,7 +107,7 @@ void ExactShadows::takeStatuses(ExactStatistics& statistics) {
     struct Counts {
         std::uint64_t dark = 0;
         std::uint64_t notLit = 0;
-        std::uint64_t touching = 0;
+        std::uint64_t withinTolerance = 0;
     };
 
     const Counts counts = tbb::parallel_reduce(
@@ -117,44 +117,44 @@ void ExactShadows::takeStatuses(ExactStatistics& statistics) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 sum.dark += isDark(statuses_[i]) ? 1 : 0;
                 sum.notLit += statuses_[i] != kLit ? 1 : 0;
-                sum.touching += (statuses_[i] & ~kDark) != 0 ? 1 : 0;
+                sum.withinTolerance += (statuses_[i] & ~kDark) != 0 ? 1 : 0;
             }
             return sum;
         },
         [](const Counts& a, const Counts& b) {
-            return Counts{a.dark + b.dark, a.notLit + b.notLit, a.touching + b.touching};
+            return Counts{a.dark + b.dark, a.notLit + b.notLit, a.withinTolerance + b.withinTolerance};
         });
     statistics.dark = counts.dark;
     statistics.darkWithoutTolerance = counts.notLit;
-    statistics.touching = counts.touching;
+    statistics.withinTolerance = counts.withinTolerance;
 }
 
-ExactStatistics ExactShadows::decide(const ExactQuestion& question) {
+ExactStatistics ExactShadows::resolve(const ExactShadowInput& input) {
     ExactStatistics statistics;
     statistics.samples = samples_.size();
-    mostSamples_ = std::max(mostSamples_, samples_.size());
-    const double reach = reachOf(question.casters);
+    maxSamples_ = std::max(maxSamples_, samples_.size());
+    const double reach = reachOf(input.casters);
     const double coordinateError = coordinateErrorFor(reach);
-    grid_.sort(samples_, question.planes, question.side, coordinateError);
-    const auto side = static_cast<std::uint64_t>(question.side);
+    grid_.sort(samples_, input.planes, input.side, coordinateError);
+    const auto side = static_cast<std::uint64_t>(input.side);
     statistics.cells = side * side * grid_.maps().size();
     if (samples_.size() == 0) return statistics;
-    sorted_.makeRoom(samples_.room());
-    statuses_.makeRoom(samples_.room());
+    sorted_.ensureCapacity(samples_.room());
+    statuses_.ensureCapacity(samples_.room());
     std::fill(&sorted_[0], &sorted_[samples_.size()], kLit);
-    const CastContext context{
+    const CasterContext context{
         &samples_,
         &grid_,
-        question.casters,
-        question.originCell,
+        input.casters,
+        input.originCell,
         reach,
         coordinateError,
-        mostTolerance(samples_),
+        maxTolerance(samples_),
         {&sorted_[0], samples_.size()}};
     for (std::size_t round = 0; round < kRounds.size(); ++round) {
         statistics.endedEarly = grid_.size() == 0;
         if (statistics.endedEarly) break;
-        statistics.cast += castRound(context, question.casters.size() - question.holders, kRounds[round]);
+        statistics.counts += rasterizeRound(context, input.casters.size() - input.receiverOnlyClusters, kRounds[round]);
         if (round + 1 == kRounds.size()) break;
         removeDark(countDark());
     }

@@ -7,37 +7,38 @@
 
 namespace gnomon::exact {
 
-/// What a frame's decisions took and found.
+/// The cost and the results of the exact test of a frame.
 struct ExactStatistics {
     std::uint64_t samples = 0; // pixels that face the light
     std::uint64_t cells = 0;   // of all maps
     std::uint64_t dark = 0;
     std::uint64_t darkWithoutTolerance = 0; // dark samples if each tolerance were 0
     bool endedEarly = false;                // true: all samples were dark before the last round of casters
-    std::uint64_t touching = 0; // samples whose result depends on the tolerance or on the rule for ties at an edge
-    CastCounts cast;
+    std::uint64_t withinTolerance =
+        0; // samples whose result depends on the tolerance or on the rule for ties at an edge
+    CasterCounts counts;
 };
 
 /// The input of the exact test, besides the samples.
-struct ExactQuestion {
+struct ExactShadowInput {
     std::span<const Caster> casters;    // all possible casters; the clusters that samples refer to come first
     glm::uvec3 originCell{0};           // grid position of the frame's origin
     std::span<const glm::dmat3> planes; // one per map: see SampleGrid::sort
     int side = 512;                     // cells per side of a map
     /// Number of receiver-only clusters at the end of `casters`: samples lie on them, but they cast no shadow.
-    std::size_t holders = 0;
+    std::size_t receiverOnlyClusters = 0;
 };
 
 /// Resolves the samples of one frame after another and reuses its memory.
 class ExactShadows {
 public:
-    /// Returns the sample list, which the caller fills before `decide`.
+    /// Returns the sample list, which the caller fills before `resolve`.
     SampleList& samples() { return samples_; }
 
     const SampleList& samples() const { return samples_; }
 
     /// Resolves all samples and returns the statistics. Runs in the caller's TBB arena.
-    ExactStatistics decide(const ExactQuestion& question);
+    ExactStatistics resolve(const ExactShadowInput& input);
 
     /// Returns the status bits of each sample, in the order of `samples()`.
     std::span<const std::uint8_t> statuses() const { return {statuses_.begin(), samples_.size()}; }
@@ -45,7 +46,7 @@ public:
     const SampleGrid& grid() const { return grid_; }
 
     /// Returns the memory of the samples and their cells, in bytes, for the frame with the most samples so far.
-    std::uint64_t bytes() const { return mostSamples_ * kBytesPerSample + grid_.cellBytes(); }
+    std::uint64_t bytes() const { return maxSamples_ * kBytesPerSample + grid_.cellBytes(); }
 
     /// The memory per sample with its statuses, in bytes.
     static constexpr std::uint64_t kBytesPerSample = SampleList::kBytesPerSample + SampleGrid::kBytesPerSample + 2;
@@ -59,7 +60,7 @@ private:
     SampleGrid grid_;
     FrameArray<std::uint8_t> sorted_;   // statuses in the grid's order
     FrameArray<std::uint8_t> statuses_; // statuses in the order of the samples
-    std::size_t mostSamples_ = 0;
+    std::size_t maxSamples_ = 0;
 };
 
 } // namespace gnomon::exact

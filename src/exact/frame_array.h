@@ -12,7 +12,7 @@ template <class T>
 class FrameArray {
 public:
     /// Reserves memory for `count` values. A reallocation loses the old values.
-    void makeRoom(std::size_t count) {
+    void ensureCapacity(std::size_t count) {
         if (count <= size_) return;
         values_.reset();
         values_ = std::make_unique_for_overwrite<T[]>(count);

@@ -47,14 +47,14 @@ struct ClipRow {
 
 /// The range of row / w over the corners. It is also the range over the box, because w is positive there.
 struct QuotientRange {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
 
-    void add(double value, double error, double leastW, double mostW) {
+    void add(double value, double error, double minW, double maxW) {
         const double low = value - error;
         const double high = value + error;
-        least = std::min(least, low / (low < 0 ? leastW : mostW));
-        most = std::max(most, high / (high < 0 ? mostW : leastW));
+        min = std::min(min, low / (low < 0 ? minW : maxW));
+        max = std::max(max, high / (high < 0 ? maxW : minW));
     }
 };
 
@@ -66,10 +66,10 @@ int clampedTexel(double coordinate, int low, int high) {
 void setTexels(const QuotientRange& range, int first, int end, int& low, int& high) {
     const double scale = 0.5 * (end - first);
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
-    const double least = first + (1 + range.least - margin(range.least)) * scale - kTexelMargin;
-    const double most = first + (1 + range.most + margin(range.most)) * scale + kTexelMargin;
-    low = clampedTexel(std::floor(least), first, end);
-    high = clampedTexel(std::floor(most) + 1, first, end);
+    const double min = first + (1 + range.min - margin(range.min)) * scale - kTexelMargin;
+    const double max = first + (1 + range.max + margin(range.max)) * scale + kTexelMargin;
+    low = clampedTexel(std::floor(min), first, end);
+    high = clampedTexel(std::floor(max) + 1, first, end);
 }
 
 /// Computes the rows whose samples may lie in `range` of y / w. Snapping moves an edge by less than the distance to the
@@ -77,8 +77,8 @@ void setTexels(const QuotientRange& range, int first, int end, int& low, int& hi
 void setUnevenRows(const QuotientRange& range, const raster::View& view, int& low, int& high) {
     const std::span<const float> rows = view.rowPositions;
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
-    const auto first = std::lower_bound(rows.begin(), rows.end(), range.least - margin(range.least));
-    const auto end = std::upper_bound(first, rows.end(), range.most + margin(range.most));
+    const auto first = std::lower_bound(rows.begin(), rows.end(), range.min - margin(range.min));
+    const auto end = std::upper_bound(first, rows.end(), range.max + margin(range.max));
     low = std::max(view.viewport.y0 + static_cast<int>(first - rows.begin()) - 1, view.viewport.y0);
     high = std::min(view.viewport.y0 + static_cast<int>(end - rows.begin()) + 1, view.viewport.y1);
 }
@@ -99,14 +99,14 @@ CasterBound casterBound(const raster::View& view, const raster::CellBox& box) {
     QuotientRange rangeX;
     QuotientRange rangeY;
     QuotientRange rangeZ;
-    constexpr double kLeastW = 1e-20;
+    constexpr double kMinW = 1e-20;
     for (unsigned corner = 0; corner < 8; ++corner) {
-        const double leastW = w.at(corner) - w.error;
-        const double mostW = w.at(corner) + w.error;
-        if (!(leastW > kLeastW)) return {view.viewport, 0};
-        rangeX.add(x.at(corner), x.error, leastW, mostW);
-        rangeY.add(y.at(corner), y.error, leastW, mostW);
-        rangeZ.add(z.at(corner), z.error, leastW, mostW);
+        const double minW = w.at(corner) - w.error;
+        const double maxW = w.at(corner) + w.error;
+        if (!(minW > kMinW)) return {view.viewport, 0};
+        rangeX.add(x.at(corner), x.error, minW, maxW);
+        rangeY.add(y.at(corner), y.error, minW, maxW);
+        rangeZ.add(z.at(corner), z.error, minW, maxW);
     }
     CasterBound bound;
     setTexels(rangeX, view.viewport.x0, view.viewport.x1, bound.texels.x0, bound.texels.x1);
@@ -114,7 +114,7 @@ CasterBound casterBound(const raster::View& view, const raster::CellBox& box) {
         setTexels(rangeY, view.viewport.y0, view.viewport.y1, bound.texels.y0, bound.texels.y1);
     else
         setUnevenRows(rangeY, view, bound.texels.y0, bound.texels.y1);
-    const double nearest = std::clamp(rangeZ.least - std::abs(rangeZ.least) * kQuotientError, 0.0, 1.0);
+    const double nearest = std::clamp(rangeZ.min - std::abs(rangeZ.min) * kQuotientError, 0.0, 1.0);
     bound.nearest = std::nextafter(static_cast<float>(nearest), -1.0F);
     return bound;
 }

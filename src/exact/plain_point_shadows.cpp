@@ -22,10 +22,10 @@ public:
 
     /// Adds a triangle to all buckets that the box of its corners covers.
     void add(const Corners& corners, std::uint32_t index) {
-        const glm::dvec3 least(glm::min(glm::min(corners[0], corners[1]), corners[2]) - light_);
-        const glm::dvec3 most(glm::max(glm::max(corners[0], corners[1]), corners[2]) - light_);
+        const glm::dvec3 min(glm::min(glm::min(corners[0], corners[1]), corners[2]) - light_);
+        const glm::dvec3 max(glm::max(glm::max(corners[0], corners[1]), corners[2]) - light_);
         for (int face = 0; face < 6; ++face)
-            addToFace(face, least, most, index);
+            addToFace(face, min, max, index);
     }
 
     const std::vector<std::uint32_t>& at(const glm::dvec3& fromLight) const {
@@ -41,15 +41,15 @@ private:
     static constexpr std::size_t kSide = 128;
     static constexpr double kSlack = 1e-9; // larger than the rounding error of projected positions
 
-    void addToFace(int face, const glm::dvec3& least, const glm::dvec3& most, std::uint32_t index) {
+    void addToFace(int face, const glm::dvec3& min, const glm::dvec3& max, std::uint32_t index) {
         const int axis = face / 2;
-        const double near = face % 2 == 0 ? least[axis] : -most[axis];
-        const double far = face % 2 == 0 ? most[axis] : -least[axis];
+        const double near = face % 2 == 0 ? min[axis] : -max[axis];
+        const double far = face % 2 == 0 ? max[axis] : -min[axis];
         if (far <= 0) return;
         const auto span = [&](int k) {
             if (near <= 0) return std::array<std::size_t, 2>{0, kSide - 1};
-            const double low = least[k] / (least[k] < 0 ? near : far);
-            const double high = most[k] / (most[k] > 0 ? near : far);
+            const double low = min[k] / (min[k] < 0 ? near : far);
+            const double high = max[k] / (max[k] > 0 ? near : far);
             return std::array{bucket(low - kSlack), bucket(high + kSlack)};
         };
         const auto [x0, x1] = span((axis + 1) % 3);
@@ -77,7 +77,7 @@ private:
 struct SeenScene {
     explicit SeenScene(const glm::i64vec3& from) : light(from), buckets(from) {}
 
-    void add(const Caster& caster, const CastContext& context) {
+    void add(const Caster& caster, const CasterContext& context) {
         if (caster.geometry.vertexCount == 0) return; // it only provides triangles for the samples
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             const Corners corners = cornersOf(context, caster, t);
@@ -96,9 +96,9 @@ struct SeenScene {
         for (const std::uint32_t t : buckets.at(fromLight)) {
             // The triangle contains the sample; a cut piece of it can be off by a rounding.
             if (triangles[t].name == own) continue;
-            const RayMeeting met = meetTowards(triangles[t].corners, light, scaled, *ray);
-            if (met.meeting == Meeting::None) continue;
-            status |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
+            const RayHit hit = intersectTowards(triangles[t].corners, light, scaled, *ray);
+            if (hit.kind == Hit::None) continue;
+            status |= hit.kind == Hit::WithinTolerance ? kWithinTolerance : hit.isOnEdge ? kDarkByEdge : kDark;
             if ((status & kDark) != 0) return kDark;
         }
         return status;
@@ -115,16 +115,16 @@ std::vector<std::uint8_t> plainPointStatuses(
     const SampleList& samples,
     std::span<const Caster> casters,
     const glm::uvec3& originCell,
-    std::span<const std::uint8_t> isAsked) {
+    std::span<const std::uint8_t> isRequested) {
     constexpr unsigned kTriangleBits = 8;
-    CastContext context;
+    CasterContext context;
     context.originCell = originCell;
     SeenScene scene(*samples.space().pointLight);
     for (const Caster& caster : casters)
         scene.add(caster, context);
     std::vector<std::uint8_t> statuses(samples.size(), kLit);
     tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-        if (!isAsked.empty() && isAsked[i] == 0) return;
+        if (!isRequested.empty() && isRequested[i] == 0) return;
         const std::uint32_t own = samples.triangle[i];
         const Corners corners =
             cornersOf(context, casters[own >> kTriangleBits], own & (raster::kMaxClusterTriangles - 1));

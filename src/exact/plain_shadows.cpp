@@ -14,20 +14,20 @@ namespace {
 /// rounding error.
 struct PlainTriangle {
     Corners corners{};
-    glm::dvec2 least{std::numeric_limits<double>::infinity()};
-    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 min{std::numeric_limits<double>::infinity()};
+    glm::dvec2 max{-std::numeric_limits<double>::infinity()};
     std::uint32_t name = 0;
 };
 
 /// Triangles in square buckets of the light plane. Triangles outside the grid are in the outermost buckets.
 class Buckets {
 public:
-    Buckets(const glm::dvec2& least, const glm::dvec2& most)
-        : least_(least), perCell_(glm::dvec2(kSide) / glm::max(most - least, glm::dvec2(1))), lists_(kSide * kSide) {}
+    Buckets(const glm::dvec2& min, const glm::dvec2& max)
+        : min_(min), perCell_(glm::dvec2(kSide) / glm::max(max - min, glm::dvec2(1))), lists_(kSide * kSide) {}
 
     void add(const PlainTriangle& triangle, std::uint32_t index) {
-        for (std::size_t y = row(triangle.least.y); y <= row(triangle.most.y); ++y)
-            for (std::size_t x = column(triangle.least.x); x <= column(triangle.most.x); ++x)
+        for (std::size_t y = row(triangle.min.y); y <= row(triangle.max.y); ++y)
+            for (std::size_t x = column(triangle.min.x); x <= column(triangle.max.x); ++x)
                 lists_[y * kSide + x].push_back(index);
     }
 
@@ -40,11 +40,11 @@ private:
         return static_cast<std::size_t>(std::clamp(std::floor(x), 0.0, static_cast<double>(kSide - 1)));
     }
 
-    std::size_t column(double u) const { return bucket((u - least_.x) * perCell_.x); }
+    std::size_t column(double u) const { return bucket((u - min_.x) * perCell_.x); }
 
-    std::size_t row(double v) const { return bucket((v - least_.y) * perCell_.y); }
+    std::size_t row(double v) const { return bucket((v - min_.y) * perCell_.y); }
 
-    glm::dvec2 least_;
+    glm::dvec2 min_;
     glm::dvec2 perCell_;
     std::vector<std::vector<std::uint32_t>> lists_;
 };
@@ -55,15 +55,15 @@ PlainTriangle plainTriangle(const Corners& corners, const LightShear& shear) {
         const glm::dvec3 p(corner);
         const glm::dvec2 place(
             p[shear.first] - shear.firstRatio * p[shear.along], p[shear.second] - shear.secondRatio * p[shear.along]);
-        result.least = glm::min(result.least, place - 1.0);
-        result.most = glm::max(result.most, place + 1.0);
+        result.min = glm::min(result.min, place - 1.0);
+        result.max = glm::max(result.max, place + 1.0);
     }
     return result;
 }
 
 /// The scene that each sample is tested against.
 struct PlainScene {
-    const CastContext& context;
+    const CasterContext& context;
     std::span<const Caster> casters;
     const std::vector<PlainTriangle>& triangles;
     const Buckets& buckets;
@@ -84,10 +84,10 @@ std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainSc
         const PlainTriangle& triangle = scene.triangles[t];
         // The triangle contains the sample; a cut piece of it can be off by a rounding.
         if (triangle.name == own) continue;
-        if (u < triangle.least.x || v < triangle.least.y || u > triangle.most.x || v > triangle.most.y) continue;
-        const RayMeeting met = meet(triangle.corners, samples.space().light, scaled, samples.tolerance[i]);
-        if (met.meeting == Meeting::None) continue;
-        status |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
+        if (u < triangle.min.x || v < triangle.min.y || u > triangle.max.x || v > triangle.max.y) continue;
+        const RayHit hit = intersect(triangle.corners, samples.space().light, scaled, samples.tolerance[i]);
+        if (hit.kind == Hit::None) continue;
+        status |= hit.kind == Hit::WithinTolerance ? kWithinTolerance : hit.isOnEdge ? kDarkByEdge : kDark;
         if ((status & kDark) != 0) return kDark;
     }
     return status;
@@ -99,27 +99,26 @@ std::vector<std::uint8_t> plainStatuses(
     const SampleList& samples,
     std::span<const Caster> casters,
     const glm::uvec3& originCell,
-    std::span<const std::uint8_t> isAsked) {
-    if (samples.space().pointLight) return plainPointStatuses(samples, casters, originCell, isAsked);
+    std::span<const std::uint8_t> isRequested) {
+    if (samples.space().pointLight) return plainPointStatuses(samples, casters, originCell, isRequested);
     std::vector<std::uint8_t> statuses(samples.size(), kLit);
     if (samples.size() == 0) return statuses;
-    glm::dvec2 least(samples.u[0], samples.v[0]);
-    glm::dvec2 most = least;
+    glm::dvec2 min(samples.u[0], samples.v[0]);
+    glm::dvec2 max = min;
     for (std::size_t i = 1; i < samples.size(); ++i) {
-        least = glm::min(least, glm::dvec2(samples.u[i], samples.v[i]));
-        most = glm::max(most, glm::dvec2(samples.u[i], samples.v[i]));
+        min = glm::min(min, glm::dvec2(samples.u[i], samples.v[i]));
+        max = glm::max(max, glm::dvec2(samples.u[i], samples.v[i]));
     }
-    CastContext context;
+    CasterContext context;
     context.originCell = originCell;
     std::vector<PlainTriangle> triangles;
-    Buckets buckets(least, most);
+    Buckets buckets(min, max);
     for (const Caster& caster : casters) {
         if (caster.geometry.vertexCount == 0) continue; // it only provides triangles for the samples
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             PlainTriangle triangle = plainTriangle(cornersOf(context, caster, t), samples.space().shear);
             triangle.name = caster.geometry.firstTriangleId + static_cast<std::uint32_t>(t);
-            if (triangle.most.x < least.x || triangle.most.y < least.y || triangle.least.x > most.x ||
-                triangle.least.y > most.y)
+            if (triangle.max.x < min.x || triangle.max.y < min.y || triangle.min.x > max.x || triangle.min.y > max.y)
                 continue;
             buckets.add(triangle, static_cast<std::uint32_t>(triangles.size()));
             triangles.push_back(triangle);
@@ -127,7 +126,7 @@ std::vector<std::uint8_t> plainStatuses(
     }
     const PlainScene scene{context, casters, triangles, buckets};
     tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-        if (isAsked.empty() || isAsked[i] != 0) statuses[i] = plainStatus(samples, i, scene);
+        if (isRequested.empty() || isRequested[i] != 0) statuses[i] = plainStatus(samples, i, scene);
     });
     return statuses;
 }

@@ -8,21 +8,22 @@
 
 namespace gnomon::exact {
 
-/// Returns the status of each sample, as ExactShadows computes it. The function calls `meet` for each triangle whose
-/// box on the light plane is near the sample. If `isAsked` is not empty, it tests only samples with a non-zero entry,
-/// and the others count as lit. The function needs at least 40 bytes of memory per triangle, for the boxes.
+/// Returns the status of each sample, as ExactShadows computes it. The function calls `intersect` for each triangle
+/// whose box on the light plane is near the sample. If `isRequested` is not empty, it tests only samples with a
+/// non-zero entry, and the others count as lit. The function needs at least 40 bytes of memory per triangle, for the
+/// boxes.
 std::vector<std::uint8_t> plainStatuses(
     const SampleList& samples,
     std::span<const Caster> casters,
     const glm::uvec3& originCell,
-    std::span<const std::uint8_t> isAsked = {});
+    std::span<const std::uint8_t> isRequested = {});
 
-/// Returns the status of each sample for a point light. The function calls `meetTowards` for each triangle whose box,
-/// projected onto a face of the cube around the light, is near the sample.
+/// Returns the status of each sample for a point light. The function calls `intersectTowards` for each triangle whose
+/// box, projected onto a face of the cube around the light, is near the sample.
 std::vector<std::uint8_t> plainPointStatuses(
     const SampleList& samples,
     std::span<const Caster> casters,
     const glm::uvec3& originCell,
-    std::span<const std::uint8_t> isAsked = {});
+    std::span<const std::uint8_t> isRequested = {});
 
 } // namespace gnomon::exact

@@ -69,9 +69,9 @@ HWY_INLINE WeightLanes weightLanes(const PointBatch& batch, std::size_t i) {
     const auto scaled = [&](const float* from) HWY_ATTR {
         return hn::Round(hn::Mul(hn::PromoteTo(kDoubles, hn::LoadU(kFloats, from + i)), one));
     };
-    const auto least = constant(1);
-    const auto second = hn::Min(hn::Max(scaled(batch.second), least), constant(0x1p24 - 2));
-    const auto third = hn::Min(hn::Max(scaled(batch.third), least), hn::Sub(constant(0x1p24 - 1), second));
+    const auto minWeight = constant(1);
+    const auto second = hn::Min(hn::Max(scaled(batch.second), minWeight), constant(0x1p24 - 2));
+    const auto third = hn::Min(hn::Max(scaled(batch.third), minWeight), hn::Sub(constant(0x1p24 - 1), second));
     return {second, third};
 }
 

@@ -76,7 +76,7 @@ std::optional<PointRay> rayToPoint(const glm::i64vec3& light, const glm::i64vec3
     return PointRay{direction, twoSteps(direction)};
 }
 
-RayMeeting meetTowards(
+RayHit intersectTowards(
     const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint, const PointRay& ray) {
     const LongVector normal = normalAcross(caster);
     const int side = signOfLong(product(normal, light - caster[0]));
@@ -91,12 +91,12 @@ RayMeeting meetTowards(
     if (ahead <= 0) return {};
     const Long along = product(normal, ray.direction.direction);
     const Long size = along < 0 ? -along : along;
-    return {ahead > size * ray.tolerance ? Meeting::Ahead : Meeting::Touching, isOnEdge};
+    return {ahead > size * ray.tolerance ? Hit::Ahead : Hit::WithinTolerance, isOnEdge};
 }
 
-RayMeeting meetTowards(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint) {
+RayHit intersectTowards(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint) {
     const std::optional<PointRay> ray = rayToPoint(light, scaledPoint);
-    return ray ? meetTowards(caster, light, scaledPoint, *ray) : RayMeeting{};
+    return ray ? intersectTowards(caster, light, scaledPoint, *ray) : RayHit{};
 }
 
 } // namespace gnomon::exact

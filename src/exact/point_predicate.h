@@ -33,10 +33,10 @@ std::optional<PointRay> rayToPoint(const glm::i64vec3& light, const glm::i64vec3
 /// whose plane contains the light has no hit. The triangle lies ahead if P and L are on different sides of its plane.
 /// It lies farther ahead than the tolerance if |n . (A - P)| > tolerance |n . G|, with the direction G and the
 /// tolerance of rayToPoint. Products are below 2^146.
-RayMeeting meetTowards(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
+RayHit intersectTowards(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
 
 /// Intersects `caster` with the segment to `light` for a known `ray`.
-RayMeeting meetTowards(
+RayHit intersectTowards(
     const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint, const PointRay& ray);
 
 } // namespace gnomon::exact

@@ -138,7 +138,7 @@ HWY_INLINE Doubles dotLanes(const double* a, Doubles x, Doubles y, Doubles z) {
 /// `d` from corner A, and the plane is `height` ahead of them. The rounding of directions adds an uncertainty of
 /// `slack` times the size of the normal. Near the light, the bounds are the widest possible interval.
 struct CellAheadLanes {
-    Doubles least, most;
+    Doubles min, max;
 
     HWY_INLINE CellAheadLanes(const PointTriangleTest& t, Doubles height, Doubles dx, Doubles dy, Doubles dz) {
         constexpr double kSlack = 1e-6;
@@ -150,19 +150,23 @@ struct CellAheadLanes {
         const auto slant = hn::Div(hn::Abs(hn::Add(constant(t.volume), height)), length);
         const auto isNear = hn::Lt(length, constant(kNear));
         const auto slack = constant(kSlack * t.size);
-        least = hn::IfThenElse(isNear, hn::Zero(kDoubles), hn::Sub(slant, slack));
-        most = hn::IfThenElse(isNear, constant(t.size), hn::Add(slant, slack));
+        min = hn::IfThenElse(isNear, hn::Zero(kDoubles), hn::Sub(slant, slack));
+        max = hn::IfThenElse(isNear, constant(t.size), hn::Add(slant, slack));
     }
 };
 
-/// Tests samples like testSamples for a directional light: it marks certain results and calls `decide(place, mayCast)`
+/// Tests samples like testSamples for a directional light: it marks certain results and calls `resolve(place, mayCast)`
 /// for samples that need integers. A tolerance of two steps, in whole 2^-24 of a direction, is one to two cells.
-template <class Decide>
+template <class Resolve>
 HWY_INLINE void testSamples(
-    const PointTriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
+    const PointTriangleTest& t,
+    const CasterContext& context,
+    std::size_t begin,
+    std::size_t end,
+    const Resolve& resolve) {
     const SampleList& samples = *context.samples;
-    constexpr double kLeastTolerance = 0.999; // cells
-    constexpr double kMostTolerance = 2.001;
+    constexpr double kMinTolerance = 0.999; // cells
+    constexpr double kMaxTolerance = 2.001;
     const auto zero = hn::Zero(kDoubles);
     for (std::size_t i = begin; i < end; i += hn::Lanes(kDoubles)) {
         const auto dx = hn::Sub(hn::LoadU(kDoubles, &samples.u[i]), constant(t.a[0]));
@@ -172,25 +176,25 @@ HWY_INLINE void testSamples(
         const auto third = dotLanes(t.ca, dx, dy, dz);
         const auto height = dotLanes(t.normal, dx, dy, dz);
         const auto second = hn::Sub(hn::Sub(hn::Add(constant(t.volume), height), first), third);
-        const auto least = hn::Min(hn::Min(first, second), third);
+        const auto min = hn::Min(hn::Min(first, second), third);
         const auto size = hn::Add(hn::Add(hn::Abs(dx), hn::Abs(dy)), hn::Abs(dz));
         const auto edgeError = hn::MulAdd(size, constant(t.edgeError[1]), constant(t.edgeError[0]));
         const auto heightError = hn::MulAdd(size, constant(t.heightError[1]), constant(t.heightError[0]));
-        const auto mayCover = hn::And(hn::FirstN(kDoubles, end - i), hn::Ge(hn::Add(least, edgeError), zero));
+        const auto mayCover = hn::And(hn::FirstN(kDoubles, end - i), hn::Ge(hn::Add(min, edgeError), zero));
         const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), zero));
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
         const CellAheadLanes cell(t, height, dx, dy, dz);
-        const auto covers = hn::And(mayBeAhead, hn::Gt(least, edgeError));
-        const auto isFar = hn::Gt(height, hn::MulAdd(cell.most, constant(kMostTolerance), heightError));
+        const auto covers = hn::And(mayBeAhead, hn::Gt(min, edgeError));
+        const auto isFar = hn::Gt(height, hn::MulAdd(cell.max, constant(kMaxTolerance), heightError));
         const auto isDark = hn::And(covers, isFar);
         forLanes(isDark, [&](std::size_t lane) { markDark(context.statuses[i + lane]); });
-        const auto isNear = hn::Lt(hn::Add(height, heightError), hn::Mul(cell.least, constant(kLeastTolerance)));
+        const auto isNear = hn::Lt(hn::Add(height, heightError), hn::Mul(cell.min, constant(kMinTolerance)));
         const auto touches = hn::And(hn::And(covers, isNear), hn::Gt(height, heightError));
         forLanes(touches, [&](std::size_t lane) {
-            if (context.grid->triangle[i + lane] != t.name) mark(context.statuses[i + lane], kTouched);
+            if (context.grid->triangle[i + lane] != t.name) mark(context.statuses[i + lane], kWithinTolerance);
         });
         forLanes(hn::AndNot(hn::Or(isDark, touches), mayBeAhead), [&](std::size_t lane) {
-            if (context.grid->triangle[i + lane] != t.name) decide(i + lane, true);
+            if (context.grid->triangle[i + lane] != t.name) resolve(i + lane, true);
         });
     }
 }

@@ -63,7 +63,7 @@ std::uint32_t twoSteps(const IntegerLight& light) {
         std::floor(kSteps * std::ldexp(1.0, kLightBits) / glm::length(glm::dvec3(light.direction))));
 }
 
-int seenSide(const Corners& corners, const glm::i64vec3& scaledEye) {
+int visibleSide(const Corners& corners, const glm::i64vec3& scaledEye) {
     return signOf(dot(normalOf(corners), scaledEye - corners[0] * kScale));
 }
 
@@ -71,7 +71,7 @@ bool isInPlane(const Corners& corners, const glm::i64vec3& scaledPoint) {
     return dot(normalOf(corners), corners[0] * kScale - scaledPoint) == 0;
 }
 
-RayMeeting meet(
+RayHit intersect(
     const Corners& caster, const IntegerLight& light, const glm::i64vec3& scaledPoint, std::uint32_t tolerance) {
     const WideVector normal = normalOf(caster);
     const Wide towards = dot(normal, light.direction);
@@ -87,7 +87,7 @@ RayMeeting meet(
     if (ahead <= 0) return {};
     const Wide size = towards > 0 ? towards : -towards;
     const bool isOnEdge = first.isOnEdge || second.isOnEdge || third.isOnEdge;
-    return {ahead > size * tolerance ? Meeting::Ahead : Meeting::Touching, isOnEdge};
+    return {ahead > size * tolerance ? Hit::Ahead : Hit::WithinTolerance, isOnEdge};
 }
 
 } // namespace gnomon::exact

@@ -31,39 +31,39 @@ glm::i64vec3 scaledPoint(const PointOnTriangle& point);
 /// result is 0 if the light lies in the triangle's plane.
 int facing(const Corners& corners, const IntegerLight& light);
 
-/// Returns the tolerance of two grid steps along `light`, as an argument of `meet`. A triangle within the tolerance
-/// casts no shadow.
+/// Returns the tolerance of two grid steps along `light`, as an argument of `intersect`. A triangle within the
+/// tolerance casts no shadow.
 std::uint32_t twoSteps(const IntegerLight& light);
 
 /// Returns the sign of n . (eye - A), with the eye in 2^-24 cells: the visible side of the triangle. The result is 0 if
 /// the eye lies in the plane.
-int seenSide(const Corners& corners, const glm::i64vec3& scaledEye);
+int visibleSide(const Corners& corners, const glm::i64vec3& scaledEye);
 
 /// Returns true if scaledPoint / 2^24 lies in the plane of the triangle. No ray from there has a hit ahead.
 bool isInPlane(const Corners& corners, const glm::i64vec3& scaledPoint);
 
 /// The intersection of a triangle with the ray from a point towards the light.
-enum class Meeting : std::uint8_t {
-    None,     // the triangle is beside the ray, behind the point, or contains the point in its plane
-    Touching, // ahead, but within the tolerance
-    Ahead,    // ahead, farther than the tolerance: the triangle casts a shadow on the point
+enum class Hit : std::uint8_t {
+    None,            // the triangle is beside the ray, behind the point, or contains the point in its plane
+    WithinTolerance, // ahead, but within the tolerance
+    Ahead,           // ahead, farther than the tolerance: the triangle casts a shadow on the point
 };
 
-struct RayMeeting {
-    Meeting meeting = Meeting::None;
+struct RayHit {
+    Hit kind = Hit::None;
     /// True: the ray hits an edge or a corner, and the rule for ties assigned the hit to the triangle.
     bool isOnEdge = false;
 };
 
 /// Intersects `caster` with the ray from scaledPoint / 2^24 along the light. `tolerance` is in 2^-24 of the light's
-/// direction and below 2^31. A triangle ahead within the tolerance has the result Touching.
+/// direction and below 2^31. A triangle ahead within the tolerance has the result WithinTolerance.
 ///
 /// The sign of E . (A - P) with E = (B - A) x L tells on which side of edge AB the ray passes. If it is 0, the code
 /// uses minus the sign of the first non-zero component of E. This corresponds to moving P by (e, e^2, e^3) (simulation
 /// of simplicity, Edelsbrunner and Mücke 1990). Triangles that share an edge see it with opposite signs, so a ray
 /// through the edge hits exactly one of them. A triangle whose plane is parallel to the light has no hit. All products
 /// are below 2^121.
-RayMeeting meet(
+RayHit intersect(
     const Corners& caster, const IntegerLight& light, const glm::i64vec3& scaledPoint, std::uint32_t tolerance);
 
 } // namespace gnomon::exact

@@ -11,8 +11,8 @@ namespace {
 
 /// A polygon with at most eight corners.
 struct ClippedPolygon {
-    static constexpr std::size_t kMost = 8; // three corners, and one more per clipping plane
-    std::array<glm::dvec3, kMost> corners{};
+    static constexpr std::size_t kMaxCorners = 8; // three corners, and one more per clipping plane
+    std::array<glm::dvec3, kMaxCorners> corners{};
     std::size_t count = 0;
 
     void add(const glm::dvec3& corner) { corners[count++] = corner; }
@@ -35,7 +35,7 @@ ClippedPolygon clippedTo(const ClippedPolygon& polygon, const glm::dvec3& inward
 } // namespace
 
 std::optional<CellReach> reachOfPyramid(
-    const std::array<glm::dvec3, 3>& corners, double side, double slack, double leastW) {
+    const std::array<glm::dvec3, 3>& corners, double side, double slack, double minW) {
     ClippedPolygon polygon;
     for (const glm::dvec3& corner : corners)
         polygon.add(corner);
@@ -50,11 +50,11 @@ std::optional<CellReach> reachOfPyramid(
     CellReach reach{kInfinite, kInfinite, -kInfinite, -kInfinite};
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const glm::dvec3& p = polygon.corners[i];
-        if (p.z < leastW) return CellReach{0, 0, side, side};
-        reach.leastX = std::min(reach.leastX, p.x / p.z);
-        reach.leastY = std::min(reach.leastY, p.y / p.z);
-        reach.mostX = std::max(reach.mostX, p.x / p.z);
-        reach.mostY = std::max(reach.mostY, p.y / p.z);
+        if (p.z < minW) return CellReach{0, 0, side, side};
+        reach.minX = std::min(reach.minX, p.x / p.z);
+        reach.minY = std::min(reach.minY, p.y / p.z);
+        reach.maxX = std::max(reach.maxX, p.x / p.z);
+        reach.maxY = std::max(reach.maxY, p.y / p.z);
     }
     return reach;
 }

@@ -11,16 +11,16 @@ namespace gnomon::exact {
 
 /// A range of cells along both axes, in fractions of cells.
 struct CellReach {
-    double leastX = 0;
-    double leastY = 0;
-    double mostX = 0;
-    double mostY = 0;
+    double minX = 0;
+    double minY = 0;
+    double maxX = 0;
+    double maxY = 0;
 };
 
 /// Returns a range that contains the cells of [0, side] x [0, side] that a triangle covers as seen from the light,
 /// extended by `slack`. Returns nothing if it covers no cell. Corners are (x, y, 1) w, with w of any sign. If the
-/// clipped triangle comes nearer to the light than `leastW`, x / w is unreliable, and the function returns all cells.
+/// clipped triangle comes nearer to the light than `minW`, x / w is unreliable, and the function returns all cells.
 std::optional<CellReach> reachOfPyramid(
-    const std::array<glm::dvec3, 3>& corners, double side, double slack, double leastW);
+    const std::array<glm::dvec3, 3>& corners, double side, double slack, double minW);
 
 } // namespace gnomon::exact

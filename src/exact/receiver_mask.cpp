@@ -26,8 +26,8 @@ void ReceiverMask::finish() {
     for (std::size_t l = 1; l < levels_.size(); ++l)
         for (int y = 0; y < levels_[l - 1].height; ++y)
             for (int x = 0; x < levels_[l - 1].width; ++x) {
-                float& least = levels_[l].lowest[index(l, x / 2, y / 2)];
-                least = std::min(least, levels_[l - 1].lowest[index(l - 1, x, y)]);
+                float& lowest = levels_[l].lowest[index(l, x / 2, y / 2)];
+                lowest = std::min(lowest, levels_[l - 1].lowest[index(l - 1, x, y)]);
             }
 }
 

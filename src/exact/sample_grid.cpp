@@ -46,11 +46,11 @@ struct Stretch {
 };
 
 /// Returns the transformation of `extent` to side x side cells with a margin of 0.1% on each side. No scale exceeds
-/// `most`.
-Stretch stretchOf(const Extent& extent, int side, double most) {
+/// `max`.
+Stretch stretchOf(const Extent& extent, int side, double max) {
     Stretch stretch;
-    stretch.scale = glm::min(side * 0.998 / (extent.most - extent.least), glm::dvec2(most));
-    stretch.offset = glm::dvec2(side * 0.001) - extent.least * stretch.scale;
+    stretch.scale = glm::min(side * 0.998 / (extent.max - extent.min), glm::dvec2(max));
+    stretch.offset = glm::dvec2(side * 0.001) - extent.min * stretch.scale;
     return stretch;
 }
 
@@ -59,8 +59,8 @@ glm::dmat3 matrixOf(const Stretch& stretch) {
     return {glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0), glm::dvec3(stretch.offset.x, stretch.offset.y, 1)};
 }
 
-CellMap mapOf(const glm::dmat4x3& plane, const Stretch& stretch, double leastW) {
-    return {matrixOf(stretch) * plane, leastW / 2, false};
+GridMap mapOf(const glm::dmat4x3& plane, const Stretch& stretch, double minW) {
+    return {matrixOf(stretch) * plane, minW / 2, false};
 }
 
 /// Returns the error of a x + b y + c w, for weights (a, b, c). x, y and w are the plane coordinates of a point whose
@@ -76,7 +76,7 @@ double errorOf(const glm::dmat4x3& plane, const glm::dvec3& weights, double coor
 
 /// Returns the smallest w at which x and y of a caster are exact to an eighth of the slack. Samples, corners and their
 /// floats share the slack. Returns infinity if an extent of 0 makes a scale invalid.
-double leastUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, double coordinateError) {
+double minUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, double coordinateError) {
     const double w = errorOf(plane, {0, 0, 1}, coordinateError);
     const double x = errorOf(plane, {stretch.scale.x, 0, stretch.offset.x}, coordinateError);
     const double y = errorOf(plane, {0, stretch.scale.y, stretch.offset.y}, coordinateError);
@@ -86,10 +86,10 @@ double leastUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side,
 /// Returns true if w varies so little that the warp is useful, and if x and y of a caster are precise enough.
 bool isUsable(
     const glm::dmat4x3& plane, const Extent& extent, const Stretch& stretch, int side, double coordinateError) {
-    constexpr double kMostVariation = 1 << 20;
-    if (!(extent.leastW > 0 && extent.mostW <= kMostVariation * extent.leastW)) return false;
-    const double least = leastUsableW(plane, stretch, side, coordinateError);
-    return std::isfinite(least) && least <= extent.leastW / 2;
+    constexpr double kMaxVariation = 1 << 20;
+    if (!(extent.minW > 0 && extent.maxW <= kMaxVariation * extent.minW)) return false;
+    const double min = minUsableW(plane, stretch, side, coordinateError);
+    return std::isfinite(min) && min <= extent.minW / 2;
 }
 
 /// Extends a homography of the light plane to points with a height.
@@ -112,7 +112,7 @@ glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
 }
 
 /// Returns the nearness to the light of the farthest sample of a range.
-double leastNearness(const SampleList& samples, const CellMap& map, std::size_t begin, std::size_t end) {
+double minNearness(const SampleList& samples, const GridMap& map, std::size_t begin, std::size_t end) {
     const FrameArray<double>& values = map.nearAxis == 0 ? samples.u : map.nearAxis == 1 ? samples.v : samples.h;
     if (map.nearSign > 0) return *std::min_element(&values[begin], &values[end]);
     return -*std::max_element(&values[begin], &values[end]);
@@ -124,8 +124,8 @@ void SampleGrid::sort(SampleList& samples, std::span<const glm::dmat3> planes, i
     side_ = side;
     size_ = samples.size();
     for (auto* values : {&triangle, &source})
-        values->makeRoom(samples.u.size()); // padded, like the samples' arrays
-    spare_.makeRoom(samples.u.size());      // the arrays are swapped
+        values->ensureCapacity(samples.u.size()); // padded, like the samples' arrays
+    spare_.ensureCapacity(samples.u.size());      // the arrays are swapped
     fitMaps(samples, planes, coordinateError);
     countCells(samples);
     order(samples);
@@ -146,7 +146,7 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
         if (extents[map].samples == 0) continue;
         const Stretch stretch = stretchOf(extents[map], side_, kInfinite);
         if (isUsable(used[map], extents[map], stretch, side_, coordinateError)) {
-            maps_[map] = mapOf(used[map], stretch, extents[map].leastW);
+            maps_[map] = mapOf(used[map], stretch, extents[map].minW);
         } else {
             used[map] = withoutHeight(glm::dmat3(1));
             isUnwarped = true;
@@ -155,11 +155,11 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
     if (!isUnwarped) return;
     // The error of x is at most 6 scale coordinateError. This is errorOf with an offset of at most 2^50 coordinateError
     // scale.
-    const double most = kCellSlack / 64 / coordinateError;
+    const double max = kCellSlack / 64 / coordinateError;
     const std::vector<Extent> plainExtents = extentsOf(samples, used);
     for (std::size_t map = 0; map < used.size(); ++map)
         if (extents[map].samples > 0 && maps_[map].isEmpty)
-            maps_[map] = mapOf(used[map], stretchOf(plainExtents[map], side_, most), 1);
+            maps_[map] = mapOf(used[map], stretchOf(plainExtents[map], side_, max), 1);
 }
 
 /// Fits the maps of a point light. Cells are so large that the error of x and y of a sample stays below its part of the
@@ -177,15 +177,15 @@ void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError)
         const Extent& extent = extents[map];
         if (extent.samples == 0) continue;
         const double error = 2 * coordinateError + 0x1p-50 * farthestAlong;
-        const Stretch stretch = stretchOf(extent, side_, kCellSlack / 128 * extent.leastW / error);
+        const Stretch stretch = stretchOf(extent, side_, kCellSlack / 128 * extent.minW / error);
         // The slopes of a triangle are computed from points beside the face. These must not be so far away that doubles
         // lose whole cells.
         const double farthest =
             std::max(stretch.scale.x, stretch.scale.y) * (coordinateError * 0x1p49 + farthestAlong) * 0x1p-36;
-        const double leastW = std::max(leastUsableW(used[map], stretch, side_, coordinateError), farthest);
-        CellMap& fitted = maps_[map];
-        if (extent.leastW > 0 && std::isfinite(leastW) && leastW <= extent.leastW)
-            fitted = {matrixOf(stretch) * used[map], leastW, false};
+        const double minW = std::max(minUsableW(used[map], stretch, side_, coordinateError), farthest);
+        GridMap& fitted = maps_[map];
+        if (extent.minW > 0 && std::isfinite(minW) && minW <= extent.minW)
+            fitted = {matrixOf(stretch) * used[map], minW, false};
         else
             fitted = {{glm::dvec3(0), glm::dvec3(0), glm::dvec3(0), glm::dvec3(0.5, 0.5, 1)}, 0.5, false};
         fitted.nearAxis = static_cast<int>(map) / 2 % 3;
@@ -292,9 +292,9 @@ void SampleGrid::maskAndBox(const SampleList& samples) {
                     const int next = std::min(side_, (block + 1) << ReceiverMask::kBlockBits);
                     const std::size_t end = first_[cell(map, next, y)];
                     if (begin == end) continue;
-                    const double least = leastNearness(samples, maps_[map], begin, end);
+                    const double min = minNearness(samples, maps_[map], begin, end);
                     float& lowest = mask.lowest(block, row);
-                    lowest = std::min(lowest, roundedDown(least));
+                    lowest = std::min(lowest, roundedDown(min));
                 }
         });
         mask.finish();

@@ -17,10 +17,10 @@ namespace gnomon::exact {
 /// The projection to the cells of one map. For a directional light it maps the light plane: (u, v, 1) -> (x, y, 1) w.
 /// For a point light it maps the view through a face of a cube: (u, v, h, 1) -> (x, y, 1) w. The projection affects
 /// only the speed, not the result.
-struct CellMap {
+struct GridMap {
     glm::dmat4x3 cellsFromLight{0}; // columns of u, v, h and 1
     /// Corners with a smaller w are too near or behind; samples of a directional light have at least twice this w.
-    double leastW = 0;
+    double minW = 0;
     bool isEmpty = true;
     int nearAxis = 2;    // the axis of u, v and h that grows towards the light when multiplied by `nearSign`
     double nearSign = 1; // 1 or -1
@@ -42,15 +42,19 @@ public:
     /// kCellSlack. Without a warp, cells are so large that this error is harmless.
     void sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
-    /// Removes the samples for which `leaves(place)` is true, and updates the masks. The other samples and their
-    /// `statuses` keep their order. Calls `leave(place)` for each removed sample, from any thread. `samples` must be in
-    /// the order of `sort`. Runs in the caller's TBB arena.
-    template <class Leaves, class Leave>
-    void remove(SampleList& samples, FrameArray<std::uint8_t>& statuses, const Leaves& leaves, const Leave& leave);
+    /// Removes the samples for which `isRemoved(place)` is true, and updates the masks. The other samples and their
+    /// `statuses` keep their order. Calls `onRemoved(place)` for each removed sample, from any thread. `samples` must
+    /// be in the order of `sort`. Runs in the caller's TBB arena.
+    template <class IsRemoved, class OnRemoved>
+    void remove(
+        SampleList& samples,
+        FrameArray<std::uint8_t>& statuses,
+        const IsRemoved& isRemoved,
+        const OnRemoved& onRemoved);
 
     int side() const { return side_; }
 
-    std::span<const CellMap> maps() const { return maps_; }
+    std::span<const GridMap> maps() const { return maps_; }
 
     const ReceiverMask& mask(std::size_t map) const { return masks_[map]; }
 
@@ -96,7 +100,7 @@ private:
 
     int side_ = 0;
     std::size_t size_ = 0;
-    std::vector<CellMap> maps_;
+    std::vector<GridMap> maps_;
     std::vector<ReceiverMask> masks_;
     std::vector<std::uint32_t> first_; // by cell, followed by the end
     std::vector<Piece> pieces_;        // pieces of the current removal
@@ -104,17 +108,17 @@ private:
     FrameArray<double> spare_; // first the cell of a sample and its rank there, then the next array to sort
 };
 
-template <class Leaves, class Leave>
+template <class IsRemoved, class OnRemoved>
 void SampleGrid::remove(
-    SampleList& samples, FrameArray<std::uint8_t>& statuses, const Leaves& leaves, const Leave& leave) {
+    SampleList& samples, FrameArray<std::uint8_t>& statuses, const IsRemoved& isRemoved, const OnRemoved& onRemoved) {
     forPieces([&](Piece& piece) {
         std::size_t to = piece.begin;
         std::size_t cell = piece.firstCell;
         for (std::size_t from = piece.begin; from < piece.end; ++from) {
             for (; first_[cell] == from; ++cell)
                 first_[cell] = static_cast<std::uint32_t>(to);
-            if (leaves(from)) {
-                leave(from);
+            if (isRemoved(from)) {
+                onRemoved(from);
                 continue;
             }
             samples.u[to] = samples.u[from];

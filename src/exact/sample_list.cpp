@@ -51,7 +51,7 @@ IntegerWeights roundedWeights(float second, float third) {
     return {static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)};
 }
 
-void SampleList::reset(const SampleSpace& space, std::size_t most) {
+void SampleList::reset(const SampleSpace& space, std::size_t maxPoints) {
     space_ = space;
     const double scale = std::ldexp(1.0, kWeightBits);
     for (int axis = 0; axis < 3; ++axis)
@@ -61,23 +61,24 @@ void SampleList::reset(const SampleSpace& space, std::size_t most) {
     size_.store(0, std::memory_order_relaxed);
     constexpr std::size_t kPadding = 16;
     for (auto* values : {&u, &v, &h})
-        values->makeRoom(most + kPadding);
+        values->ensureCapacity(maxPoints + kPadding);
     for (auto* values : {&pixel, &triangle, &second, &third, &tolerance})
-        values->makeRoom(most);
-    if (space.maps > 1) map.makeRoom(most + kPadding);
+        values->ensureCapacity(maxPoints);
+    if (space.maps > 1) map.ensureCapacity(maxPoints + kPadding);
 }
 
 void SampleList::add(const PointBatch& batch) {
     ShearedPoints points;
     shearPoints(space_, batch, points);
-    std::array<std::uint8_t, ShearedPoints::kMost> chosen; // NOLINT(cppcoreguidelines-pro-type-member-init): filled
+    std::array<std::uint8_t, ShearedPoints::kMaxPoints>
+        chosen; // NOLINT(cppcoreguidelines-pro-type-member-init): filled
     std::size_t count = 0;
     for (std::size_t i = 0; i < batch.count; ++i) {
         if (points.faces[i] == 2) {
             const Corners corners = cornersOf(batch, i);
             const int side =
                 space_.pointLight ? facingPoint(corners, *space_.pointLight) : facing(corners, space_.light);
-            points.faces[i] = side * seenSide(corners, scaledEye_) > 0 ? 1 : 0;
+            points.faces[i] = side * visibleSide(corners, scaledEye_) > 0 ? 1 : 0;
         }
         chosen[count] = static_cast<std::uint8_t>(i);
         count += points.faces[i];

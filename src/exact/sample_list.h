@@ -24,7 +24,7 @@ struct PointBatch {
     const std::int32_t* map = nullptr;        // the map that contains the point; values outside [0, maps) are clamped
     const std::uint32_t* pixel = nullptr;     // pixel id of the caller
     const std::uint32_t* triangle = nullptr;  // triangle id among the casters: index of the cluster << 8 | triangle
-    const std::uint32_t* tolerance = nullptr; // the tolerance argument of `meet`
+    const std::uint32_t* tolerance = nullptr; // the tolerance argument of `intersect`
 };
 
 /// The values that all points of a frame share.
@@ -68,8 +68,8 @@ IntegerWeights roundedWeights(float second, float third);
 /// for all samples, but writes only the memory that samples use.
 class SampleList {
 public:
-    /// Empties the list and reserves memory for at most `most` samples.
-    void reset(const SampleSpace& space, std::size_t most);
+    /// Empties the list and reserves memory for at most `maxPoints` samples.
+    void reset(const SampleSpace& space, std::size_t maxPoints);
 
     /// Adds the points of `batch` that face the light: eye and light are on the same side of the triangle, by exact
     /// signs. Can run on any thread. The order of samples is undefined. The total must not exceed the reserved number.
@@ -89,7 +89,7 @@ public:
     /// Returns the map of sample `i`.
     std::size_t mapOf(std::size_t i) const { return space_.maps == 1 ? 0 : static_cast<std::size_t>(map[i]); }
 
-    /// Returns the cells along h per unit of the tolerance argument of `meet`.
+    /// Returns the cells along h per unit of the tolerance argument of `intersect`.
     double perTolerance() const { return perTolerance_; }
 
     /// The memory of the arrays per sample, in bytes.
@@ -111,13 +111,13 @@ private:
 /// The points of a batch in the sheared light space. `faces` is 1 if the point faces the light, 0 if not, and 2 if
 /// doubles cannot resolve it.
 struct ShearedPoints {
-    static constexpr std::size_t kMost = 128;
-    std::array<double, kMost> u{}, v{}, h{};
-    std::array<std::uint32_t, kMost> second{}, third{};
-    std::array<std::uint8_t, kMost> faces{};
+    static constexpr std::size_t kMaxPoints = 128;
+    std::array<double, kMaxPoints> u{}, v{}, h{};
+    std::array<std::uint32_t, kMaxPoints> second{}, third{};
+    std::array<std::uint8_t, kMaxPoints> faces{};
 };
 
-/// Computes `points` for `batch`, which has at most ShearedPoints::kMost points. The result does not depend on the
+/// Computes `points` for `batch`, which has at most ShearedPoints::kMaxPoints points. The result does not depend on the
 /// instruction set.
 void shearPoints(const SampleSpace& space, const PointBatch& batch, ShearedPoints& points);
 

@@ -7,7 +7,7 @@
 #define GNOMON_EXACT_SPAN_TEST_INL_H
 #endif
 
-#include "exact/cast_context.h"
+#include "exact/caster_context.h"
 
 #include <atomic>
 #include <cmath>
@@ -128,49 +128,52 @@ HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t plac
 
 /// Lanes of samples that the triangle may shadow. Their results depend on the tolerance of each sample.
 struct NearLanes {
-    alignas(64) double least[hn::MaxLanes(kDoubles)]; // smallest edge function
+    alignas(64) double min[hn::MaxLanes(kDoubles)]; // smallest edge function
     alignas(64) double edgeError[hn::MaxLanes(kDoubles)];
     alignas(64) double height[hn::MaxLanes(kDoubles)]; // height of the plane above the sample, times the area
     alignas(64) double heightError[hn::MaxLanes(kDoubles)];
 
-    /// Resolves lane `lane`, the sample at `place`. Calls `decide(place, mayCast)` if the lane needs integers.
-    template <class Decide>
-    HWY_INLINE void decideLane(
-        const TriangleTest& t, const CastContext& context, std::size_t lane, std::size_t place, const Decide& decide)
-        const {
+    /// Resolves lane `lane`, the sample at `place`. Calls `resolve(place, mayCast)` if the lane needs integers.
+    template <class Resolve>
+    HWY_INLINE void resolveLane(
+        const TriangleTest& t,
+        const CasterContext& context,
+        std::size_t lane,
+        std::size_t place,
+        const Resolve& resolve) const {
         const SampleList& samples = *context.samples;
         const double tolerance = samples.tolerance[context.grid->source[place]] * samples.perTolerance();
-        const double beyond = height[lane] - t.area * tolerance;
-        const bool covers = least[lane] > edgeError[lane];
-        const bool mayCast = beyond + heightError[lane] >= 0;
-        if (covers && beyond > heightError[lane])
+        const double excess = height[lane] - t.area * tolerance;
+        const bool covers = min[lane] > edgeError[lane];
+        const bool mayCast = excess + heightError[lane] >= 0;
+        if (covers && excess > heightError[lane])
             markDark(context.statuses[place]);
         else if (covers && !mayCast && height[lane] > heightError[lane])
-            mark(context.statuses[place], kTouched);
+            mark(context.statuses[place], kWithinTolerance);
         else
-            decide(place, mayCast);
+            resolve(place, mayCast);
     }
 };
 
-/// Tests the triangle against the samples [begin, end) of the grid. Calls `decide(place, mayCast)` for samples that
+/// Tests the triangle against the samples [begin, end) of the grid. Calls `resolve(place, mayCast)` for samples that
 /// need integers; `mayCast` is false if the triangle is at most within tolerance. A triangle beyond the largest
 /// tolerance of all samples makes a sample dark at once. Few samples therefore need their own tolerance.
-template <class Decide>
+template <class Resolve>
 HWY_INLINE void testSamples(
-    const TriangleTest& t, const CastContext& context, std::size_t begin, std::size_t end, const Decide& decide) {
+    const TriangleTest& t, const CasterContext& context, std::size_t begin, std::size_t end, const Resolve& resolve) {
     const SampleList& samples = *context.samples;
-    const auto tolerance = constant(context.mostTolerance);
+    const auto tolerance = constant(context.maxTolerance);
     for (std::size_t i = begin; i < end; i += hn::Lanes(kDoubles)) {
         const auto du = hn::Sub(hn::LoadU(kDoubles, &samples.u[i]), constant(t.a[0]));
         const auto dv = hn::Sub(hn::LoadU(kDoubles, &samples.v[i]), constant(t.a[1]));
         const auto first = hn::NegMulAdd(constant(t.ab[1]), du, hn::Mul(constant(t.ab[0]), dv));
         const auto third = hn::NegMulAdd(constant(t.ca[1]), du, hn::Mul(constant(t.ca[0]), dv));
         const auto second = hn::Sub(hn::Sub(constant(t.area), first), third);
-        const auto least = hn::Min(hn::Min(first, second), third);
+        const auto min = hn::Min(hn::Min(first, second), third);
         const auto flatSize = hn::Add(hn::Abs(du), hn::Abs(dv));
         const auto edgeError = hn::MulAdd(flatSize, constant(t.edgeError[1]), constant(t.edgeError[0]));
         const auto isListed = hn::FirstN(kDoubles, end - i);
-        const auto mayCover = hn::And(isListed, hn::Ge(hn::Add(least, edgeError), hn::Zero(kDoubles)));
+        const auto mayCover = hn::And(isListed, hn::Ge(hn::Add(min, edgeError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayCover)) continue;
         const auto dh = hn::Sub(hn::LoadU(kDoubles, &samples.h[i]), constant(t.a[2]));
         const auto size = hn::Add(hn::Add(flatSize, hn::Abs(dh)), tolerance);
@@ -180,20 +183,20 @@ HWY_INLINE void testSamples(
         const auto height = hn::Neg(below); // of the plane over the sample, times the area
         const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
-        const auto beyond = hn::NegMulAdd(constant(t.area), tolerance, height);
+        const auto excess = hn::NegMulAdd(constant(t.area), tolerance, height);
         // A sample must not be tested against its own triangle: doubles may report a hit at the sample. In a section, a
         // cut piece may also lie outside its triangle.
         const auto mayCast = hn::AndNot(ownLanes(*context.grid, i, t.name), mayBeAhead);
-        const auto isDark = hn::And(mayCast, hn::And(hn::Gt(least, edgeError), hn::Gt(beyond, heightError)));
+        const auto isDark = hn::And(mayCast, hn::And(hn::Gt(min, edgeError), hn::Gt(excess, heightError)));
         forLanes(isDark, [&](std::size_t lane) { markDark(context.statuses[i + lane]); });
         const auto isOpen = hn::AndNot(isDark, mayCast);
         if (hn::AllFalse(kDoubles, isOpen)) continue;
         NearLanes near; // NOLINT(cppcoreguidelines-pro-type-member-init): stored at once
-        hn::Store(least, kDoubles, near.least);
+        hn::Store(min, kDoubles, near.min);
         hn::Store(edgeError, kDoubles, near.edgeError);
         hn::Store(height, kDoubles, near.height);
         hn::Store(heightError, kDoubles, near.heightError);
-        forLanes(isOpen, [&](std::size_t lane) { near.decideLane(t, context, lane, i + lane, decide); });
+        forLanes(isOpen, [&](std::size_t lane) { near.resolveLane(t, context, lane, i + lane, resolve); });
     }
 }
 

@@ -6,16 +6,16 @@
 
 namespace gnomon::exact {
 
-void VisiblePoints::reset(std::size_t most) {
+void VisiblePoints::reset(std::size_t maxPoints) {
     constexpr std::size_t kPadding = 16; // a batch may be read so many elements beyond its end
     size_.store(0, std::memory_order_relaxed);
     for (auto* vectors : {&corner_, &edge1_, &edge2_})
         for (auto& values : *vectors)
-            values.makeRoom(most + kPadding);
+            values.ensureCapacity(maxPoints + kPadding);
     for (auto* values : {&second_, &third_})
-        values->makeRoom(most + kPadding);
+        values->ensureCapacity(maxPoints + kPadding);
     for (auto* values : {&pixel_, &triangle_})
-        values->makeRoom(most + kPadding);
+        values->ensureCapacity(maxPoints + kPadding);
 }
 
 void VisiblePoints::add(const PointBatch& batch) {
@@ -41,7 +41,7 @@ glm::dvec3 VisiblePoints::position(std::size_t i) const {
 }
 
 void VisiblePoints::addTo(SampleList& samples, std::uint32_t tolerance) const {
-    constexpr std::size_t kBatch = ShearedPoints::kMost;
+    constexpr std::size_t kBatch = ShearedPoints::kMaxPoints;
     const std::size_t count = size();
     std::array<std::uint32_t, kBatch> tolerances{};
     tolerances.fill(tolerance);

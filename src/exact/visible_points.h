@@ -9,8 +9,8 @@ namespace gnomon::exact {
 /// pixel.
 class VisiblePoints {
 public:
-    /// Empties the list and reserves memory for `most` points.
-    void reset(std::size_t most);
+    /// Empties the list and reserves memory for `maxPoints` points.
+    void reset(std::size_t maxPoints);
 
     /// Adds all points of a batch, without their maps and tolerances. Can run on any thread.
     void add(const PointBatch& batch);
@@ -23,8 +23,8 @@ public:
     /// Returns the position of point `i`, in cells from the frame's origin, computed from its float weights.
     glm::dvec3 position(std::size_t i) const;
 
-    /// Adds the points that face the light to `samples`, with `tolerance` as an argument of `meet`. `samples` must be
-    /// reset for the light and have memory for all points. Runs on all cores of the caller's TBB arena.
+    /// Adds the points that face the light to `samples`, with `tolerance` as an argument of `intersect`. `samples` must
+    /// be reset for the light and have memory for all points. Runs on all cores of the caller's TBB arena.
     void addTo(SampleList& samples, std::uint32_t tolerance) const;
 
     /// The memory of the arrays per point, in bytes.

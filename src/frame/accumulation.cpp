@@ -45,9 +45,9 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     frame_ = &frame;
     wanted_ = std::max(samples, plan::lightFrames(plan()));
     const bool hasSky = plan().sky.directions > 0; // sky light affects all tiles
-    whole_ = hasSky ? wanted_ : std::max(samples, plan::leastFirstPoints(wanted_));
-    const render::FrameDrawing drawing = renderer.drawing(frame, frame.options);
-    shown_ = render::shownAs(drawing);
+    whole_ = hasSky ? wanted_ : std::max(samples, plan::minFirstPoints(wanted_));
+    const render::DrawInputs drawing = renderer.drawing(frame, frame.options);
+    shown_ = render::toneMappingOf(drawing);
     sum_.reset(shown_.hasGround, render::rowsOf(drawing).first);
     if (hasSky) {
         onGround_ = render::groundShares(drawing);

@@ -28,7 +28,7 @@ public:
     /// Starts a new accumulation with `frame`, the last frame of `renderer`. This frame must have `isAccumulated` and
     /// no subpixel offset. `renderer` and `frame` must exist until the last `add`. The number of frames is `samples`
     /// (at least 1), or the number of directions in the plan if that is larger. With sky light, all frames are drawn in
-    /// all tiles. Without it, the first `samples` frames, but at least plan::leastFirstPoints, are drawn in all tiles.
+    /// all tiles. Without it, the first `samples` frames, but at least plan::minFirstPoints, are drawn in all tiles.
     void begin(Renderer& renderer, const Frame& frame, int samples);
 
     /// Removes all frames.
@@ -66,7 +66,7 @@ private:
     int wanted_ = 1;
     int whole_ = 1; // number of first frames that are drawn in all tiles
     render::GroundShares onGround_;
-    render::Shown shown_;
+    render::ToneMapping shown_;
     render::LightSum sum_;
 };
 

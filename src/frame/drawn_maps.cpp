@@ -5,7 +5,7 @@
 namespace gnomon::frame {
 
 MappedImage mappedImage(const PreparedFrame& frame, const FrameOptions& options) {
-    MappedImage image{options, frame.isSunless, {}, frame.cut.lists};
+    MappedImage image{options, frame.usesHeadlight, {}, frame.cut.lists};
     if (frame.ground) image.ground = frame.ground->outline;
     return image;
 }

@@ -12,7 +12,7 @@ namespace gnomon::frame {
 /// image.
 struct MappedImage {
     FrameOptions options;
-    bool isSunless = false;
+    bool usesHeadlight = false;
     std::vector<glm::dvec3> ground; // its outline; empty without a ground
     lod::DrawLists lists;
 

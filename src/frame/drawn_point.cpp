@@ -1,6 +1,6 @@
 #include "frame/drawn_point.h"
 
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 #include "render/view/section_cut.h"
 
 #include <algorithm>
@@ -12,34 +12,34 @@ namespace gnomon::frame {
 
 namespace {
 
-/// A line of sight in grid cells, relative to the origin of draw space. The parameter along the line is the depth from
-/// the eye in world units.
+/// A line of sight in grid cells, relative to the origin of camera-relative space. The parameter along the line is the
+/// depth from the eye in world units.
 struct SightLine {
     glm::dvec3 start{0};
     glm::dvec3 direction{0};
-    double least = 0;
+    double minDepth = 0;
 
     glm::dvec3 at(double depth) const { return start + direction * depth; }
 };
 
-SightLine sightLine(const render::FrameDrawing& drawing, const glm::ivec2& pixel) {
-    const render::Lens lens = render::lensOf(drawing);
+SightLine sightLine(const render::DrawInputs& drawing, const glm::ivec2& pixel) {
+    const render::ImageProjection projection = render::imageProjection(drawing);
     const plan::View& view = drawing.plan->view;
     const glm::dvec2 size(view.width, view.height);
     const glm::dvec2 across = (glm::dvec2(pixel) + 0.5) / size * 2.0 - 1.0;
     const glm::dvec2 point(across.x, -across.y);
-    const glm::dvec3 from = lens.seenAt(point, 0);
+    const glm::dvec3 from = projection.visiblePoint(point, 0);
     const double step = drawing.space.step;
     return {
-        (lens.eye + toWorld(lens.basis, from)) / step,
-        toWorld(lens.basis, lens.seenAt(point, 1) - from) / step,
-        lens.depth.isParallel ? lens.depth.clip.near : 0};
+        (projection.eye + toWorld(projection.basis, from)) / step,
+        toWorld(projection.basis, projection.visiblePoint(point, 1) - from) / step,
+        projection.depth.isParallel ? projection.depth.clip.near : 0};
 }
 
 /// Returns true if the line may intersect a box of cells. The box is one cell larger on each side, so that rounding
 /// loses no intersection.
 bool mayMeet(const SightLine& line, const glm::dvec3& low, const glm::dvec3& high) {
-    double near = line.least;
+    double near = line.minDepth;
     double far = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
         const double slow = (low[axis] - 1 - line.start[axis]) / line.direction[axis];
@@ -74,14 +74,14 @@ std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dv
     if (!isInside || whole == 0) return std::nullopt;
     const glm::dvec3 onTriangle = (volumes.x * a + volumes.y * b + volumes.z * c) / whole;
     const double depth = glm::dot(onTriangle, line.direction) / glm::dot(line.direction, line.direction);
-    if (!(depth >= line.least)) return std::nullopt;
+    if (!(depth >= line.minDepth)) return std::nullopt;
     return Crossing{depth, line.start + onTriangle, corners};
 }
 
 /// The first intersection of the line with the drawn clusters, outside the regions that section planes remove.
 class FirstCrossing {
 public:
-    FirstCrossing(const SightLine& line, const render::FrameDrawing& drawing)
+    FirstCrossing(const SightLine& line, const render::DrawInputs& drawing)
         : line_(line),
           sections_(render::sectionPlanes(drawing)),
           origin_(drawing.space.originCell.x, drawing.space.originCell.y, drawing.space.originCell.z) {}
@@ -112,8 +112,8 @@ public:
         std::optional<double> last;
         for (const Plane& plane : sections_) {
             const double along = glm::dot(plane.normal, line_.direction);
-            const double depth = along > 0 ? -plane.signedDistance(line_.start) / along : line_.least;
-            if (depth > last.value_or(line_.least)) last = depth;
+            const double depth = along > 0 ? -plane.signedDistance(line_.start) / along : line_.minDepth;
+            if (depth > last.value_or(line_.minDepth)) last = depth;
         }
         return last;
     }
@@ -150,7 +150,7 @@ glm::dvec3 nearestCorner(const Crossing& crossing, const SightLine& line) {
 
 std::optional<DrawnPoint> drawnPoint(
     const Renderer& renderer, const PreparedFrame& frame, const FrameOptions& options, const glm::ivec2& pixel) {
-    const render::FrameDrawing drawing = renderer.drawing(frame, options);
+    const render::DrawInputs drawing = renderer.drawing(frame, options);
     const SightLine line = sightLine(drawing, pixel);
     const double snapError = drawing.grid.snapError();
     const hierarchy::ResidentPages resident = renderer.residency().resident();

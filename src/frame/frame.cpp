@@ -53,15 +53,15 @@ bool canCountLitPixels(const Frame& frame) {
 /// so that the shading does not switch. If neither the history nor the facts contain the answer, `asksLitPixels` is
 /// true afterwards.
 void decideHeadlight(Frame& frame) {
-    std::optional<bool>& isSunless = frame.history.isSunless;
-    isSunless = frame.before.isSunless;
+    std::optional<bool>& usesHeadlight = frame.history.usesHeadlight;
+    usesHeadlight = frame.before.usesHeadlight;
     if (frame.plan.quality.look.shading != plan::Shading::Auto) return;
-    if (!isSunless && frame.hasGround) isSunless = false; // only the sun's shadow makes the ground visible
-    if (!isSunless && canCountLitPixels(frame)) {
-        if (isTurnedAway(frame.facts)) isSunless = true;
-        frame.asksLitPixels = !isSunless;
+    if (!usesHeadlight && frame.hasGround) usesHeadlight = false; // only the sun's shadow makes the ground visible
+    if (!usesHeadlight && canCountLitPixels(frame)) {
+        if (isTurnedAway(frame.facts)) usesHeadlight = true;
+        frame.asksLitPixels = !usesHeadlight;
     }
-    frame.isSunless = !frame.hasGround && isSunless.value_or(false);
+    frame.usesHeadlight = !frame.hasGround && usesHeadlight.value_or(false);
 }
 
 } // namespace
@@ -113,7 +113,7 @@ PreparedFrame Renderer::prepare(
 /// Does the work of `prepare` for a given ground, except penumbrae and sky light: plans and cuts the frame until its
 /// pages are resident.
 PreparedFrame Renderer::prepareShadows(const Asked& asked) {
-    const plan::ShadowMode shadows = plan::decideShadows(asked.quality, capabilities()).mode;
+    const plan::ShadowMode shadows = plan::chooseShadows(asked.quality, capabilities()).mode;
     residency_.keepRayTrees(shadows == plan::ShadowMode::Rays);
     // time of waiting: all rounds except the cut of the last round, because only waiting causes them
     double streamMs = 0;
@@ -139,7 +139,7 @@ PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     const std::optional<DepthSpan> range =
         plan::widestRange(asked.view, decided, withGround(model.bounds, asked.ground.get()));
     PreparedFrame frame;
-    frame.space = render::drawSpace(asked.view, model.grid, model.bounds);
+    frame.space = render::cameraRelativeSpace(asked.view, model.grid, model.bounds);
     frame.hasGround = asked.ground != nullptr;
     frame.errorPixels = decided.errorPixels;
     double factsPixels = 0;
@@ -171,11 +171,12 @@ void Renderer::findFacts(
     if (shadows == plan::ShadowMode::Exact)
         frame.facts.isTurnedFromLight = isTurnedFromLight(asked.view, query, frame.cut);
     if (capabilities().occlusionCulling && asked.quality.occlusion == plan::Choice::Auto)
-        frame.facts.layers = lod::imageLayers(query, frame.cut.lists.image, plan::kLeastLayers);
+        frame.facts.layers = lod::imageLayers(query, frame.cut.lists.image, plan::kMinLayers);
     frame.ground = seenGround(asked.ground, asked.view, model.grid.step(), frame.facts);
 }
 
-std::shared_ptr<const Ground> Renderer::ground(const plan::View& view, const plan::Look& look, bool hasSky) const {
+std::shared_ptr<const Ground> Renderer::ground(
+    const plan::View& view, const plan::ShadingSettings& look, bool hasSky) const {
     const hierarchy::ModelSummary& model = model_->summary();
     return groundOf(view, look, {model.bounds, model.grid, model_->pages()}, hasSky);
 }
@@ -185,7 +186,7 @@ render::DrawStatistics Renderer::draw(
     moveMaps(frame.plan, options.mapShift);
     decideMapReuse(frame, options, maps == maps_ ? maps.get() : nullptr);
     maps_.reset();
-    render::FrameDrawing drawing = this->drawing(frame, options);
+    render::DrawInputs drawing = this->drawing(frame, options);
     if (frame.asksLitPixels) drawing.minLitPixels = minLitPixels(frame.plan.view);
     if (frame.isExact()) return backend_->drawExactly(drawing);
     if (frame.isRayTraced()) return render::drawByRays(*backend_, drawing, residency_.rayTrees());
@@ -201,17 +202,17 @@ render::DrawStatistics Renderer::draw(
 /// Draws `frame`. If the number of lit pixels must decide about the headlight and the light reaches next to nothing,
 /// draws the image again with the headlight. Exact shadows know the number before they shade.
 render::DrawStatistics Renderer::drawInLight(Frame& frame) {
-    if (frame.isSunless) plan::leaveLightSamplingOut(frame.plan);
+    if (frame.usesHeadlight) plan::skipLightSampling(frame.plan);
     render::DrawStatistics drawn = draw(frame, frame.options, frame.before.maps);
     if (drawn.exact && drawn.exact->endedEarly)
-        frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::OmissionReason::AllAreDark});
+        frame.plan.omitted.push_back({plan::Effect::LateCasters, plan::SkipReason::AllAreDark});
     if (!std::exchange(frame.asksLitPixels, false)) return drawn;
     const std::optional<std::uint64_t> litPixels = backend_->litPixels();
     if (!litPixels) return drawn;
-    frame.isSunless = isNextToNothing(*litPixels, frame.plan.view);
-    frame.history.isSunless = frame.isSunless;
-    if (!frame.isSunless) return drawn;
-    plan::leaveLightSamplingOut(frame.plan);
+    frame.usesHeadlight = isNegligible(*litPixels, frame.plan.view);
+    frame.history.usesHeadlight = frame.usesHeadlight;
+    if (!frame.usesHeadlight) return drawn;
+    plan::skipLightSampling(frame.plan);
     if (drawn.isHeadlit) return drawn;
     if (frame.hasOneCasterList()) return draw(frame, frame.options);
     const Milliseconds first = drawn.image.time; // the maps stay, because the headlight needs none
@@ -231,13 +232,13 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     const plan::PlanMemory none;
     PreparedFrame turned =
         prepareShadows({view, frame.plan.quality, ground, none, Waiting::UntilComplete, options.margin()});
-    turned.isSunless = frame.isSunless;
+    turned.usesHeadlight = frame.usesHeadlight;
     draw(turned, options);
     shortfall_.add(detailOf(turned));
 }
 
 void Renderer::drawSample(const PreparedFrame& frame, const FrameOptions& options) {
-    render::FrameDrawing drawing = this->drawing(frame, options);
+    render::DrawInputs drawing = this->drawing(frame, options);
     plan::FramePlan moved;
     if (options.mapShift != glm::dvec2(0) && !frame.plan.passes.empty()) {
         moved = frame.plan;

@@ -28,15 +28,15 @@ struct FrameOptions {
     bool wantsWholeImage = false;
     // shows the view's frame from another camera: its cut, its casters and its maps
     std::optional<Camera> observerCamera;
-    glm::dvec2 subpixel{0}; // sample position as in FrameDrawing, at most half a pixel from the centre
+    glm::dvec2 subpixel{0}; // sample position as in DrawInputs, at most half a pixel from the centre
     // `drawSample` will follow: the cut has a `margin`, maps are complete, and the backend stores the light
     bool isAccumulated = false;
     glm::dvec2 mapShift{0}; // shift of the texel grids of all maps, as in ShadowMap
     render::LightPart lightPart = render::LightPart::All;
-    double skyWeight = 0;                          // as in FrameDrawing
-    std::optional<glm::vec3> groundShade;          // as in FrameDrawing
-    std::shared_ptr<const shadow::TileMask> tiles; // as in FrameDrawing
-    std::optional<render::ImageRows> rows;         // as in FrameDrawing
+    double skyWeight = 0;                          // as in DrawInputs
+    std::optional<glm::vec3> groundShade;          // as in DrawInputs
+    std::shared_ptr<const shadow::TileMask> tiles; // as in DrawInputs
+    std::optional<render::ImageRows> rows;         // as in DrawInputs
 
     /// Returns the pixels by which the cut extends beyond the image on each side.
     double margin() const { return isAccumulated ? 0.5 : 0; }

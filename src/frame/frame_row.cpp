@@ -13,12 +13,12 @@ std::int64_t toCount(std::uint64_t value) {
 void setExact(const exact::ExactStatistics& exact, telemetry::FrameRow& row) {
     row.shadowSamples = toCount(exact.samples);
     row.shadowCells = toCount(exact.cells);
-    row.sampleTests = toCount(exact.cast.sampleTests);
-    row.exactDecisions = toCount(exact.cast.exactDecisions);
-    row.touchingPixels = toCount(exact.touching);
-    row.shadowTriangles = toCount(exact.cast.trianglesCast);
-    row.castersTested = toCount(exact.cast.clustersTested);
-    row.castersKept = toCount(exact.cast.clustersKept);
+    row.sampleTests = toCount(exact.counts.sampleTests);
+    row.exactDecisions = toCount(exact.counts.exactDecisions);
+    row.pixelsWithinTolerance = toCount(exact.withinTolerance);
+    row.shadowTriangles = toCount(exact.counts.trianglesRasterized);
+    row.castersTested = toCount(exact.counts.clustersTested);
+    row.castersKept = toCount(exact.counts.clustersKept);
 }
 
 void setCulled(const render::CulledCasters& culled, telemetry::FrameRow& row) {
@@ -104,9 +104,9 @@ telemetry::FrameRow frameRow(
     if (drawn.exact) setExact(*drawn.exact, row);
     if (plan.passes.empty()) return row;
     row.storageFactor = plan.storageFactor;
-    row.promisedAliasingX = plan.promised.x;
-    row.promisedAliasingZ = plan.promised.z;
-    row.promiseKept = plan.promiseKept;
+    row.aliasingBoundX = plan.aliasingBound.x;
+    row.aliasingBoundZ = plan.aliasingBound.z;
+    row.isBoundKept = plan.isBoundKept;
     return row;
 }
 

@@ -14,8 +14,8 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr double kMostShadow = 16;   // max length of a shadow, in diagonals of the model
-constexpr double kLeastLight = 1e-4; // min sine of the light's elevation
+constexpr double kMaxShadow = 16;  // max length of a shadow, in diagonals of the model
+constexpr double kMinLight = 1e-4; // min sine of the light's elevation
 // in heights of the model: beyond this distance, even a wide wall hides less than 0.4% of the sky
 constexpr double kSkyReach = 8;
 
@@ -98,7 +98,7 @@ std::array<glm::dvec3, 8> cornersOf(const Box& bounds) {
 /// length.
 void addShadow(
     const Box& bounds, const glm::dvec3& up, double height, const glm::dvec3& towardsLight, Polygon& points) {
-    const double longest = kMostShadow * glm::length(bounds.extent());
+    const double longest = kMaxShadow * glm::length(bounds.extent());
     for (const glm::dvec3& p : cornersOf(bounds)) {
         const double above = std::max(glm::dot(up, p) - height, 0.0);
         const glm::dvec3 under = p - up * (glm::dot(up, p) - height);
@@ -125,7 +125,7 @@ void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up
     }
     for (const glm::dvec2 rim : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
         const glm::dvec3 light = glm::normalize(plan::towardsDisc(view.towardsLight, view.sunAngleRadians, rim));
-        if (glm::dot(up, light) > kLeastLight) addShadow(bounds, up, height, light, points);
+        if (glm::dot(up, light) > kMinLight) addShadow(bounds, up, height, light, points);
     }
 }
 
@@ -183,10 +183,10 @@ bool isSeenFromAbove(const plan::View& view, const glm::dvec3& up, double height
 } // namespace
 
 std::shared_ptr<const Ground> groundOf(
-    const plan::View& view, const plan::Look& look, const ModelExtent& model, bool reachesSky) {
+    const plan::View& view, const plan::ShadingSettings& look, const ModelExtent& model, bool reachesSky) {
     const glm::dvec3 up = glm::normalize(view.up);
     const glm::dvec3 towardsLight = view.light().unit();
-    const bool isLit = glm::dot(up, towardsLight) > kLeastLight && !plan::isWithoutSun(look.shading);
+    const bool isLit = glm::dot(up, towardsLight) > kMinLight && !plan::hasNoSun(look.shading);
     if (!look.ground || !isLit || model.pages.empty()) return nullptr;
     const double height = lowestPoint(model, up);
     if (!isSeenFromAbove(view, up, height)) return nullptr;

@@ -29,7 +29,7 @@ struct ModelExtent {
 /// or at the end of the grid. With `reachesSky`, the ground also contains the points where the model hides a visible
 /// share of the sky, more than one level of a screen.
 std::shared_ptr<const Ground> groundOf(
-    const plan::View& view, const plan::Look& look, const ModelExtent& model, bool reachesSky = false);
+    const plan::View& view, const plan::ShadingSettings& look, const ModelExtent& model, bool reachesSky = false);
 
 /// Adds `ground` to `facts`, the facts of a frame of `view` (a distant view if it is orthographic). The part of the
 /// ground in the frustum can be in shadow at all its depths. Returns false, without a change, if no part of the ground

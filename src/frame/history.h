@@ -17,7 +17,7 @@ struct History {
     plan::Quality quality;
     double farthest = 0; // largest visible depth of the previous frame
     // true: Shading::Auto uses the headlight in this motion; nullopt: not known yet
-    std::optional<bool> isSunless;
+    std::optional<bool> usesHeadlight;
     // The maps that the previous frame left in the depth texture; null: none. A renderer reuses a map only if its
     // texture still holds these maps.
     std::shared_ptr<const DrawnMaps> maps;
@@ -27,7 +27,7 @@ struct History {
 };
 
 /// Returns the part of `history` that a frame of `view` with `quality` uses. If the frame does not continue the motion
-/// of the previous frame (plan/view_jump.h), the plan memory and the choice of the shading are removed.
+/// of the previous frame (plan/camera_cut.h), the plan memory and the choice of the shading are removed.
 History continuedHistory(const History& history, const plan::View& view, const plan::Quality& quality);
 
 } // namespace gnomon::frame

@@ -31,8 +31,8 @@ Demand demandOf(const plan::View& view, const plan::Quality& quality, const Fram
     if (options.wantsSurfaces) demand.perPixel += sizeof(render::SurfaceSample);
     if (options.isAccumulated)
         demand.perPixel += render::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
-    const bool hasSun = !plan::isWithoutSun(quality.look.shading);
-    const plan::ShadowMode shadows = plan::decideShadows(quality, plan::kSoftwareCapabilities).mode;
+    const bool hasSun = !plan::hasNoSun(quality.look.shading);
+    const plan::ShadowMode shadows = plan::chooseShadows(quality, plan::kSoftwareCapabilities).mode;
     if (hasSun && shadows != plan::ShadowMode::Off && shadows != plan::ShadowMode::Maps)
         demand.perPixel += exact::ExactShadows::kBytesPerSample + kLitMask + (view.pointLight ? kMapOfLamp : 0);
     else if (hasSun && shadows == plan::ShadowMode::Maps && !options.isAccumulated)

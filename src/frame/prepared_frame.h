@@ -20,13 +20,13 @@ struct PreparedFrame {
     plan::SceneFacts facts;
     std::shared_ptr<const Ground> ground; // null if no part of the ground is in view
     bool hasGround = false;               // true: the view has a ground, in view or not
-    render::DrawSpace space;
+    render::CameraRelativeSpace space;
     std::shared_ptr<const lod::ErrorRule> rule; // error rule of the cut
     std::vector<ConvexVolume> volumes;          // of the cut: of the image, the casters and the sections
     std::size_t sectionVolumes = 0;             // number of volumes of the sections
     // true: the light reaches so few visible pixels that --shading auto uses the headlight
-    bool isSunless = false;
-    bool asksLitPixels = false; // true: the number of lit pixels still has to decide `isSunless`
+    bool usesHeadlight = false;
+    bool asksLitPixels = false; // true: the number of lit pixels still has to decide `usesHeadlight`
     double errorPixels = 1;     // error limit of the quality, or more if a cap on triangles increases it
     lod::Cut cut;
     lod::DemandOutcome residency;

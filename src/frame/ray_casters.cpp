@@ -17,8 +17,8 @@ shadow::ViewFrustum visibleFrustum(const plan::FramePlan& plan, const plan::Scen
         near = std::min(near, facts.visible->nearest);
         far = std::max(far, facts.visible->farthest);
     }
-    constexpr double kLeastRatio = 1e-9; // min near / far; a frustum needs a near plane
-    return {std::max(near, kLeastRatio * far), far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
+    constexpr double kMinRatio = 1e-9; // min near / far; a frustum needs a near plane
+    return {std::max(near, kMinRatio * far), far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
 }
 
 shadow::Region wholeRegion(const plan::FramePlan& plan, const plan::SceneFacts& facts) {
@@ -82,11 +82,11 @@ lod::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
 }
 
 std::vector<lod::CasterDetail> pointCasterDetails(const PreparedFrame& frame) {
-    constexpr int kMostSlabs = 12;
+    constexpr int kMaxSlabs = 12;
     const shadow::ViewFrustum frustum = visibleFrustum(frame.plan, frame.facts);
     std::vector<lod::CasterDetail> details;
     double far = frustum.far;
-    while (static_cast<int>(details.size()) + 1 < kMostSlabs && far / 2 > frustum.near) {
+    while (static_cast<int>(details.size()) + 1 < kMaxSlabs && far / 2 > frustum.near) {
         details.push_back(slabDetail(frame, far / 2, far));
         far /= 2;
     }

@@ -17,12 +17,12 @@ bool cullsByReceivers(const PreparedFrame& frame, const FrameOptions& options) {
 }
 
 /// Sets the clip planes such that an orthographic image of `camera` shows all geometry within `bounds`.
-void clipAround(const Camera& camera, const Box& bounds, render::FrameDrawing& drawing) {
-    constexpr double kBeyond = 1.01;
+void clipAround(const Camera& camera, const Box& bounds, render::DrawInputs& drawing) {
+    constexpr double kClipMargin = 1.01;
     const glm::dvec3 view = cameraBasis(camera).view;
     const double middle = glm::dot(view, bounds.center() - camera.eye);
     const double reach = std::max(
-        kBeyond * 0.5 * glm::dot(glm::abs(view), bounds.extent()), drawing.grid.step() + 1e-9 * std::abs(middle));
+        kClipMargin * 0.5 * glm::dot(glm::abs(view), bounds.extent()), drawing.grid.step() + 1e-9 * std::abs(middle));
     drawing.clipNear = middle - reach;
     drawing.clipFar = middle + reach;
 }
@@ -39,18 +39,18 @@ plan::FramePlan Renderer::plan(const plan::View& view, const plan::Quality& qual
     return prepare(view, quality).plan;
 }
 
-bool Renderer::isNextToNothing(std::uint64_t litPixels, const plan::View& view) {
+bool Renderer::isNegligible(std::uint64_t litPixels, const plan::View& view) {
     return litPixels < minLitPixels(view);
 }
 
 std::uint64_t Renderer::minLitPixels(const plan::View& view) {
-    constexpr double kNextToNothing = 0.005; // share of the pixels
-    return static_cast<std::uint64_t>(std::ceil(kNextToNothing * view.width * view.height));
+    constexpr double kNegligible = 0.005; // share of the pixels
+    return static_cast<std::uint64_t>(std::ceil(kNegligible * view.width * view.height));
 }
 
-render::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
+render::DrawInputs Renderer::drawing(const PreparedFrame& frame, const FrameOptions& options) const {
     const hierarchy::ModelSummary& summary = model_->summary();
-    render::FrameDrawing drawing;
+    render::DrawInputs drawing;
     drawing.plan = &frame.plan;
     drawing.space = frame.space;
     drawing.grid = summary.grid;
@@ -68,19 +68,19 @@ render::FrameDrawing Renderer::drawing(const PreparedFrame& frame, const FrameOp
     // Reversed float depth has the same precision for any near plane. The limit is only for triangles that cross a near
     // plane close to the eye.
     const plan::SceneFacts::Visible visible = frame.facts.visible.value_or(plan::SceneFacts::Visible{});
-    const double least = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
-    drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, least);
+    const double minNear = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
+    drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, minNear);
     if (options.observerCamera) {
         drawing.observerCamera = options.observerCamera;
-        drawing.clipNear = std::max(distance(summary.bounds, options.observerCamera->eye) * 0.99, least);
+        drawing.clipNear = std::max(distance(summary.bounds, options.observerCamera->eye) * 0.99, minNear);
     }
     const Camera camera = options.observerCamera.value_or(frame.plan.view.camera);
     if (camera.isParallel()) clipAround(camera, frame.facts.bounds, drawing);
     drawing.subpixel = options.subpixel;
     drawing.overlay = options.overlay;
-    if (frame.ground && !options.observerCamera && !frame.isSunless) drawing.ground = &frame.ground->page;
+    if (frame.ground && !options.observerCamera && !frame.usesHeadlight) drawing.ground = &frame.ground->page;
     const plan::Shading shading = frame.plan.quality.look.shading;
-    const plan::Shading automatic = frame.isSunless ? plan::Shading::Headlight : plan::Shading::Lit;
+    const plan::Shading automatic = frame.usesHeadlight ? plan::Shading::Headlight : plan::Shading::Lit;
     drawing.shading = shading == plan::Shading::Auto ? automatic : shading;
     if (options.overlay == render::Overlay::Residency)
         drawing.substitutes =

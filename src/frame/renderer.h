@@ -33,7 +33,7 @@ public:
     Renderer(const hierarchy::ModelFile& model, render::Backend& backend, ResidencyOptions options);
 
     /// Draws the frame of a view; the backend then contains its image. If `history` belongs to the same motion
-    /// (plan/view_jump.h), it provides the hysteresis of the plan and determines the shading. Otherwise the image does
+    /// (plan/camera_cut.h), it provides the hysteresis of the plan and determines the shading. Otherwise the image does
     /// not depend on previous frames.
     Frame render(
         const plan::View& view, const plan::Quality& quality, const FrameOptions& options, const History& history = {});
@@ -45,7 +45,7 @@ public:
     void planFor(const plan::Capabilities& backend) { plannedFor_ = backend; }
 
     /// Returns true if the light reaches so few pixels that Shading::Auto uses no sun.
-    static bool isNextToNothing(std::uint64_t litPixels, const plan::View& view);
+    static bool isNegligible(std::uint64_t litPixels, const plan::View& view);
 
     /// Plans and cuts a view after a frame with the plan memory `memory`, and makes its pages resident. The function
     /// does not draw. The cut extends `margin` pixels beyond the image.
@@ -71,7 +71,7 @@ public:
     void drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options);
 
     /// Returns the backend's input for `frame`. `frame` must outlive the result.
-    render::FrameDrawing drawing(const PreparedFrame& frame, const FrameOptions& options) const;
+    render::DrawInputs drawing(const PreparedFrame& frame, const FrameOptions& options) const;
 
     /// Reserves memory for the image of a later frame.
     void reservePicture(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
@@ -105,7 +105,7 @@ private:
     plan::Capabilities capabilities() const { return plannedFor_.value_or(backend_->capabilities()); }
 
     /// Returns the ground of `view`, or null.
-    std::shared_ptr<const Ground> ground(const plan::View& view, const plan::Look& look, bool hasSky) const;
+    std::shared_ptr<const Ground> ground(const plan::View& view, const plan::ShadingSettings& look, bool hasSky) const;
 
     static std::uint64_t minLitPixels(const plan::View& view);
     PreparedFrame prepareShadows(const Asked& asked);

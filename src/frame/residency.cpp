@@ -23,18 +23,18 @@ constexpr Bytes kProgram = mebibytes(64); // memory of the process before it ope
 
 /// Returns the memory for tables, pages and images. Throws Error if the model cannot be drawn, or if the memory is too
 /// small for its tables.
-Bytes memoryBesideProgram(const hierarchy::ModelFile& model, const ResidencyOptions& options) {
+Bytes memoryWithoutProgram(const hierarchy::ModelFile& model, const ResidencyOptions& options) {
     if (const auto fault = hierarchy::drawingFault(model.pages(), model.summary().grid))
         throw Error(model.path(), *fault);
     const Bytes program = options.holdsPictures ? kProgram : Bytes();
-    const Bytes least{program.count + tableBytes(model).count};
-    if (options.memory <= least)
+    const Bytes required{program.count + tableBytes(model).count};
+    if (options.memory <= required)
         throw LimitError(
             Limit::PageMemory,
             {"page memory",
              options.holdsPictures ? "the program and the page table alone take more"
                                    : "the page table alone takes more",
-             "above " + readableBytes(least),
+             "above " + readableBytes(required),
              readableBytes(options.memory)});
     return {options.memory.count - program.count};
 }
@@ -58,7 +58,7 @@ Bytes tableBytes(const hierarchy::ModelFile& model) {
 
 Residency::Residency(const hierarchy::ModelFile& model, ResidencyOptions options)
     : model_(&model),
-      memory_(memoryBesideProgram(model, options)),
+      memory_(memoryWithoutProgram(model, options)),
       holdsPictures_(options.holdsPictures),
       source_(model),
       store_(
@@ -87,13 +87,13 @@ void Residency::reservePicture(Bytes bytes) {
     const std::uint64_t tables = tableBytes(*model_).count;
     const std::uint64_t left = memory_.count - std::min(memory_.count, tables + bytes.count);
     const std::uint64_t working = holdsPictures_ ? left / 3 : 0;
-    const Bytes least{tables + bytes.count + store_.pinned().count + store_.pinned().count / 2};
-    if (holdsPictures_ && least > memory_)
+    const Bytes required{tables + bytes.count + store_.pinned().count + store_.pinned().count / 2};
+    if (holdsPictures_ && required > memory_)
         throw LimitError(
             Limit::PageMemory,
             {"page memory",
              "a picture of this size does not fit into it",
-             "at least " + readableBytes({least.count + kProgram.count}),
+             "at least " + readableBytes({required.count + kProgram.count}),
              readableBytes({memory_.count + kProgram.count})});
     const Bytes reserved{bytes.count + working};
     // A smaller image keeps the larger reservation. Otherwise pages would fill the memory, and the next large image
@@ -106,7 +106,7 @@ void Residency::reservePicture(Bytes bytes) {
 void Residency::keepRayTrees(bool areKept) {
     if (areKept == (rayTrees_ != nullptr)) return;
     rayTrees_ = areKept ? std::make_unique<raytrace::KeptTrees>() : nullptr;
-    store_.keepBeside(areKept ? raytrace::keptTreeBytes : std::function<Bytes(const hierarchy::PageInfo&)>());
+    store_.reserveAuxiliary(areKept ? raytrace::keptTreeBytes : std::function<Bytes(const hierarchy::PageInfo&)>());
 }
 
 void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
@@ -126,18 +126,18 @@ lod::DemandOutcome Residency::serve(const lod::CutQuery& query, const lod::Cut& 
         if (std::exchange(isOpen_, store_.isOpen()) != isOpen_) outcome.hasChanged = true;
         return outcome;
     }
-    const std::vector<hierarchy::PageDemand> foreseen = lod::foreseenPages(query, cut, model_->pages());
+    const std::vector<hierarchy::PageDemand> prefetchSet = lod::findPrefetchSet(query, cut, model_->pages());
     const auto ranked = [&](std::span<const hierarchy::PageDemand> demands) {
         return rankedByBoxes(query, demands, model_->pages());
     };
-    return store_.request({ranked(cut.used), ranked(cut.wanted), ranked(foreseen), alongTheMotion(query)});
+    return store_.request({ranked(cut.used), ranked(cut.wanted), ranked(prefetchSet), alongTheMotion(query)});
 }
 
 std::vector<std::uint32_t> Residency::pagesOf(const lod::CutQuery& query, const lod::Cut& cut) const {
     std::vector<std::uint32_t> pages = cut.passed;
-    const std::vector<hierarchy::PageDemand> foreseen = lod::foreseenPages(query, cut, model_->pages());
+    const std::vector<hierarchy::PageDemand> prefetchSet = lod::findPrefetchSet(query, cut, model_->pages());
     for (const std::span<const hierarchy::PageDemand> demands :
-         {std::span(cut.used), std::span(cut.wanted), std::span(foreseen)})
+         {std::span(cut.used), std::span(cut.wanted), std::span(prefetchSet)})
         for (const hierarchy::PageDemand& demand : demands)
             pages.push_back(demand.page);
     return pages;
@@ -166,10 +166,10 @@ std::vector<hierarchy::PageDemand> Residency::alongTheMotion(const lod::CutQuery
     ahead.rule = &rule;
     ahead.volumes = {};
     lod::Cut cut = lod::cutFrame(ahead);
-    const std::vector<hierarchy::PageDemand> foreseen = lod::foreseenPages(ahead, cut, model_->pages());
+    const std::vector<hierarchy::PageDemand> prefetchSet = lod::findPrefetchSet(ahead, cut, model_->pages());
     std::vector<hierarchy::PageDemand> result = std::move(cut.used);
     result.insert(result.end(), cut.wanted.begin(), cut.wanted.end());
-    result.insert(result.end(), foreseen.begin(), foreseen.end());
+    result.insert(result.end(), prefetchSet.begin(), prefetchSet.end());
     return result;
 }
 
@@ -182,7 +182,7 @@ std::vector<hierarchy::PageDemand> rankedByBoxes(
     for (hierarchy::PageDemand& demand : result) {
         const hierarchy::PageInfo& info = pages[demand.page];
         if (std::isinf(demand.pixels) || std::isinf(info.maxError)) continue;
-        const double seen = query.rule->mostViewPixels(query.trees->grid().local(info.box), info.maxError);
+        const double seen = query.rule->maxViewPixels(query.trees->grid().local(info.box), info.maxError);
         const double shown = std::max(seen, query.rule->casterPixels(info.bounds, info.maxError));
         demand.pixels = shown > 0 ? std::min(demand.pixels, shown) : demand.pixels * kOutOfView;
     }

@@ -24,7 +24,7 @@ plan::SceneFacts::Light lightFacts(
         casters.add(block.box);
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
-    light.seen = lod::seenParts(query, cut.lists.image, seen);
+    light.seen = lod::visibleSlabs(query, cut.lists.image, seen);
     if (view.pointLight) { // lit sides are computed only for directional lights, so all depths count as lit
         light.lit = {seen};
         return light;

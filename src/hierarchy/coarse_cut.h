@@ -14,10 +14,10 @@ inline bool isDrawnOf(const PageInfo& info, double error) {
 }
 
 /// Returns the error of this cut, for pages whose bounds have this diagonal. The error is 1/400 of the diagonal, or
-/// larger if the decoded pages without root groups would otherwise exceed `mostBytes`. `pages` is a range of ranges of
+/// larger if the decoded pages without root groups would otherwise exceed `maxBytes`. `pages` is a range of ranges of
 /// PageInfo.
 template <class Pages>
-double coarseError(const Pages& pages, double diagonal, std::uint64_t mostBytes = std::uint64_t{16} << 20U) {
+double coarseError(const Pages& pages, double diagonal, std::uint64_t maxBytes = std::uint64_t{16} << 20U) {
     double error = diagonal / 400;
     for (;; error *= 1.25) {
         std::uint64_t bytes = 0;
@@ -25,7 +25,7 @@ double coarseError(const Pages& pages, double diagonal, std::uint64_t mostBytes 
             for (const PageInfo& info : some)
                 if (info.maxError != std::numeric_limits<double>::infinity() && info.maxError > error)
                     bytes += decodedPageBytes(info);
-        if (bytes <= mostBytes || !(error > 0)) return error;
+        if (bytes <= maxBytes || !(error > 0)) return error;
     }
 }
 

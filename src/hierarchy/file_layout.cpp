@@ -188,10 +188,10 @@ std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages) {
 
 std::uint64_t tableMemory(const Footer& footer) {
     const std::uint64_t pageBytes = footer.pageTable.offset - kHeaderBytes;
-    const std::uint64_t most = std::min(footer.pageTable.bytes / kRowBytes, pageBytes);
-    if (footer.pageCount > most)
+    const std::uint64_t maxPages = std::min(footer.pageTable.bytes / kRowBytes, pageBytes);
+    if (footer.pageCount > maxPages)
         throw Damage{
-            "pages: expected at most " + std::to_string(most) + ", as many as the file has bytes for, found " +
+            "pages: expected at most " + std::to_string(maxPages) + ", as many as the file has bytes for, found " +
             std::to_string(footer.pageCount)};
     const std::uint64_t childBytes = footer.pageTable.bytes - footer.pageCount * kRowBytes;
     return footer.pageTable.bytes + footer.pageCount * sizeof(PageInfo) + childBytes;
@@ -246,8 +246,8 @@ std::vector<std::byte> encodeSummary(const ModelSummary& summary) {
     out.putVarint(summary.fields.size());
     for (const Field& field : summary.fields) {
         out.putText(field.name);
-        out.put(field.least);
-        out.put(field.greatest);
+        out.put(field.min);
+        out.put(field.max);
         out.putVarint(field.bits);
     }
     for (const LevelInfo& level : summary.levels)
@@ -260,12 +260,12 @@ namespace {
 Field takeField(ByteReader& in) {
     Field field;
     field.name = in.takeText();
-    field.least = in.take<double>();
-    field.greatest = in.take<double>();
+    field.min = in.take<double>();
+    field.max = in.take<double>();
     const std::uint64_t bits = in.takeVarint();
-    const bool isRange = std::isfinite(field.least) && std::isfinite(field.greatest) && field.least <= field.greatest;
+    const bool isRange = std::isfinite(field.min) && std::isfinite(field.max) && field.min <= field.max;
     if (field.name.empty() || !isRange) throw Damage{"a field has no name or no range"};
-    if (bits < 1 || bits > kMostFieldBits) throw Damage{"a field has " + std::to_string(bits) + " bits"};
+    if (bits < 1 || bits > kMaxFieldBits) throw Damage{"a field has " + std::to_string(bits) + " bits"};
     field.bits = static_cast<std::uint32_t>(bits);
     return field;
 }

@@ -16,9 +16,9 @@ constexpr std::uint32_t kMaxGridCoordinate = 0x7FFFFFFFU;
 
 /// Limits of the exponent of the grid's step, and of world coordinates. Within these limits, squared distances in
 /// double precision neither overflow nor become denormal.
-constexpr int kLeastStepExponent = -600;
-constexpr int kMostStepExponent = 320;
-constexpr double kMostCoordinate = 0x1p340;
+constexpr int kMinStepExponent = -600;
+constexpr int kMaxStepExponent = 320;
+constexpr double kMaxCoordinate = 0x1p340;
 
 /// A point of the grid.
 struct GridPoint {

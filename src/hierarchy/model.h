@@ -24,14 +24,14 @@ constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
 
 /// Limits that each writer respects and each reader checks before it allocates memory: the decoded bytes of a page (a
 /// group is far smaller), the levels of a model, and the bytes of its summary.
-constexpr std::uint64_t kMostPageBytes = 4U << 20U;
+constexpr std::uint64_t kMaxPageBytes = 4U << 20U;
 constexpr std::uint32_t kMaxLevels = 64;
-constexpr std::uint64_t kMostSummaryBytes = 1U << 20U;
-constexpr std::uint32_t kMostFieldBits = 16;
+constexpr std::uint64_t kMaxSummaryBytes = 1U << 20U;
+constexpr std::uint32_t kMaxFieldBits = 16;
 
 /// Default limit, in bytes, of the memory for the tables of a model while it opens. This is sufficient for 1.8 million
 /// pages, a mesh of more than ten billion triangles.
-constexpr std::uint64_t kMostTableBytes = std::uint64_t{512} << 20U;
+constexpr std::uint64_t kMaxTableBytes = std::uint64_t{512} << 20U;
 
 /// One row of the page table. The rows of all pages stay in memory.
 struct PageInfo {
@@ -68,15 +68,15 @@ struct LevelInfo {
 };
 
 /// A scalar property of the vertices besides normal and colour. A vertex stores it as an integer n of `bits` bits,
-/// which means least + n (greatest - least) / (2^bits - 1). The rounding error is at most half a step.
+/// which means min + n (max - min) / (2^bits - 1). The rounding error is at most half a step.
 struct Field {
     std::string name;
-    double least = 0;
-    double greatest = 0;
-    std::uint32_t bits = kMostFieldBits; // from 1 to kMostFieldBits
+    double min = 0;
+    double max = 0;
+    std::uint32_t bits = kMaxFieldBits; // from 1 to kMaxFieldBits
 
     /// Returns the max rounding error of a stored value.
-    double error() const { return (greatest - least) / (2 * static_cast<double>((1U << bits) - 1U)); }
+    double error() const { return (max - min) / (2 * static_cast<double>((1U << bits) - 1U)); }
 
     bool operator==(const Field&) const = default;
 };

@@ -80,9 +80,9 @@ Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Byte
                            footer.summary.bytes == offset - footer.summary.offset;
         if (!tiled) throw Damage{"the tables are at wrong offsets"};
         const Bytes needed{hierarchy::tableMemory(footer)};
-        if (footer.summary.bytes > kMostSummaryBytes)
+        if (footer.summary.bytes > kMaxSummaryBytes)
             throw Damage{
-                "bytes of the summary: expected at most " + std::to_string(kMostSummaryBytes) + ", found " +
+                "bytes of the summary: expected at most " + std::to_string(kMaxSummaryBytes) + ", found " +
                 std::to_string(footer.summary.bytes)};
         if (needed > tableMemory)
             throw LimitError(

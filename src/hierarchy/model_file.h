@@ -24,10 +24,10 @@ class ModelFile {
 public:
     /// Opens the model at `path`, which is a file or an address. Throws Error if it is not a complete model, or if
     /// reading its tables would need more memory than `tableMemory`.
-    explicit ModelFile(const std::string& path, Bytes tableMemory = {kMostTableBytes});
+    explicit ModelFile(const std::string& path, Bytes tableMemory = {kMaxTableBytes});
 
     /// Opens the model that `source` reads. Errors are the same as for a path.
-    explicit ModelFile(std::unique_ptr<hierarchy::Source> source, Bytes tableMemory = {kMostTableBytes});
+    explicit ModelFile(std::unique_ptr<hierarchy::Source> source, Bytes tableMemory = {kMaxTableBytes});
 
     const std::string& path() const { return source_->name(); }
 

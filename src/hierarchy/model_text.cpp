@@ -51,7 +51,7 @@ void putSource(std::ostream& out, const ModelSummary& summary) {
     putVector(out, summary.bounds.max);
     out << std::setprecision(6) << "\naxes       up " << upText(summary) << "; in " << rowOf(summary.unit).name;
     for (const Field& field : summary.fields)
-        out << "\nfield      " << printable(field.name) << ' ' << field.least << " to " << field.greatest << " in "
+        out << "\nfield      " << printable(field.name) << ' ' << field.min << " to " << field.max << " in "
             << field.bits << " bits";
     out << "\ngrid step  " << summary.grid.step() << '\n';
 }
@@ -81,8 +81,8 @@ UpConfidence upConfidenceOf(const ModelSummary& summary) {
     if (const auto found = summary.options.find("up_confidence"); found != summary.options.end())
         return valueOf(kUpConfidences, found->second).value_or(UpConfidence::Guess);
     const auto because = summary.options.find("up"); // written by older builds
-    const bool isTold = because != summary.options.end() && !because->second.starts_with("guessed");
-    return isTold ? UpConfidence::Told : UpConfidence::Guess;
+    const bool isGiven = because != summary.options.end() && !because->second.starts_with("guessed");
+    return isGiven ? UpConfidence::Told : UpConfidence::Guess;
 }
 
 std::string upText(const ModelSummary& summary) {
@@ -133,8 +133,8 @@ std::string modelJson(const ModelFile& file) {
     for (const Field& field : summary.fields)
         json["fields"].push_back(
             {{"name", field.name},
-             {"min", field.least},
-             {"max", field.greatest},
+             {"min", field.min},
+             {"max", field.max},
              {"bits", field.bits},
              {"error", field.error()}});
     json["up"] = upAxisText(summary.up);

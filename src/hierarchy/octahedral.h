@@ -28,10 +28,10 @@ inline std::uint32_t packNormal(const glm::dvec3& direction) {
         x = foldedX;
     }
     static constexpr int kStep = 1 << (16U - kNormalBits);
-    static constexpr int kMost = 32768 / kStep - 1;
+    static constexpr int kMaxStep = 32768 / kStep - 1;
     const auto snorm = [](double v) {
         const int steps = static_cast<int>(std::floor(v * 32767.0 / kStep + 0.5));
-        return static_cast<std::uint32_t>(std::clamp(steps, -kMost, kMost) * kStep) & 0xFFFFU;
+        return static_cast<std::uint32_t>(std::clamp(steps, -kMaxStep, kMaxStep) * kStep) & 0xFFFFU;
     };
     return snorm(x) | snorm(y) << 16U;
 }

@@ -30,7 +30,7 @@ constexpr std::uint64_t kMaxExpansion = 256;
 
 /// Smallest size of a separate zstd block. In a smaller block, the entropy table costs more bytes and time than it
 /// saves.
-constexpr std::size_t kLeastBlockBytes = 5000;
+constexpr std::size_t kMinBlockBytes = 5000;
 
 /// A page that compresses to less than this share of its size is repetitive, for example a plant. One block for the
 /// whole page then decompresses a seventh faster, and its size is almost the same.
@@ -194,7 +194,7 @@ std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<c
     ZSTD_outBuffer out{packed.data(), packed.size(), 0};
     std::size_t begin = 0;
     for (const std::size_t end : streamEnds) {
-        if (end - begin < kLeastBlockBytes || plain.size() - end < kLeastBlockBytes) continue;
+        if (end - begin < kMinBlockBytes || plain.size() - end < kMinBlockBytes) continue;
         packBlock(context, plain.subspan(begin, end - begin), ZSTD_e_flush, out);
         begin = end;
     }
@@ -217,10 +217,13 @@ std::vector<std::byte> pack(
     return out.take();
 }
 
-/// Returns the uncompressed bytes of a page. Throws Damage if there are more than `most` bytes. `storage` contains them
-/// if decompression was necessary. `packingBits` receives the additional bits of the packing byte.
+/// Returns the uncompressed bytes of a page. Throws Damage if there are more than `maxBytes` bytes. `storage` contains
+/// them if decompression was necessary. `packingBits` receives the additional bits of the packing byte.
 std::span<const std::byte> unpack(
-    std::span<const std::byte> stored, std::uint64_t most, std::vector<std::byte>& storage, std::uint8_t& packingBits) {
+    std::span<const std::byte> stored,
+    std::uint64_t maxBytes,
+    std::vector<std::byte>& storage,
+    std::uint8_t& packingBits) {
     ByteReader in(stored);
     const auto first = in.take<std::uint8_t>();
     packingBits = static_cast<std::uint8_t>(first & (kAttributeErrorsBit | kFieldsBit));
@@ -233,7 +236,7 @@ std::span<const std::byte> unpack(
     }
     if (packing != Packing::Zstd) throw Damage{"unknown packing"};
     if (size > rest.size() * kMaxExpansion) throw Damage{"the decompressed size is too large for the stored bytes"};
-    if (size > most) throw Damage{"the decompressed size is too large for the counts of the page table"};
+    if (size > maxBytes) throw Damage{"the decompressed size is too large for the counts of the page table"};
     storage.resize(size);
     thread_local KeptContext<ZSTD_DCtx> kept(ZSTD_createDCtx, ZSTD_freeDCtx);
     const std::size_t got =
@@ -270,7 +273,7 @@ Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info, Pag
     if (const auto fault = countsFault(info)) throw Damage{*fault};
     thread_local std::vector<std::byte> storage; // reused to avoid an allocation per page
     std::uint8_t packingBits = 0;
-    ByteReader in(unpack(bytes, mostPlainBytes(info), storage, packingBits));
+    ByteReader in(unpack(bytes, maxPlainBytes(info), storage, packingBits));
     const bool withAttributeErrors = (packingBits & kAttributeErrorsBit) != 0;
     const bool withFields = (packingBits & kFieldsBit) != 0;
     if (!withFields) fields = {};

@@ -38,11 +38,11 @@ struct FieldLayout {
     }
 
     /// Returns the largest number of a field.
-    constexpr std::uint32_t greatest(std::size_t field) const { return (1U << bits[field]) - 1U; }
+    constexpr std::uint32_t maxNumber(std::size_t field) const { return (1U << bits[field]) - 1U; }
 
     /// Returns the number of `field`, which must exist.
     constexpr std::uint32_t number(std::uint32_t word, std::size_t field) const {
-        return word >> shift(field) & greatest(field);
+        return word >> shift(field) & maxNumber(field);
     }
 
     bool operator==(const FieldLayout&) const = default;

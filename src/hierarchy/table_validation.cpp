@@ -14,7 +14,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Limit of enclosing spheres, in grid steps. Spheres grow from level to level, but never by this much.
-constexpr double kMostSphereSteps = 0x1p44;
+constexpr double kMaxSphereSteps = 0x1p44;
 
 std::string found(const std::string& what, const std::string& expected, const std::string& found) {
     return what + ": expected " + expected + ", found " + found;
@@ -28,17 +28,17 @@ std::string numberText(double value) {
 
 /// Returns true if `value` is in [least, most]. Returns false for NaN.
 template <class T>
-bool isWithin(T value, T least, T most) {
-    return value >= least && value <= most;
+bool isWithin(T value, T min, T max) {
+    return value >= min && value <= max;
 }
 
 std::optional<std::string> countFault(
-    const char* what, std::uint32_t count, std::uint32_t clusters, std::uint32_t mostOfACluster) {
-    const std::uint64_t most = std::uint64_t{clusters} * mostOfACluster;
-    if (isWithin<std::uint64_t>(count, clusters, most)) return {};
+    const char* what, std::uint32_t count, std::uint32_t clusters, std::uint32_t maxPerCluster) {
+    const std::uint64_t max = std::uint64_t{clusters} * maxPerCluster;
+    if (isWithin<std::uint64_t>(count, clusters, max)) return {};
     return found(
         std::string(what) + " of " + std::to_string(clusters) + " clusters",
-        std::to_string(clusters) + " to " + std::to_string(most),
+        std::to_string(clusters) + " to " + std::to_string(max),
         std::to_string(count));
 }
 
@@ -57,11 +57,11 @@ std::optional<std::string> boxFault(const GridBox& box) {
 std::optional<std::string> boundsFault(const PageInfo& info, const Grid& grid) {
     const glm::dvec3& c = info.bounds.center;
     const double reach = std::abs(c.x) + std::abs(c.y) + std::abs(c.z) + info.bounds.radius;
-    const double most = kMostSphereSteps * grid.step();
-    if (!(info.bounds.radius >= 0) || !(reach <= most))
+    const double max = kMaxSphereSteps * grid.step();
+    if (!(info.bounds.radius >= 0) || !(reach <= max))
         return found(
             "its bounds",
-            "a sphere within " + numberText(most) + " of the grid's origin",
+            "a sphere within " + numberText(max) + " of the grid's origin",
             "one to " + numberText(reach));
     if (!(info.minError >= 0) || !(info.maxError >= info.minError))
         return found(
@@ -96,7 +96,7 @@ std::string pageName(std::size_t page) {
 
 } // namespace
 
-std::uint64_t mostPlainBytes(const PageInfo& info) {
+std::uint64_t maxPlainBytes(const PageInfo& info) {
     constexpr std::uint64_t kIndex = 5; // a varint of 32 bits, with seven bits per byte
     constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     constexpr std::uint64_t kVertex =
@@ -124,14 +124,12 @@ std::optional<std::string> countsFault(const PageInfo& info) {
             "refinements at level " + std::to_string(info.level),
             info.level == 0 ? "none" : "at least one",
             std::to_string(info.refinementCount));
-    if (const std::uint64_t bytes = decodedPageBytes(info); bytes > kMostPageBytes)
-        return found("its bytes once decoded", "at most " + std::to_string(kMostPageBytes), std::to_string(bytes));
+    if (const std::uint64_t bytes = decodedPageBytes(info); bytes > kMaxPageBytes)
+        return found("its bytes once decoded", "at most " + std::to_string(kMaxPageBytes), std::to_string(bytes));
     constexpr std::uint64_t kPackingAndSize = 11;
-    if (const std::uint64_t most = mostPlainBytes(info) + kPackingAndSize; info.storedBytes > most)
+    if (const std::uint64_t max = maxPlainBytes(info) + kPackingAndSize; info.storedBytes > max)
         return found(
-            "its stored bytes",
-            "at most " + std::to_string(most) + " for its counts",
-            std::to_string(info.storedBytes));
+            "its stored bytes", "at most " + std::to_string(max) + " for its counts", std::to_string(info.storedBytes));
     return {};
 }
 
@@ -150,16 +148,16 @@ std::optional<std::string> rowFault(const PageInfo& info, const Grid& grid) {
 
 std::optional<std::string> summaryFault(const ModelSummary& summary) {
     const Grid& grid = summary.grid;
-    if (!isWithin(grid.stepExponent, kLeastStepExponent, kMostStepExponent))
+    if (!isWithin(grid.stepExponent, kMinStepExponent, kMaxStepExponent))
         return found(
             "the grid's step, a power of two",
-            std::to_string(kLeastStepExponent) + " to " + std::to_string(kMostStepExponent),
+            std::to_string(kMinStepExponent) + " to " + std::to_string(kMaxStepExponent),
             std::to_string(grid.stepExponent));
-    const Box space{glm::dvec3(-kMostCoordinate), glm::dvec3(kMostCoordinate)};
+    const Box space{glm::dvec3(-kMaxCoordinate), glm::dvec3(kMaxCoordinate)};
     if (!holds(space, {grid.origin, grid.origin}, glm::dvec3(0)))
         return found(
             "the grid's origin",
-            "a point within " + numberText(kMostCoordinate) + " of 0",
+            "a point within " + numberText(kMaxCoordinate) + " of 0",
             boxText({grid.origin, grid.origin}));
     const Box& bounds = summary.bounds;
     const Box reach{grid.origin, grid.world({kMaxGridCoordinate, kMaxGridCoordinate, kMaxGridCoordinate})};
@@ -205,20 +203,20 @@ std::optional<std::string> modelFault(std::span<const PageInfo> pages, const Mod
 
 std::optional<std::string> drawingFault(std::span<const PageInfo> pages, const Grid& grid) {
     // Exponent of the smallest normal float.
-    constexpr int kLeastExponent = std::numeric_limits<float>::min_exponent - 1;
-    constexpr double kMostExtent = 0x1p62;
-    if (grid.stepExponent < kLeastExponent)
+    constexpr int kMinExponent = std::numeric_limits<float>::min_exponent - 1;
+    constexpr double kMaxExtent = 0x1p62;
+    if (grid.stepExponent < kMinExponent)
         return found(
             "too small to be drawn: the grid's step, a power of two",
-            "at least " + std::to_string(kLeastExponent),
+            "at least " + std::to_string(kMinExponent),
             std::to_string(grid.stepExponent));
     for (std::size_t page = 0; page < pages.size(); ++page) {
         const glm::dvec3 far = grid.local(pages[page].box.max);
         const double extent = std::max({far.x, far.y, far.z});
-        if (extent > kMostExtent)
+        if (extent > kMaxExtent)
             return found(
                 "too large to be drawn: " + pageName(page) + "distance from the grid's origin",
-                "at most " + numberText(kMostExtent),
+                "at most " + numberText(kMaxExtent),
                 numberText(extent));
     }
     return {};

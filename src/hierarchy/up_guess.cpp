@@ -43,8 +43,8 @@ std::optional<UpAxis> upOfMap(const Box& box) {
     const glm::dvec3 extent = box.extent();
     const double width = std::max({extent.x, extent.y, extent.z});
     for (int axis = 0; axis < 3; ++axis) {
-        const double least = std::min(middle[(axis + 1) % 3], middle[(axis + 2) % 3]);
-        if (least > kFar && least > kWidths * width && middle[axis] < kHigh)
+        const double minDistance = std::min(middle[(axis + 1) % 3], middle[(axis + 2) % 3]);
+        if (minDistance > kFar && minDistance > kWidths * width && middle[axis] < kHigh)
             return axisOf(2 * static_cast<std::size_t>(axis));
     }
     return {};

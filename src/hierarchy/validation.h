@@ -29,7 +29,7 @@ Sphere enclosingSphere(std::span<const Sphere> spheres);
 std::optional<std::string> pageFault(const Page& page);
 
 /// Returns the max uncompressed size, in bytes, of the tables and the geometry of the page that `info` describes.
-std::uint64_t mostPlainBytes(const PageInfo& info);
+std::uint64_t maxPlainBytes(const PageInfo& info);
 
 /// Returns the first fault of a row's level and counts, or nullopt. Faults are clusters without vertices or with too
 /// many, and more decoded or stored bytes than a page may have. All sums have 64 bits.

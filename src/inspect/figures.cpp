@@ -19,7 +19,7 @@ WideVector difference(const glm::i64vec3& to, const glm::i64vec3& from) {
     WideVector result{};
     for (int axis = 0; axis < 3; ++axis) {
         const Wide steps = Wide{to[axis]} - Wide{from[axis]};
-        GNOMON_CHECK(steps <= kMostSteps && steps >= -kMostSteps);
+        GNOMON_CHECK(steps <= kMaxSteps && steps >= -kMaxSteps);
         result[static_cast<std::size_t>(axis)] = steps;
     }
     return result;
@@ -57,10 +57,10 @@ double offPlane(std::span<const glm::i64vec3> cells, const glm::dvec3& normal) {
     double mean = 0;
     for (const glm::i64vec3& cell : cells)
         mean += glm::dot(unit, rounded(difference(cell, cells.front()))) / static_cast<double>(cells.size());
-    double most = 0;
+    double maxDistance = 0;
     for (const glm::i64vec3& cell : cells)
-        most = std::max(most, std::abs(glm::dot(unit, rounded(difference(cell, cells.front()))) - mean));
-    return most;
+        maxDistance = std::max(maxDistance, std::abs(glm::dot(unit, rounded(difference(cell, cells.front()))) - mean));
+    return maxDistance;
 }
 
 void measurePolygon(std::span<const glm::i64vec3> cells, double step, const glm::dvec3& up, Figures& figures) {

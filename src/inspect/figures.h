@@ -11,7 +11,7 @@
 namespace gnomon::inspect {
 
 /// Max distance between two measured cells, in grid steps. Products then fit 128-bit integers.
-constexpr std::int64_t kMostSteps = std::int64_t{1} << 40;
+constexpr std::int64_t kMaxSteps = std::int64_t{1} << 40;
 
 /// The figures of a sequence of points, in world units and degrees. A figure that needs more points is 0 or empty.
 struct Figures {
@@ -28,7 +28,7 @@ struct Figures {
     double offPlane = 0; // max distance of the points from their mean plane; 0 without a plane
 };
 
-/// Returns the figures of `cells`, at most kMostSteps apart, on a grid of `step`, a power of two. `up` has any length
+/// Returns the figures of `cells`, at most kMaxSteps apart, on a grid of `step`, a power of two. `up` has any length
 /// above 0. Squared distances and vector areas are integers, so derived values have the full precision of a double.
 Figures figuresOf(std::span<const glm::i64vec3> cells, double step, const glm::dvec3& up);
 

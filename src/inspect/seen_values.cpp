@@ -113,8 +113,7 @@ ValuePicture seenField(const frame::Renderer& renderer, const frame::Frame& fram
         double number = 0;
         for (std::size_t k = 0; k < 3; ++k)
             number += seen.weights[k] * fields.layout.number(fields.words[seen.triangle.vertices[k]], which);
-        values.pixels[seen.pixel] =
-            field.least + number * (field.greatest - field.least) / fields.layout.greatest(which);
+        values.pixels[seen.pixel] = field.min + number * (field.max - field.min) / fields.layout.maxNumber(which);
     });
     return values;
 }

@@ -25,7 +25,7 @@ std::array<double, 2> usualRange(
     if (colors.by == settings::ColorBy::Height) return heightRange(model.bounds, up);
     if (colors.by == settings::ColorBy::Slope) return {0, 90};
     for (const hierarchy::Field& field : model.fields)
-        if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.least, field.greatest};
+        if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.min, field.max};
     double largest = 0; // max of the visible errors
     for (const double value : values.pixels)
         if (value > largest) largest = value;

@@ -132,12 +132,12 @@ bool CutPart::isBlocked(std::uint32_t page, std::uint32_t group) const {
     return query_->blocked != nullptr && !query_->blocked->empty() && query_->blocked->contains({page, group});
 }
 
-/// Returns isPassedThrough for a page that is not resident.
+/// Returns isSkippable for a page that is not resident.
 bool CutPart::isPassed(std::uint32_t page) {
     if (query_->passable.empty()) return false;
-    if (asked_ != page) isAskedPassed_ = isPassedThrough(*query_, page); // adjacent refinements often share a page
+    if (asked_ != page) isAskedSkippable_ = isSkippable(*query_, page); // adjacent refinements often share a page
     asked_ = page;
-    return isAskedPassed_;
+    return isAskedSkippable_;
 }
 
 /// Collects the planes that a page's box may cross: the planes of volumes that do not certainly contain the box.
@@ -194,7 +194,7 @@ double CutPart::shownPixels(const hierarchy::Page& page, const hierarchy::Cluste
     const double pixels = refinements_[cluster.refinement].viewPixels;
     if (!(pixels > query_->errorPixels)) return pixels;
     const double error = page.refinements[cluster.refinement].drawnError();
-    return std::min(pixels, query_->rule->mostViewPixels(query_->trees->grid().local(cluster.box), error));
+    return std::min(pixels, query_->rule->maxViewPixels(query_->trees->grid().local(cluster.box), error));
 }
 
 void CutPart::test(const hierarchy::Page& page) {
@@ -277,7 +277,7 @@ std::vector<PageDemand> demand(const CutQuery& query) {
     return std::move(result.used);
 }
 
-std::vector<PageDemand> foreseenPages(
+std::vector<PageDemand> findPrefetchSet(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages) {
     // A page is refined only by pages with higher ids. In this order, all predecessors of a page are complete before
     // the page.
@@ -297,8 +297,8 @@ std::vector<PageDemand> foreseenPages(
             if (query.resident[child] != nullptr) continue;
             const hierarchy::PageInfo& info = pages[child];
             // A refinement never has more pixels than the group that it refines.
-            const double most = std::min(pixels, query.rule->pixels(info.bounds, info.maxError));
-            if (most > query.errorPixels) pixelsOf[child] = std::max(pixelsOf[child], most);
+            const double maxPixels = std::min(pixels, query.rule->pixels(info.bounds, info.maxError));
+            if (maxPixels > query.errorPixels) pixelsOf[child] = std::max(pixelsOf[child], maxPixels);
         }
     }
     return result;

@@ -77,7 +77,7 @@ struct CutQuery {
     std::span<const ConvexVolume> volumes;
     const hierarchy::BlockedGroups* blocked = nullptr; // groups that stay unrefined whatever the rule says, if any
     /// The page table, if the cut is drawn only once it wants nothing: then pages that it surely refines as a whole
-    /// need not be there (`isPassedThrough`).
+    /// need not be there (`isSkippable`).
     std::span<const hierarchy::PageInfo> passable = {};
     std::size_t sectionVolumes = 0; // number of volumes of the sections
 };
@@ -162,7 +162,7 @@ private:
     std::vector<hierarchy::PageDemand> wanted_;
     std::vector<RefinementState> refinements_;
     std::uint32_t asked_ = hierarchy::kNone; // the last page passed to isPassed
-    bool isAskedPassed_ = false;
+    bool isAskedSkippable_ = false;
     std::vector<CutPlane> pagePlanes_;
     std::vector<CutPlane> groupPlanes_;
     double step_; // of the grid
@@ -179,12 +179,12 @@ std::vector<hierarchy::PageDemand> demand(const CutQuery& query);
 /// Returns the prefetch set: the finer pages that `cut` may want after its wanted pages are loaded, according to the
 /// page table. The set is never too small and contains each page once, by id. It covers all levels at once, so loading
 /// does not wait for one level after another. The set is empty if the cut wants no pages.
-std::vector<hierarchy::PageDemand> foreseenPages(
+std::vector<hierarchy::PageDemand> findPrefetchSet(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages);
 
 /// Returns true if `page` is skippable: the page table proves that a cut of `query` refines all groups of the page and
 /// thus draws none of its clusters. A page with root groups is never skippable.
-bool isPassedThrough(const CutQuery& query, std::uint32_t page);
+bool isSkippable(const CutQuery& query, std::uint32_t page);
 
 /// Replaces the skippable pages in `cut` by the pages that refine them, as wanted or used pages.
 void replacePassed(const CutQuery& query, Cut& cut);

@@ -89,7 +89,7 @@ double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
     return error * pixelsPerUnit_ / (std::max(depth - bounds.radius, view_.nearestDepth) * cosine);
 }
 
-double ErrorRule::leastViewPixels(const Box& box, double error) const {
+double ErrorRule::minViewPixels(const Box& box, double error) const {
     if (classify(pyramid_, box) != Containment::Inside) return 0;
     // Each such sphere extends at least to the farthest point of the box. Its angle to the view axis can only increase
     // the result.
@@ -100,7 +100,7 @@ double ErrorRule::leastViewPixels(const Box& box, double error) const {
     return kRoundedUp * error * pixelsPerUnit_ / std::max(farthest, view_.nearestDepth);
 }
 
-double ErrorRule::mostViewPixels(const Box& box, double error) const {
+double ErrorRule::maxViewPixels(const Box& box, double error) const {
     const Box reach{box.min - error, box.max + error}; // contains both the drawn geometry and its refinement
     if (!(error > 0) || classify(pyramid_, reach) == Containment::Outside) return 0;
     const glm::dvec3& view = view_.basis.view;

@@ -82,7 +82,7 @@ struct CasterDetail {
 /// at most half a texel at the sphere's shadow. Otherwise it is e edgePixelsPerUnit / z, where z is the smallest view
 /// depth of the partition's receivers on the light rays through the sphere. For a point light, the rule assumes
 /// receivers at the smallest view depth and at the largest distance from the light, and includes the magnification of
-/// the shadow. If the light meets the receivers at an angle a, the actual displacement of the edge is 1 / sin a of this
+/// the shadow. If the light hits the receivers at an angle a, the actual displacement of the edge is 1 / sin a of this
 /// value, divided by DetailView::kEdgeMargin.
 class ErrorRule {
 public:
@@ -114,11 +114,11 @@ public:
 
     /// Returns a lower bound of `viewPixels` for each sphere that contains a point of `box` (local space), with at
     /// least `error`. Returns 0 if `box` is not completely in view.
-    double leastViewPixels(const Box& box, double error) const;
+    double minViewPixels(const Box& box, double error) const;
 
     /// Returns an upper bound of the image displacement of geometry in `box` (local space) that moves by `error`.
     /// Returns 0 if the geometry is not visible. The displacement is limited to the size of the image.
-    double mostViewPixels(const Box& box, double error) const;
+    double maxViewPixels(const Box& box, double error) const;
 
     /// Returns the error at shadow edges, in pixels. If the error is at most `floor`, the result may be any number up
     /// to `floor`.

@@ -4,7 +4,7 @@
 
 namespace gnomon::lod {
 
-double imageLayers(const lod::CutQuery& query, const lod::DrawList& image, double enough) {
+double imageLayers(const lod::CutQuery& query, const lod::DrawList& image, double sufficientLayers) {
     const lod::DetailView& view = query.rule->view();
     const hierarchy::Grid& grid = query.trees->grid();
     double layers = 0;
@@ -26,7 +26,7 @@ double imageLayers(const lod::CutQuery& query, const lod::DrawList& image, doubl
             }
             layers += std::min(share, 1.0);
         }
-        if (layers >= enough) break;
+        if (layers >= sufficientLayers) break;
     }
     return layers;
 }

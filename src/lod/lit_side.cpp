@@ -42,8 +42,8 @@ bool maySeeLitSide(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& t
     const glm::dvec3 towardsEye = eye - corners[0];
     const double light = glm::dot(normal, towardsLight);
     const double seen = glm::dot(normal, towardsEye);
-    const double least = kGrazing * glm::length(normal);
-    if (std::abs(light) <= least || std::abs(seen) <= least * glm::length(towardsEye)) return true;
+    const double grazingLimit = kGrazing * glm::length(normal);
+    if (std::abs(light) <= grazingLimit || std::abs(seen) <= grazingLimit * glm::length(towardsEye)) return true;
     return (light > 0) == (seen > 0);
 }
 

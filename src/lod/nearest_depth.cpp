@@ -16,7 +16,7 @@ ConvexVolume widenedPyramid(DetailView view) {
     return viewPyramid(view);
 }
 
-double leastDepth(const Box& box, const DetailView& view) {
+double minDepth(const Box& box, const DetailView& view) {
     const glm::dvec3 nearest(
         view.basis.view.x > 0 ? box.min.x : box.max.x,
         view.basis.view.y > 0 ? box.min.y : box.max.y,
@@ -52,7 +52,7 @@ double nearestDepth(const PageTrees& trees, const DetailView& view) {
         const std::size_t first = waiting.size();
         for (std::size_t lane = 0; lane < node.count; ++lane) {
             const Box box = boxOf(node, lane);
-            const double depth = std::max(leastDepth(box, view), 0.0);
+            const double depth = std::max(minDepth(box, view), 0.0);
             if (depth >= best || classify(pyramid, box) == Containment::Outside) continue;
             if ((node.leaves >> lane & 1U) != 0)
                 best = depth;

@@ -25,7 +25,7 @@ struct SeenPlane {
 };
 
 /// The position of all other geometry relative to a triangle: only behind it, only in front of it, or both.
-enum class Beside : std::uint8_t { Behind, Before, Both };
+enum class PlaneSide : std::uint8_t { Behind, Before, Both };
 
 class OpenSkySearch {
 public:
@@ -52,10 +52,10 @@ public:
                 std::array<glm::dvec3, 3> corners{};
                 for (std::size_t i = 0; i < 3; ++i)
                     corners[i] = grid_.local(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
-                const Beside beside = besideOf(corners);
-                if (beside == Beside::Both || (beside == Beside::Before && solids == Solids::MayBeCut)) return true;
-                if (beside == Beside::Before) hasFarSides_.store(true, std::memory_order_relaxed);
-                if (beside == Beside::Behind) hasNearSides_.store(true, std::memory_order_relaxed);
+                const PlaneSide side = planeSide(corners);
+                if (side == PlaneSide::Both || (side == PlaneSide::Before && solids == Solids::MayBeCut)) return true;
+                if (side == PlaneSide::Before) hasFarSides_.store(true, std::memory_order_relaxed);
+                if (side == PlaneSide::Behind) hasNearSides_.store(true, std::memory_order_relaxed);
             }
         }
         return false;
@@ -66,14 +66,14 @@ public:
     bool hidesFarSides() const { return !hasFarSides_.load() || (hasNearSides_.load() && isClosed()); }
 
 private:
-    Beside besideOf(const std::array<glm::dvec3, 3>& corners) const {
+    PlaneSide planeSide(const std::array<glm::dvec3, 3>& corners) const {
         const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double length = glm::length(across);
-        if (!(length > 0)) return Beside::Behind;
+        if (!(length > 0)) return PlaneSide::Behind;
         const bool isTurned = glm::dot(across, query_->rule->view().eye - corners[0]) < 0;
         const glm::dvec3 normal = across * ((isTurned ? -1 : 1) / length);
-        if (!isAnyBefore(normal, corners[0])) return Beside::Behind;
-        return isAllInView_ && !isAnyBefore(-normal, corners[0]) ? Beside::Before : Beside::Both;
+        if (!isAnyBefore(normal, corners[0])) return PlaneSide::Behind;
+        return isAllInView_ && !isAnyBefore(-normal, corners[0]) ? PlaneSide::Before : PlaneSide::Both;
     }
 
     /// Returns true if geometry lies in front of the plane through `point`, on the side of `normal`.

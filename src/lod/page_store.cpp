@@ -77,7 +77,7 @@ bool PageStore::admitLoaded() {
     for (const std::uint32_t page : requested_)
         if (entries_[page].retention == Retention::InUse) entries_[page].retention = Retention::None;
     areVictimsKnown_ = false;
-    makeRoom({0});
+    evictFor({0});
     requestKept();
     return hasCome || statistics_.pagesEvicted != evictedBefore;
 }
@@ -108,7 +108,7 @@ DemandOutcome PageStore::load(const Demand& demand) {
     loaders_.wait();
     outcome.hasChanged = takeFinished() || outcome.hasChanged;
     if (outcome.isBudgetBinding) outcome.hasChanged = dropUnkept() || outcome.hasChanged;
-    makeRoom({0}); // evicts pages without demand, because auxiliary bytes of other pages may need their memory
+    evictFor({0}); // evicts pages without demand, because auxiliary bytes of other pages may need their memory
     countMissing(demand, outcome);
     const bool isIncomplete = statistics_.pagesDamaged > 0 || outcome.pagesMissing > 0;
     if (isIncomplete && close()) outcome.hasChanged = true; // a cut must be able to draw the ancestors
@@ -121,7 +121,7 @@ void PageStore::rank(const Demand& demand) {
         Entry& entry = entries_[page];
         entry.urgency = 0;
         entry.need = Need::None;
-        entry.isAsked = false;
+        entry.isRequested = false;
         if (entry.retention != Retention::Pinned) entry.retention = Retention::None;
     }
     requested_.clear();
@@ -130,12 +130,12 @@ void PageStore::rank(const Demand& demand) {
         raisePriority(used.page, used.pixels, Need::Certain);
     for (const hierarchy::PageDemand& wanted : demand.wanted)
         raisePriority(wanted.page, wanted.pixels, Need::Certain);
-    for (const hierarchy::PageDemand& foreseen : demand.foreseen)
-        raisePriority(foreseen.page, foreseen.pixels, Need::Foreseen);
+    for (const hierarchy::PageDemand& soon : demand.prefetchSet)
+        raisePriority(soon.page, soon.pixels, Need::Prefetch);
     for (const hierarchy::PageDemand& ahead : demand.prefetch)
-        raisePriority(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale, Need::Foreseen);
+        raisePriority(ahead.page, std::min(ahead.pixels, 1e20) * kPrefetchScale, Need::Prefetch);
     for (const std::uint32_t page : requested_)
-        entries_[page].isAsked = true;
+        entries_[page].isRequested = true;
     raiseParents();
     std::sort(requested_.begin(), requested_.end(), [this](std::uint32_t a, std::uint32_t b) {
         const double urgencyA = entries_[a].urgency;
@@ -166,10 +166,10 @@ void PageStore::raiseParents() {
     }
 }
 
-/// Returns the error for a budget below `least` for `what`.
-Error PageStore::tooSmall(const std::string& what, Bytes least) const {
+/// Returns the error for a budget below `required` for `what`.
+Error PageStore::tooSmall(const std::string& what, Bytes required) const {
     const std::string found = readableBytes(options_.budget);
-    return {source_->name(), "the page cache is too small for " + what, "at least " + readableBytes(least), found};
+    return {source_->name(), "the page cache is too small for " + what, "at least " + readableBytes(required), found};
 }
 
 /// Selects the pages that the budget can hold, the most urgent first. All certain pages come before prefetched pages,
@@ -201,8 +201,8 @@ void PageStore::requestKept() {
     for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
         if (!entry.isKept() || entry.state != State::Absent || isPausing(entry)) continue;
-        if (isOpen_ ? !entry.isAsked : isUnrequested(page)) continue; // parents are more urgent and came before
-        if (!makeRoom(entry.bytes)) break;
+        if (isOpen_ ? !entry.isRequested : isUnrequested(page)) continue; // parents are more urgent and came before
+        if (!evictFor(entry.bytes)) break;
         hold(page);
         requests.push_back(page);
     }
@@ -210,13 +210,13 @@ void PageStore::requestKept() {
 }
 
 void PageStore::reserve(Bytes bytes) {
-    const Bytes least{pinned_.count + bytes.count};
-    if (least > options_.budget) throw tooSmall("the coarsest level and what is held beside pages", least);
+    const Bytes required{pinned_.count + bytes.count};
+    if (required > options_.budget) throw tooSmall("the coarsest level and what is held beside pages", required);
     reserved_ = bytes;
-    makeRoom({0});
+    evictFor({0});
 }
 
-void PageStore::keepBeside(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes) {
+void PageStore::reserveAuxiliary(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes) {
     for (std::uint32_t page = 0; page < entries_.size(); ++page) {
         Entry& entry = entries_[page];
         const hierarchy::PageInfo& info = source_->pages()[page];
@@ -227,10 +227,10 @@ void PageStore::keepBeside(const std::function<Bytes(const hierarchy::PageInfo&)
     }
     if (pinned_ > options_.budget) throw tooSmall("the coarsest level and what is made of it", pinned_);
     statistics_.peak = std::max(statistics_.peak, statistics_.committed);
-    makeRoom({0});
+    evictFor({0});
 }
 
-bool PageStore::makeRoom(Bytes bytes) {
+bool PageStore::evictFor(Bytes bytes) {
     const auto fits = [&] {
         return statistics_.committed.count + reserved_.count + bytes.count <= options_.budget.count;
     };
@@ -272,7 +272,7 @@ bool PageStore::takeFinished() {
         if (loaded.content) {
             isUnreadTold_ = false;
             waiting_.push_back(std::move(loaded));
-        } else if (const std::exception_ptr thrown = leaveOut(loaded); !failure) {
+        } else if (const std::exception_ptr thrown = reject(loaded); !failure) {
             failure = thrown;
         }
     }
@@ -306,7 +306,7 @@ bool PageStore::admitWaiting() {
 }
 
 /// Rejects a page that could not be loaded. Returns the exception to throw if no other page can be drawn in its place.
-std::exception_ptr PageStore::leaveOut(const LoadedPage& loaded) {
+std::exception_ptr PageStore::reject(const LoadedPage& loaded) {
     release(loaded.page);
     const bool isUnread = loaded.failure != nullptr;
     if (isUnread && !options_.drawsWithoutUnread) return loaded.failure;

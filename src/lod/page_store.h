@@ -47,7 +47,7 @@ struct Demand {
     std::span<const hierarchy::PageDemand> wanted;
     /// The prefetch set: pages that the cut may want after the wanted pages are loaded. They are loaded in the same
     /// queue, but receive memory only after the wanted pages.
-    std::span<const hierarchy::PageDemand> foreseen = {};
+    std::span<const hierarchy::PageDemand> prefetchSet = {};
     std::span<const hierarchy::PageDemand> prefetch = {}; // after all other pages, if the budget permits
     /// True if the caller draws only after all used and wanted pages are resident. The store then does not read their
     /// coarser ancestors, but still reserves memory for them. Only for `load`.
@@ -132,7 +132,7 @@ public:
     /// Reserves auxiliary bytes for each page: `bytes` returns the number for a page (null: none). They replace the
     /// previous values and are released with the page. The store evicts pages that the last `load` does not need, and
     /// later counts the auxiliary bytes. Throws Error if the pinned pages do not fit.
-    void keepBeside(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes);
+    void reserveAuxiliary(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes);
 
     const StoreStatistics& statistics() const { return statistics_; }
 
@@ -154,7 +154,7 @@ private:
     };
 
     /// The certainty with which the current demand needs a page.
-    enum class Need : std::uint8_t { None, Foreseen, Certain /* used, wanted, or a parent of such a page */ };
+    enum class Need : std::uint8_t { None, Prefetch, Certain /* used, wanted, or a parent of such a page */ };
 
     /// The state of one page, besides its row in the page table.
     struct Entry {
@@ -168,7 +168,7 @@ private:
         State state = State::Absent;
         std::optional<Stopwatch> unreadSince{}; // time of the last failed read
         Need need = Need::None;
-        bool isAsked = false; // requested by the current demand itself, not only as a parent
+        bool isRequested = false; // requested by the current demand itself, not only as a parent
         Retention retention = Retention::None;
 
         bool isKept() const { return retention >= Retention::Kept; }
@@ -179,11 +179,11 @@ private:
     void rank(const Demand& demand);
     void raisePriority(std::uint32_t page, double urgency, Need need);
     void raiseParents();
-    Error tooSmall(const std::string& what, Bytes least) const;
+    Error tooSmall(const std::string& what, Bytes required) const;
     void chooseKept(DemandOutcome& outcome);
     bool keep(Entry& entry, Bytes& total) const;
     void requestKept();
-    bool makeRoom(Bytes bytes);
+    bool evictFor(Bytes bytes);
     void withdrawQueued();
     bool takeFinished();
     bool admitWaiting();
@@ -196,7 +196,7 @@ private:
     void blockGroups(std::uint32_t page);
     template <class Block>
     void blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const;
-    std::exception_ptr leaveOut(const LoadedPage& loaded);
+    std::exception_ptr reject(const LoadedPage& loaded);
     void admit(LoadedPage loaded);
     void hide(std::uint32_t page);
     void countMissing(const Demand& demand, DemandOutcome& outcome) const;

@@ -16,19 +16,19 @@ namespace {
 
 /// A box as seen from the light: a rectangle perpendicular to the light direction, and a range along it.
 struct BeamBox {
-    glm::dvec2 least{std::numeric_limits<double>::infinity()};
-    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 min{std::numeric_limits<double>::infinity()};
+    glm::dvec2 max{-std::numeric_limits<double>::infinity()};
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 
     void add(const BeamBox& other) {
-        least = glm::min(least, other.least);
-        most = glm::max(most, other.most);
+        min = glm::min(min, other.min);
+        max = glm::max(max, other.max);
         low = std::min(low, other.low);
         high = std::max(high, other.high);
     }
 
-    glm::dvec2 middle() const { return 0.5 * (least + most); }
+    glm::dvec2 middle() const { return 0.5 * (min + max); }
 };
 
 /// A space with one axis along the light.
@@ -81,7 +81,7 @@ private:
         for (std::size_t i = begin; i < end; ++i)
             nodes_[node].add(boxes_[i]);
         if (leaves == 1 || begin == end) return;
-        const glm::dvec2 size = nodes_[node].most - nodes_[node].least;
+        const glm::dvec2 size = nodes_[node].max - nodes_[node].min;
         const int axis = size.x >= size.y ? 0 : 1;
         const std::size_t half = std::min(begin + leaves / 2, end);
         const auto at = [&](std::size_t i) { return boxes_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -98,8 +98,7 @@ private:
         if (!(before > best)) return;
         const double spread = 0.5 * slope * before;
         for (int axis = 0; axis < 2; ++axis)
-            if (box.most[axis] < receiver.least[axis] - spread || box.least[axis] > receiver.most[axis] + spread)
-                return;
+            if (box.max[axis] < receiver.min[axis] - spread || box.min[axis] > receiver.max[axis] + spread) return;
         if (2 * node + 1 >= nodes_.size()) {
             best = before;
             return;
@@ -123,12 +122,12 @@ void forEachClusterBox(const lod::CutQuery& query, const lod::DrawList& list, co
 
 /// A rectangle of the image, in pixels from the lower left corner.
 struct SeenRectangle {
-    glm::dvec2 least{std::numeric_limits<double>::infinity()};
-    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 min{std::numeric_limits<double>::infinity()};
+    glm::dvec2 max{-std::numeric_limits<double>::infinity()};
 
     void add(const glm::dvec2& point) {
-        least = glm::min(least, point);
-        most = glm::max(most, point);
+        min = glm::min(min, point);
+        max = glm::max(max, point);
     }
 };
 
@@ -157,7 +156,7 @@ SeenRectangle seenRectangle(const lod::DetailView& view, const TiledView& seen, 
     }
     if (seen.isParallel || !reachesNearer) return rectangle;
     rectangle = {};
-    for (const glm::dvec2& across : {offsets.least, offsets.most})
+    for (const glm::dvec2& across : {offsets.min, offsets.max})
         for (const double at : {depth, deepest})
             add(across, at);
     return rectangle;
@@ -165,13 +164,13 @@ SeenRectangle seenRectangle(const lod::DetailView& view, const TiledView& seen, 
 
 /// A half-open rectangle of image tiles.
 struct TileBox {
-    glm::ivec2 least{0};
-    glm::ivec2 most{0};
+    glm::ivec2 min{0};
+    glm::ivec2 max{0};
 };
 
 /// Returns the tiles that may show a part of `box`, whose nearest point has view depth `depth`.
 TileBox tilesOf(const lod::DetailView& view, const TiledView& seen, const Box& box, double depth) {
-    constexpr double kBeside = 1; // pixels: half a pixel, and a reserve for rounding
+    constexpr double kTileMargin = 1; // pixels: half a pixel, and a reserve for rounding
     const SeenRectangle rectangle = seenRectangle(view, seen, box, depth);
     const glm::ivec2 tiles(seen.tiles.columns(), seen.tiles.rows());
     const auto tileAt = [&](const glm::dvec2& pixel) {
@@ -179,8 +178,8 @@ TileBox tilesOf(const lod::DetailView& view, const TiledView& seen, const Box& b
         return glm::ivec2(glm::clamp(tile, glm::dvec2(-1), glm::dvec2(tiles)));
     };
     return {
-        glm::clamp(tileAt(rectangle.least - kBeside), glm::ivec2(0), tiles),
-        glm::clamp(tileAt(rectangle.most + kBeside) + 1, glm::ivec2(0), tiles)};
+        glm::clamp(tileAt(rectangle.min - kTileMargin), glm::ivec2(0), tiles),
+        glm::clamp(tileAt(rectangle.max + kTileMargin) + 1, glm::ivec2(0), tiles)};
 }
 
 /// The largest width per tile.
@@ -189,10 +188,10 @@ public:
     explicit TileWidths(const shadow::ImageTiles& tiles) : tiles_(tiles), widths_(tiles.count()) {}
 
     /// Returns the smallest width in `box`, or infinity for an empty box.
-    double least(const TileBox& box) const {
-        double least = std::numeric_limits<double>::infinity();
-        forEach(box, [&](std::size_t i) { least = std::min(least, widths_[i]); });
-        return least;
+    double min(const TileBox& box) const {
+        double min = std::numeric_limits<double>::infinity();
+        forEach(box, [&](std::size_t i) { min = std::min(min, widths_[i]); });
+        return min;
     }
 
     void raise(const TileBox& box, double width) {
@@ -209,8 +208,8 @@ public:
 private:
     template <class Use>
     void forEach(const TileBox& box, const Use& use) const {
-        for (int y = box.least.y; y < box.most.y; ++y)
-            for (int x = box.least.x; x < box.most.x; ++x)
+        for (int y = box.min.y; y < box.max.y; ++y)
+            for (int x = box.min.x; x < box.max.x; ++x)
                 use(static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_.columns()) +
                     static_cast<std::size_t>(x));
     }
@@ -273,7 +272,7 @@ private:
     bool isWider(const Box& box, const TileWidths& widths) const {
         const Receiver found = receiver(box);
         if (found.perDistance == 0) return false;
-        const double known = widths.least(found.tiles) / found.perDistance;
+        const double known = widths.min(found.tiles) / found.perDistance;
         return casters_->farthestBefore(found.beam, light_->slope, known) > known;
     }
 
@@ -283,7 +282,7 @@ private:
             box.add(corner);
         const Receiver found = receiver(box);
         if (found.perDistance == 0) return;
-        const double known = widths.least(found.tiles) / found.perDistance;
+        const double known = widths.min(found.tiles) / found.perDistance;
         const double before = casters_->farthestBefore(found.beam, light_->slope, known);
         if (before > known) widths.raise(found.tiles, before * found.perDistance);
     }

@@ -66,15 +66,15 @@ public:
         : query_(&query), pyramid_(lod::viewPyramid(query.rule->view())), clipper_(pyramid_) {}
 
     /// Extends the depth range by the visible part of one cluster.
-    void measure(const DepthCandidate& candidate, double& least, double& greatest) {
+    void measure(const DepthCandidate& candidate, double& minDepth, double& maxDepth) {
         ++measured;
         const lod::DetailView& view = query_->rule->view();
         const hierarchy::Page& page = *query_->resident[candidate.page];
         anyTriangle(query_->trees->grid(), page, candidate.cluster, [&](const std::array<glm::dvec3, 3>& corners) {
             for (const glm::dvec3& point : clipper_.clipped(corners)) {
                 const double depth = std::max(0.0, glm::dot(view.basis.view, point - view.eye));
-                least = std::min(least, std::max(0.0, depth - candidate.margin));
-                greatest = std::max(greatest, depth + candidate.margin);
+                minDepth = std::min(minDepth, std::max(0.0, depth - candidate.margin));
+                maxDepth = std::max(maxDepth, depth + candidate.margin);
             }
             return false;
         });
@@ -101,23 +101,23 @@ std::optional<VisibleDepths> visibleDepthRange(
     std::vector<DepthCandidate>& heap = scratch;
     DepthSearch search(query);
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    double least = kInfinite;
-    double greatest = -kInfinite;
-    const auto further = [](const DepthCandidate& a, const DepthCandidate& b) { return a.least > b.least; };
+    double minDepth = kInfinite;
+    double maxDepth = -kInfinite;
+    const auto further = [](const DepthCandidate& a, const DepthCandidate& b) { return a.minDepth > b.minDepth; };
     std::make_heap(heap.begin(), heap.end(), further);
     auto end = heap.end();
-    for (; end != heap.begin() && heap.front().least < least; --end) {
-        search.measure(heap.front(), least, greatest);
+    for (; end != heap.begin() && heap.front().minDepth < minDepth; --end) {
+        search.measure(heap.front(), minDepth, maxDepth);
         std::pop_heap(heap.begin(), end, further);
     }
-    if (least == kInfinite) return std::nullopt;
-    const auto nearer = [](const DepthCandidate& a, const DepthCandidate& b) { return a.greatest < b.greatest; };
+    if (minDepth == kInfinite) return std::nullopt;
+    const auto nearer = [](const DepthCandidate& a, const DepthCandidate& b) { return a.maxDepth < b.maxDepth; };
     std::make_heap(heap.begin(), end, nearer); // candidates after `end` are measured
-    for (; end != heap.begin() && heap.front().greatest > greatest; --end) {
-        search.measure(heap.front(), least, greatest);
+    for (; end != heap.begin() && heap.front().maxDepth > maxDepth; --end) {
+        search.measure(heap.front(), minDepth, maxDepth);
         std::pop_heap(heap.begin(), end, nearer);
     }
-    return VisibleDepths{{least, greatest}, search.measured};
+    return VisibleDepths{{minDepth, maxDepth}, search.measured};
 }
 
 std::vector<bool> receivingVolumes(

@@ -19,8 +19,8 @@ struct VisibleDepths {
 
 /// A drawn cluster and the view depths of its box.
 struct DepthCandidate {
-    double least = 0;
-    double greatest = 0;
+    double minDepth = 0;
+    double maxDepth = 0;
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     double margin = 0; // stored error of a missing refinement

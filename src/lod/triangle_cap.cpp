@@ -7,9 +7,9 @@
 namespace gnomon::lod {
 namespace {
 
-/// The thresholds at which a cluster is drawn: from `least` (inclusive) to `end` (exclusive).
+/// The thresholds at which a cluster is drawn: from `minPixels` (inclusive) to `end` (exclusive).
 struct DrawnAt {
-    double least = 0;
+    double minPixels = 0;
     double end = 0;
     std::uint32_t triangles = 0;
 };
@@ -17,7 +17,7 @@ struct DrawnAt {
 std::uint64_t trianglesAt(std::span<const DrawnAt> clusters, double errorPixels) {
     std::uint64_t result = 0;
     for (const DrawnAt& cluster : clusters)
-        result += cluster.least <= errorPixels && errorPixels < cluster.end ? cluster.triangles : 0;
+        result += cluster.minPixels <= errorPixels && errorPixels < cluster.end ? cluster.triangles : 0;
     return result;
 }
 
@@ -63,8 +63,8 @@ private:
     void addGroup(const hierarchy::Page& page, const hierarchy::Group& group, lod::VolumeMask mask, double end) {
         for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
             const hierarchy::Cluster& cluster = page.clusters[c];
-            const double least = cluster.refinement == hierarchy::kNone ? 0 : refinedBelow_[cluster.refinement];
-            if (!isOutside(mask, cluster.box)) found_.push_back({least, end, cluster.triangleCount});
+            const double minPixels = cluster.refinement == hierarchy::kNone ? 0 : refinedBelow_[cluster.refinement];
+            if (!isOutside(mask, cluster.box)) found_.push_back({minPixels, end, cluster.triangleCount});
         }
     }
 
@@ -81,14 +81,14 @@ double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles) {
     if (trianglesAt(clusters, query.errorPixels) <= maxTriangles) return query.errorPixels;
     double coarsest = query.errorPixels; // above this threshold, only roots are refined
     for (const DrawnAt& cluster : clusters)
-        coarsest = std::max({coarsest, cluster.least, std::isfinite(cluster.end) ? cluster.end : 0});
+        coarsest = std::max({coarsest, cluster.minPixels, std::isfinite(cluster.end) ? cluster.end : 0});
     double tooMany = std::max(query.errorPixels, std::numeric_limits<double>::min());
-    double enough = coarsest;
-    while (enough > tooMany * 1.001) {
-        const double middle = std::sqrt(tooMany) * std::sqrt(enough);
-        (trianglesAt(clusters, middle) <= maxTriangles ? enough : tooMany) = middle;
+    double feasible = coarsest;
+    while (feasible > tooMany * 1.001) {
+        const double middle = std::sqrt(tooMany) * std::sqrt(feasible);
+        (trianglesAt(clusters, middle) <= maxTriangles ? feasible : tooMany) = middle;
     }
-    return enough;
+    return feasible;
 }
 
 } // namespace gnomon::lod

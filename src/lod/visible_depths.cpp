@@ -53,14 +53,14 @@ class DepthSteps {
 public:
     explicit DepthSteps(const DepthSpan& depths) : steps_(depths), marks_(steps_.count()) {}
 
-    bool isMarked(double least, double greatest) const {
-        for (std::size_t i = steps_.step(least); i <= steps_.step(greatest); ++i)
+    bool isMarked(double minDepth, double maxDepth) const {
+        for (std::size_t i = steps_.step(minDepth); i <= steps_.step(maxDepth); ++i)
             if (!marks_[i].load(std::memory_order_relaxed)) return false;
         return true;
     }
 
-    void mark(double least, double greatest) {
-        for (std::size_t i = steps_.step(least); i <= steps_.step(greatest); ++i)
+    void mark(double minDepth, double maxDepth) {
+        for (std::size_t i = steps_.step(minDepth); i <= steps_.step(maxDepth); ++i)
             marks_[i].store(true, std::memory_order_relaxed);
     }
 
@@ -170,16 +170,16 @@ Box boxBetween(const lod::DetailView& view, const Box& box, const DepthSpan& spa
     Box result = box;
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(along[axis]) < 1e-3) continue; // almost no bound
-        double least = eye + span.near;             // range of along[axis] * x for any values on the other axes
-        double most = eye + span.far;
+        double minDepth = eye + span.near;          // range of along[axis] * x for any values on the other axes
+        double maxDepth = eye + span.far;
         for (int other = 0; other < 3; ++other) {
             if (other == axis) continue;
-            least -= std::max(along[other] * box.min[other], along[other] * box.max[other]);
-            most -= std::min(along[other] * box.min[other], along[other] * box.max[other]);
+            minDepth -= std::max(along[other] * box.min[other], along[other] * box.max[other]);
+            maxDepth -= std::min(along[other] * box.min[other], along[other] * box.max[other]);
         }
-        if (along[axis] < 0) std::swap(least, most);
-        result.min[axis] = std::clamp(least / along[axis], box.min[axis], box.max[axis]);
-        result.max[axis] = std::clamp(most / along[axis], result.min[axis], box.max[axis]);
+        if (along[axis] < 0) std::swap(minDepth, maxDepth);
+        result.min[axis] = std::clamp(minDepth / along[axis], box.min[axis], box.max[axis]);
+        result.max[axis] = std::clamp(maxDepth / along[axis], result.min[axis], box.max[axis]);
     }
     return result;
 }
@@ -224,7 +224,7 @@ LitSurfaces litSurfaces(
     return search.found();
 }
 
-std::vector<shadow::SeenPart> seenParts(
+std::vector<shadow::VisibleSlab> visibleSlabs(
     const lod::CutQuery& query, const lod::DrawList& image, const DepthSpan& depths) {
     GNOMON_CHECK(depths.near > 0 && depths.far >= depths.near);
     const lod::DetailView& view = query.rule->view();
@@ -248,7 +248,7 @@ std::vector<shadow::SeenPart> seenParts(
     for (const std::vector<Box>& found : ofThreads)
         for (std::size_t i = 0; i < boxes.size(); ++i)
             boxes[i].add(found[i]);
-    std::vector<shadow::SeenPart> parts;
+    std::vector<shadow::VisibleSlab> parts;
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].isEmpty()) parts.push_back({spans[i], {boxes[i].min - view.eye, boxes[i].max - view.eye}});
     return parts;

@@ -36,7 +36,7 @@ LitSurfaces litSurfaces(
 /// Returns the visible slabs of `image`, one per depth step. The steps are the same as for depth spans. A slab contains
 /// whole clusters that intersect the view pyramid, extended by the error of any refinement. Boxes are in the model's
 /// axes, relative to the eye.
-std::vector<shadow::SeenPart> seenParts(
+std::vector<shadow::VisibleSlab> visibleSlabs(
     const lod::CutQuery& query, const lod::DrawList& image, const DepthSpan& depths);
 
 /// Adjacent clusters of a draw list.

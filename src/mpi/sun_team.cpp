@@ -35,7 +35,7 @@ std::string SunTeam::nameOf(std::uint32_t rank) const {
 
 void SunTeam::begin(const std::string& key, Progress& progress) {
     key_ = key;
-    meet(Subject::Hello, encoded(distributed::Hello{mailbox_.host(), 1, key}), progress);
+    exchange(Subject::Hello, encoded(distributed::Hello{mailbox_.host(), 1, key}), progress);
 }
 
 void SunTeam::poll() {
@@ -74,16 +74,16 @@ void SunTeam::takeFromLeader(const Letter& letter) {
     throw Interrupted{};
 }
 
-void SunTeam::meet(Subject subject, std::vector<std::byte> bytes, Progress& progress) {
+void SunTeam::exchange(Subject subject, std::vector<std::byte> bytes, Progress& progress) {
     if (!leads()) mailbox_.send(0, subject, std::move(bytes));
     members_.front().hasArrived = true;
     const auto isOver = [&] {
         const auto hasArrived = [](const Member& member) { return member.hasArrived; };
         return leads() ? std::all_of(members_.begin(), members_.end(), hasArrived) : haveAllArrived_;
     };
-    distributed::Patience patience;
+    distributed::Backoff backoff;
     for (poll(); !isOver(); poll()) {
-        patience.wait();
+        backoff.wait();
         progress.advance(0);
     }
     haveAllArrived_ = false;
@@ -96,11 +96,11 @@ void SunTeam::meet(Subject subject, std::vector<std::byte> bytes, Progress& prog
 void SunTeam::combine(sun::LitSteps& lit, Progress& progress) {
     if (lit.count.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw Error("MPI", "too many points for one job", "at most 2^31 - 1", std::to_string(lit.count.size()));
-    meet(Subject::Ready, {}, progress);
+    exchange(Subject::Ready, {}, progress);
     // Adds one, so that 0 means "never lit" and MPI_MAX returns the last step of all ranks.
     for (std::uint32_t& last : lit.last)
         ++last;
-    std::vector<std::uint64_t> sums = {lit.samples, lit.touching};
+    std::vector<std::uint64_t> sums = {lit.samples, lit.withinTolerance};
     reduce(lit.count, MPI_UINT32_T, MPI_SUM, leads());
     reduce(lit.first, MPI_UINT32_T, MPI_MIN, leads());
     reduce(lit.last, MPI_UINT32_T, MPI_MAX, leads());
@@ -108,7 +108,7 @@ void SunTeam::combine(sun::LitSteps& lit, Progress& progress) {
     for (std::uint32_t& last : lit.last)
         --last;
     lit.samples = sums[0];
-    lit.touching = sums[1];
+    lit.withinTolerance = sums[1];
 }
 
 } // namespace gnomon::mpi

@@ -34,7 +34,7 @@ private:
 
     /// Waits until all ranks call this function. A rank other than 0 first sends a message with `subject` and `bytes`.
     /// The function polls `progress` for interruptions.
-    void meet(distributed::Subject subject, std::vector<std::byte> bytes, Progress& progress);
+    void exchange(distributed::Subject subject, std::vector<std::byte> bytes, Progress& progress);
 
     distributed::Mailbox& mailbox_;
     std::function<void()> noteStop_;

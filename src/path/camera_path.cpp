@@ -168,8 +168,8 @@ Camera cameraAt(const CameraPath& path, double time) {
     camera.projection = b.camera.projection;
     camera.fovYRadians = blend(&Camera::fovYRadians);
     if (path.interpolation == Interpolation::CatmullRom) { // the cubic can overshoot the valid range of angles
-        const auto [least, most] = std::minmax(b.camera.fovYRadians, c.camera.fovYRadians);
-        camera.fovYRadians = std::clamp(camera.fovYRadians, least, most);
+        const auto [minFovY, maxFovY] = std::minmax(b.camera.fovYRadians, c.camera.fovYRadians);
+        camera.fovYRadians = std::clamp(camera.fovYRadians, minFovY, maxFovY);
     }
     return camera;
 }

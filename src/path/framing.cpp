@@ -17,15 +17,15 @@ constexpr double kClosest = 0.02;   // min distance from the eye to the model, a
 
 /// The range of tangents in the picture along one axis.
 struct Extent {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
 
     void add(double tangent) {
-        least = std::min(least, tangent);
-        most = std::max(most, tangent);
+        min = std::min(min, tangent);
+        max = std::max(max, tangent);
     }
 
-    double middle() const { return 0.5 * (least + most); }
+    double middle() const { return 0.5 * (min + max); }
 };
 
 /// The position of the eye along the view (`depth`) and sideways (`aside`) at which `points` (camera space) exactly
@@ -51,8 +51,8 @@ double centerAlong(std::span<const glm::dvec3> points, int axis, double depth) {
     Extent sides;
     for (const glm::dvec3& p : points)
         sides.add(p[axis]);
-    double low = sides.least;
-    double high = sides.most;
+    double low = sides.min;
+    double high = sides.max;
     constexpr int kHalvings = 40;
     for (int i = 0; i < kHalvings; ++i) {
         const double aside = 0.5 * (low + high);
@@ -127,9 +127,9 @@ Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage,
     // far away.
     const glm::dvec3 upright = toCamera(basis, vantage.up);
     const double along = 1 - upright.z * upright.z;
-    const double beyond = (glm::dot(eye, upright) * upright.z - depth) / along;
-    const bool isNear = beyond > -0.25 * depth && beyond < -4 * depth;
-    const glm::dvec3 target = eye + glm::dvec3(0, 0, isNear ? beyond : -depth);
+    const double overshoot = (glm::dot(eye, upright) * upright.z - depth) / along;
+    const bool isNear = overshoot > -0.25 * depth && overshoot < -4 * depth;
+    const glm::dvec3 target = eye + glm::dvec3(0, 0, isNear ? overshoot : -depth);
     return {center + toWorld(basis, eye), center + toWorld(basis, target), vantage.up, fovYRadians};
 }
 

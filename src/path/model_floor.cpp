@@ -12,7 +12,7 @@ namespace gnomon::path {
 
 namespace {
 
-constexpr std::uint64_t kMostTriangles = 12'000'000;
+constexpr std::uint64_t kMaxTriangles = 12'000'000;
 
 /// The refinement rule of a region: refines groups that intersect the region and have an error larger than `error`.
 struct RegionRule {
@@ -68,8 +68,8 @@ std::vector<double> worthOfColumns(const WalkableFloor& floor, const HeightBand&
     for (std::uint32_t i = 0; i < floor.cells().size(); ++i) {
         const FloorCell& cell = floor.cells()[i];
         if (!band.holds(floor.height(cell.floor))) continue;
-        const bool isBesideThings = floor.isWalkable(i) && floor.clearance(i) < 2 * floor.body().eyeHeight;
-        worth[cell.column] += 1 + (floor.isWalkable(i) && floor.isInside(i) ? 3 : 0) + (isBesideThings ? 1 : 0);
+        const bool isNearObjects = floor.isWalkable(i) && floor.clearance(i) < 2 * floor.body().eyeHeight;
+        worth[cell.column] += 1 + (floor.isWalkable(i) && floor.isInside(i) ? 3 : 0) + (isNearObjects ? 1 : 0);
     }
     return worth;
 }
@@ -93,7 +93,7 @@ WalkableFloor floorOf(const hierarchy::ModelFile& model, const Box& region, cons
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);
     const Box world = hierarchy::worldBox(frame, region);
     RegionRule isRefined{{world.min - origin, world.max - origin}, 0.2 * cell};
-    while (trianglesRead(model, isRefined) > kMostTriangles)
+    while (trianglesRead(model, isRefined) > kMaxTriangles)
         isRefined.error *= 1.5;
     SolidSpans solid(grid, static_cast<std::int32_t>(body.headroom / grid.rise), isRefined.error);
     forEachTriangle(model, isRefined, [&](const TriangleCorners& corners) {

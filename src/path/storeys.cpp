@@ -54,11 +54,11 @@ std::vector<Storey> findStoreys(const WalkableFloor& floor) {
     for (const auto& area : areas) {
         const std::int32_t height = area.first;
         Storey storey{static_cast<double>(height), 0};
-        double most = 0; // max area at a single height, which names the storey
+        double maxValue = 0; // max area at a single height, which names the storey
         for (auto i = areas.lower_bound(height - near); i != areas.end() && i->first <= height + near; ++i) {
             storey.area += i->second;
-            if (i->second <= most) continue;
-            most = i->second;
+            if (i->second <= maxValue) continue;
+            maxValue = i->second;
             storey.height = i->first;
         }
         peaks.push_back(storey);
@@ -66,8 +66,8 @@ std::vector<Storey> findStoreys(const WalkableFloor& floor) {
     std::stable_sort(peaks.begin(), peaks.end(), [](const Storey& a, const Storey& b) { return a.area > b.area; });
     std::vector<Storey> storeys;
     for (const Storey& peak : peaks) {
-        const double least = std::min(aRoom, 0.25 * peaks.front().area);
-        if (peak.area < least) break;
+        const double minArea = std::min(aRoom, 0.25 * peaks.front().area);
+        if (peak.area < minArea) break;
         const auto isNear = [&](const Storey& other) { return std::abs(other.height - peak.height) < apart; };
         if (std::none_of(storeys.begin(), storeys.end(), isNear)) storeys.push_back(peak);
     }

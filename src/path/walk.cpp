@@ -64,12 +64,12 @@ CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHei
 
 /// Returns the end of a way without its last points in front of a wall. It removes at most a twelfth of the points.
 std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
-    const double enough = 2.2 * floor.body().eyeHeight / floor.grid().cell;
+    const double minStraight = 2.2 * floor.body().eyeHeight / floor.grid().cell;
     std::size_t end = way.size();
     for (; end > way.size() - way.size() / 12; --end) {
         const WayPoint& last = way[end - 1];
         const glm::dvec2 ahead = glm::normalize(last.at - way[end - 2].at);
-        if (runStraight(floor, last, last.at + enough * ahead).end != FloorCell::kNone) break;
+        if (runStraight(floor, last, last.at + minStraight * ahead).end != FloorCell::kNone) break;
     }
     return end;
 }

@@ -51,14 +51,16 @@ std::uint32_t WalkableFloor::around(std::uint32_t cell, std::size_t first, std::
     return beside == FloorCell::kNone ? FloorCell::kNone : cells_[beside].next[second];
 }
 
-std::uint32_t WalkableFloor::nearest(std::int32_t x, std::int32_t z, std::int32_t floor, std::int32_t most) const {
+std::uint32_t WalkableFloor::nearest(
+    std::int32_t x, std::int32_t z, std::int32_t floor, std::int32_t maxDistance) const {
     if (x < 0 || z < 0 || x >= grid_.width || z >= grid_.depth) return FloorCell::kNone;
     const std::size_t column =
         static_cast<std::size_t>(z) * static_cast<std::size_t>(grid_.width) + static_cast<std::size_t>(x);
     std::uint32_t found = FloorCell::kNone;
     for (std::uint32_t i = firstOfColumn_[column]; i < firstOfColumn_[column + 1]; ++i) {
         const std::int32_t away = std::abs(cells_[i].floor - floor);
-        if (away > most || (found != FloorCell::kNone && away >= std::abs(cells_[found].floor - floor))) continue;
+        if (away > maxDistance || (found != FloorCell::kNone && away >= std::abs(cells_[found].floor - floor)))
+            continue;
         found = i;
     }
     return found;
@@ -194,8 +196,8 @@ bool WalkableFloor::isSteep(std::uint32_t cell) const {
                  ++i, ++taken)
                 ends.at(side) = cells_[ends.at(side)].next.at(axis + 2 * side);
         const double rise = std::abs(cells_[ends[0]].floor - cells_[ends[1]].floor) * grid_.rise;
-        const double beyondAStep = std::max(0.0, rise - 0.7 * body_.step);
-        slope[static_cast<glm::length_t>(axis)] = beyondAStep / (std::max(taken, 1) * grid_.cell);
+        const double excessRise = std::max(0.0, rise - 0.7 * body_.step);
+        slope[static_cast<glm::length_t>(axis)] = excessRise / (std::max(taken, 1) * grid_.cell);
     }
     return glm::length(slope) > body_.stepSlope;
 }
@@ -225,7 +227,7 @@ bool WalkableFloor::isBorder(std::uint32_t cell) const {
 /// Distances follow the connections between cells.
 void WalkableFloor::measureClearance() {
     for (std::uint32_t i = 0; i < cells_.size(); ++i)
-        cells_[i].clearance = isBorder(i) ? 0 : FloorCell::kMostClearance;
+        cells_[i].clearance = isBorder(i) ? 0 : FloorCell::kMaxClearance;
     const auto lower = [&](FloorCell& cell, std::uint32_t other, int cost) {
         if (other == FloorCell::kNone) return;
         cell.clearance = static_cast<std::uint16_t>(std::min<int>(cell.clearance, cells_[other].clearance + cost));

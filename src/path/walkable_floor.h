@@ -32,11 +32,11 @@ struct FloorCell {
     std::uint32_t column = 0;
     std::int32_t floor = 0;      // height, in steps of the grid
     std::int32_t ceiling = kSky; // next solid above it, or kSky
-    std::uint16_t clearance = 0; // distance to the nearest border cell, in half columns, at most kMostClearance
+    std::uint16_t clearance = 0; // distance to the nearest border cell, in half columns, at most kMaxClearance
     /// The neighbouring cells towards -x, -z, +x, +z, or kNone.
     std::array<std::uint32_t, 4> next{kNone, kNone, kNone, kNone};
 
-    static constexpr std::uint16_t kMostClearance = 0x7FFF;
+    static constexpr std::uint16_t kMaxClearance = 0x7FFF;
 };
 
 /// All floor cells of a grid, by column and from below.
@@ -73,8 +73,8 @@ public:
     /// kNone if a step is impossible.
     std::uint32_t around(std::uint32_t cell, std::size_t first, std::size_t second) const;
 
-    /// Returns the cell of column (x, z) whose floor is nearest to `floor`, within `most` steps; or kNone.
-    std::uint32_t nearest(std::int32_t x, std::int32_t z, std::int32_t floor, std::int32_t most) const;
+    /// Returns the cell of column (x, z) whose floor is nearest to `floor`, within `maxDistance` steps; or kNone.
+    std::uint32_t nearest(std::int32_t x, std::int32_t z, std::int32_t floor, std::int32_t maxDistance) const;
 
 private:
     void findFloors(const SolidSpans& solid);

@@ -13,7 +13,7 @@ constexpr std::size_t kRegions = 12; // number of searched regions
 constexpr int kStarts = 3;           // start positions per region
 constexpr int kLegs = 4;             // max legs of a way
 constexpr double kAside = 0.8;       // in eye heights: distance of a leg from earlier legs
-constexpr double kBesideThings = 2;  // in eye heights: max distance of an object beside the way
+constexpr double kNearObjects = 2;   // in eye heights: max distance of an object beside the way
 
 /// A connected part of the floor.
 struct Region {
@@ -94,7 +94,7 @@ std::vector<Region> WaySearch::regions() const {
 
 double WaySearch::interestPerLength(std::uint32_t cell) const {
     const double clearance = floor_.clearance(cell) / floor_.body().eyeHeight;
-    const double beside = clearance > 0.25 && clearance < kBesideThings ? 1.5 : 1.0;
+    const double beside = clearance > 0.25 && clearance < kNearObjects ? 1.5 : 1.0;
     return (floor_.isInside(cell) ? 1.0 : 0.25) * beside;
 }
 
@@ -154,12 +154,12 @@ FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
     longest_ = longest;
     spread(start);
     std::uint32_t best = start;
-    double most = -1;
+    double maxInterest = -1;
     for (const std::uint32_t i : reached_) {
         // Ends that are not in front of a wall get a higher score.
         const double room = std::min(1.0, floor_.clearance(i) / floor_.body().eyeHeight);
-        if (tree_.interest[i] + 2 * room <= most) continue;
-        most = tree_.interest[i] + 2 * room;
+        if (tree_.interest[i] + 2 * room <= maxInterest) continue;
+        maxInterest = tree_.interest[i] + 2 * room;
         best = i;
     }
     const float halfAsInteresting = 0.5F * tree_.interest[best] / std::max(tree_.length[best], 1e-30F);
@@ -197,7 +197,7 @@ double wayWeight(const WalkableFloor& floor, std::uint32_t cell) {
     const double comfort = 0.5 * floor.body().eyeHeight;
     const double clearance = floor.clearance(cell);
     const double tightness = 1 + 4 * std::max(0.0, 1 - clearance / comfort);
-    return tightness * (floor.isInside(cell) ? 1 : 2) * (clearance < kBesideThings * floor.body().eyeHeight ? 1 : 1.3);
+    return tightness * (floor.isInside(cell) ? 1 : 2) * (clearance < kNearObjects * floor.body().eyeHeight ? 1 : 1.3);
 }
 
 std::optional<FoundWay> findWay(const WalkableFloor& floor, const WayBounds& bounds) {

@@ -4,18 +4,18 @@ namespace gnomon::plan {
 
 namespace {
 
-std::optional<OmissionReason> whyNoReceivers(const FramePlan& plan) {
+std::optional<SkipReason> whyNoReceivers(const FramePlan& plan) {
     const Quality& quality = plan.quality;
     if (quality.cullCasters == CasterCulling::Off || quality.cullCasters == CasterCulling::On)
-        return OmissionReason::SwitchedOff;
-    if (!plan.backend.imageFirst) return OmissionReason::MapsComeFirst;
+        return SkipReason::SwitchedOff;
+    if (!plan.backend.imageFirst) return SkipReason::MapsComeFirst;
     if (quality.cullCasters == CasterCulling::Receivers) return std::nullopt;
-    if (quality.stabilize) return OmissionReason::MapsAreKept;
+    if (quality.stabilize) return SkipReason::MapsAreKept;
     std::uint64_t triangles = 0;
     for (const ShadowPass& pass : plan.passes)
         triangles += pass.estimatedTriangles;
     const auto pixels = static_cast<std::uint64_t>(plan.view.width) * static_cast<std::uint64_t>(plan.view.height);
-    if (triangles * kPixelsPerTriangle < pixels) return OmissionReason::FewCasters;
+    if (triangles * kPixelsPerTriangle < pixels) return SkipReason::FewCasters;
     return std::nullopt;
 }
 

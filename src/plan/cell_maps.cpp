@@ -8,11 +8,11 @@
 namespace gnomon::plan {
 
 int cellSide(const FramePlan& plan) {
-    const double maps = std::max<double>(1, static_cast<double>(plan.cellMaps.size()));
+    const double maps = std::max<double>(1, static_cast<double>(plan.sampleGridMaps.size()));
     return static_cast<int>(kCellSide / std::sqrt(maps));
 }
 
-std::vector<shadow::ShadowMap> cellMaps(const FramePlan& plan) {
+std::vector<shadow::ShadowMap> sampleGridMaps(const FramePlan& plan) {
     shadow::ShadowView view;
     view.frustum = {plan.near, plan.far, plan.view.camera.fovYRadians / 2, plan.view.aspect()};
     view.towardsLight = plan.towardsLight;

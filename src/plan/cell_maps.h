@@ -18,6 +18,6 @@ int cellSide(const FramePlan& plan);
 /// Returns the maps whose matrices define the grids, nearest slice first. `plan` must have its view, light and depth
 /// range. Its quality selects the scheme. The default is one map with the warp of LSPSM (Wimmer et al. 2004). More
 /// partitions would rasterise triangles more than once, although the lists of samples are already short with one map.
-std::vector<shadow::ShadowMap> cellMaps(const FramePlan& plan);
+std::vector<shadow::ShadowMap> sampleGridMaps(const FramePlan& plan);
 
 } // namespace gnomon::plan

@@ -57,10 +57,10 @@ void setNear(
     if (range.memory->near.framesAbove > 0) range.nearFrom = DepthSource::Held;
 }
 
-/// Extends a range without depth to a ratio of kLeastRatio; a surface perpendicular to the view direction has such a
+/// Extends a range without depth to a ratio of kMinRatio; a surface perpendicular to the view direction has such a
 /// range. Throws Error if the given ends are not a valid range.
-void keepApart(DepthSpan& depths, const Quality& quality) {
-    constexpr double kLeastRatio = 1 + 1e-3;
+void separate(DepthSpan& depths, const Quality& quality) {
+    constexpr double kMinRatio = 1 + 1e-3;
     if (!(depths.near > 0) || !std::isfinite(depths.far))
         throw LimitError(
             {Limit::NearDepth, Limit::FarDepth},
@@ -77,19 +77,22 @@ void keepApart(DepthSpan& depths, const Quality& quality) {
              "above " + std::to_string(depths.near),
              std::to_string(depths.far)});
     if (quality.far)
-        depths.near = depths.far / kLeastRatio;
+        depths.near = depths.far / kMinRatio;
     else
-        depths.far = depths.near * kLeastRatio;
+        depths.far = depths.near * kMinRatio;
 }
 
 /// Returns the near end of the shown range: `end`, or a quantised step at or below `depth` if `depth` is smaller than
 /// `end`. The result is never below `floor` unless `end` is. For a far end, all arguments and the result are inverse
 /// depths.
 double shownEnd(double end, double depth, double floor, std::optional<shadow::NearState>& state) {
-    const bool isBeyond = depth < end && floor < end;
-    if (!isBeyond && !state) return end;
+    const bool exceedsEnd = depth < end && floor < end;
+    if (!exceedsEnd && !state) return end;
     state = shadow::nextNear(
-        state.value_or(shadow::NearState{}), isBeyond ? depth : end, isBeyond ? floor : end, kFramesBeforeNearRises);
+        state.value_or(shadow::NearState{}),
+        exceedsEnd ? depth : end,
+        exceedsEnd ? floor : end,
+        kFramesBeforeNearRises);
     if (state->near < end) return state->near;
     state.reset();
     return end;
@@ -110,14 +113,14 @@ void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::
 /// slices use all depths of the model instead, because their texels must keep their size. The range therefore needs no
 /// hysteresis.
 void setParallelRange(DepthRange& range, const View& view, const Quality& quality, const SceneFacts::Visible& visible) {
-    constexpr double kLeastRatio = 1 + 1e-5;
+    constexpr double kMinRatio = 1 + 1e-5;
     const double nearest = glm::length(view.camera.target - view.camera.eye); // depth of the near end of the model
     const double near = quality.stabilize ? nearest : visible.nearest * (1 - 1e-9);
     const double far = quality.stabilize ? nearest * kDistantGrowth : visible.farthest * (1 + 1e-9);
-    range.depths.near = quality.near.value_or(std::min(near, quality.far.value_or(far) / kLeastRatio));
-    range.depths.far = quality.far.value_or(std::max(far, range.depths.near * kLeastRatio));
+    range.depths.near = quality.near.value_or(std::min(near, quality.far.value_or(far) / kMinRatio));
+    range.depths.far = quality.far.value_or(std::max(far, range.depths.near * kMinRatio));
     if (quality.near) range.nearFrom = DepthSource::Given;
-    keepApart(range.depths, quality);
+    separate(range.depths, quality);
     range.shown = {std::min(range.depths.near, near), std::max(range.depths.far, far)};
     range.memory.reset();
 }
@@ -149,7 +152,7 @@ DepthRange depthRange(
     } else {
         setNear(range, quality, visible, memory);
     }
-    keepApart(range.depths, quality);
+    separate(range.depths, quality);
     range.memory->near.near = range.depths.near;
     if (range.memory->inverseFar) range.memory->inverseFar->near = 1 / range.depths.far;
     range.shown = range.depths;

@@ -8,9 +8,9 @@
 #include "core/integer_light.h"
 #include "plan/capabilities.h"
 #include "plan/light_sampling.h"
-#include "plan/look.h"
-#include "plan/omission.h"
+#include "plan/shading_settings.h"
 #include "plan/shadow_mode.h"
+#include "plan/skipped_effect.h"
 #include "shadow/shadow_map.h"
 #include "shadow/warp/warp.h"
 
@@ -88,7 +88,7 @@ inline constexpr std::array kCasterCullings = {
 
 /// The user's settings, with the names of the command line.
 struct Quality {
-    ShadowMode shadows = ShadowMode::Maps; // decideShadows replaces Auto
+    ShadowMode shadows = ShadowMode::Maps; // chooseShadows replaces Auto
     // the reason why Auto means Maps; nullopt: the backend determines the kind
     std::optional<ShadowReason> mapsBecause;
     shadow::Warp warp;
@@ -108,7 +108,7 @@ struct Quality {
     double errorPixels = 1;
     std::optional<std::uint64_t> maxTriangles;
     Choice occlusion = Choice::Auto; // skips the hidden clusters of the image; Auto: if this reduces the cost
-    Look look;
+    ShadingSettings look;
     double lightError = 0.05; // max error of the visible share of the light's disc at a point
     SkyLight sky;
 
@@ -136,10 +136,10 @@ struct SceneFacts {
 
     /// The receivers and casters in the view.
     struct Light {
-        std::vector<DepthSpan> lit;         // depths of the visible surfaces that face the light: disjoint and sorted
-        bool canBeShadowed = true;          // false: no caster can lie between the light and these surfaces
-        std::vector<CasterBlock> casters;   // all casters that can throw a shadow into the view
-        std::vector<shadow::SeenPart> seen; // the visible slabs, by depth
+        std::vector<DepthSpan> lit;       // depths of the visible surfaces that face the light: disjoint and sorted
+        bool canBeShadowed = true;        // false: no caster can lie between the light and these surfaces
+        std::vector<CasterBlock> casters; // all casters that can throw a shadow into the view
+        std::vector<shadow::VisibleSlab> seen; // the visible slabs, by depth
     };
 
     std::optional<Light> light;
@@ -178,19 +178,19 @@ struct FramePlan {
     // by the index from `selector`, or from shadow::cubeFaceOf for a lamp; -1: no map
     std::vector<int> passOfPartition;
     std::vector<ShadowPass> passes;
-    std::vector<shadow::ShadowMap> cellMaps; // maps whose matrices define the cells of exact shadows
-    shadow::Aliasing promised;               // max aliasing bound over all passes, per axis
+    std::vector<shadow::ShadowMap> sampleGridMaps; // maps whose matrices define the cells of exact shadows
+    shadow::Aliasing aliasingBound;                // max aliasing bound over all passes, per axis
     double storageFactor = 0;
     CasterCulling casterCulling = CasterCulling::On; // never Auto
     // false: no scheme that `auto` can choose has an aliasing bound of at most quality.maxAliasing
-    bool promiseKept = true;
+    bool isBoundKept = true;
     // ^Number of texels required for quality.maxAliasing; 0: no number suffices. If all open schemes require more than
     // the budget, this is the smallest of their numbers.
-    std::uint64_t texelsThatWouldDo = 0;
+    std::uint64_t requiredTexels = 0;
     std::uint64_t cost = 0; // estimated caster triangles + texels / 16
     Penumbra penumbra;      // for images that are the mean of frames
     SkyLight sky;           // for images that are the mean of frames
-    std::vector<Omission> omitted;
+    std::vector<SkippedEffect> omitted;
     bool skipsHidden = false; // true: the image pass skips hidden clusters; the image is the same
     int textureWidth = 0;     // size of the depth texture; 0 without maps
     int textureHeight = 0;

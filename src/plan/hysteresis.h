@@ -30,11 +30,11 @@ inline constexpr double kWorthwhile = 0.95;
 inline constexpr double kStillWorthwhile = 0.99;
 
 /// Limits of a continuous motion between two views. A larger change is a camera cut, which clears all memory between
-/// frames (plan/view_jump.h). kJumpShare limits the movement of the eye, as a share of the largest visible depth.
-/// kJumpDegrees limits the rotation of the view direction, of the up direction and of the light. kJumpZoom limits the
+/// frames (plan/camera_cut.h). kCutShare limits the movement of the eye, as a share of the largest visible depth.
+/// kCutDegrees limits the rotation of the view direction, of the up direction and of the light. kCutZoom limits the
 /// ratio of the image scales.
-inline constexpr double kJumpShare = 0.25;
-inline constexpr double kJumpDegrees = 30;
-inline constexpr double kJumpZoom = 1.25;
+inline constexpr double kCutShare = 0.25;
+inline constexpr double kCutDegrees = 30;
+inline constexpr double kCutZoom = 1.25;
 
 } // namespace gnomon::plan

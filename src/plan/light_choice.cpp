@@ -11,17 +11,17 @@ namespace gnomon::plan {
 namespace {
 
 /// Returns the reason why the image has no soft shadows, or nullopt if it can have them.
-std::optional<OmissionReason> reasonForNoSoftness(const Quality& quality) {
-    if (isWithoutSun(quality.look.shading)) return OmissionReason::NoSun;
-    if (quality.shadows == ShadowMode::Off) return OmissionReason::NoShadows;
+std::optional<SkipReason> reasonForNoSoftness(const Quality& quality) {
+    if (hasNoSun(quality.look.shading)) return SkipReason::NoSun;
+    if (quality.shadows == ShadowMode::Off) return SkipReason::NoShadows;
     return std::nullopt;
 }
 
-/// Returns the tiles whose penumbra bound is at least `least` pixels, or null if these are all tiles of the image.
-std::shared_ptr<const shadow::TileMask> softTiles(const PenumbraBound& bound, double least) {
+/// Returns the tiles whose penumbra bound is at least `minWidth` pixels, or null if these are all tiles of the image.
+std::shared_ptr<const shadow::TileMask> softTiles(const PenumbraBound& bound, double minWidth) {
     shadow::TileMask mask{bound.tiles, {}};
     for (const double width : bound.byTile)
-        mask.wanted.push_back(!(width < least));
+        mask.wanted.push_back(!(width < minWidth));
     if (mask.count() == mask.wanted.size()) return nullptr;
     return std::make_shared<const shadow::TileMask>(std::move(mask));
 }
@@ -36,15 +36,15 @@ void planPenumbra(FramePlan& plan, const PenumbraBound& bound) {
         return;
     }
     plan.penumbra.widestPixels = bound.widest;
-    plan.penumbra.leastPixels = leastPenumbra(plan.quality.lightError);
-    if (bound.widest < plan.penumbra.leastPixels) {
-        Omission omission{Effect::Penumbra, OmissionReason::NarrowPenumbrae};
-        omission.pixels = plan.penumbra.leastPixels;
-        plan.omitted.push_back(omission);
+    plan.penumbra.minPixels = minPenumbra(plan.quality.lightError);
+    if (bound.widest < plan.penumbra.minPixels) {
+        SkippedEffect skipped{Effect::Penumbra, SkipReason::NarrowPenumbrae};
+        skipped.pixels = plan.penumbra.minPixels;
+        plan.omitted.push_back(skipped);
         return;
     }
     plan.penumbra.directions = directionsFor(plan.quality.lightError);
-    plan.penumbra.tiles = softTiles(bound, plan.penumbra.leastPixels);
+    plan.penumbra.tiles = softTiles(bound, plan.penumbra.minPixels);
 }
 
 void planSky(FramePlan& plan, bool isAnythingHidden) {
@@ -53,15 +53,15 @@ void planSky(FramePlan& plan, bool isAnythingHidden) {
     if (const auto reason = reasonForNoSoftness(plan.quality)) {
         plan.omitted.push_back({Effect::SkyLight, *reason});
     } else if (!isAnythingHidden) {
-        plan.omitted.push_back({Effect::SkyLight, OmissionReason::NothingHidesTheSky});
+        plan.omitted.push_back({Effect::SkyLight, SkipReason::NothingHidesTheSky});
     } else {
         plan.sky = plan.quality.sky;
     }
 }
 
-void leaveLightSamplingOut(FramePlan& plan) {
-    if (plan.penumbra.directions > 1) plan.omitted.push_back({Effect::Penumbra, OmissionReason::NoSun});
-    if (plan.sky.directions > 0) plan.omitted.push_back({Effect::SkyLight, OmissionReason::NoSun});
+void skipLightSampling(FramePlan& plan) {
+    if (plan.penumbra.directions > 1) plan.omitted.push_back({Effect::Penumbra, SkipReason::NoSun});
+    if (plan.sky.directions > 0) plan.omitted.push_back({Effect::SkyLight, SkipReason::NoSun});
     plan.penumbra.directions = 1;
     plan.penumbra.tiles.reset();
     plan.sky = {};

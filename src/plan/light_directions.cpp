@@ -63,13 +63,13 @@ int directionsFor(double lightError) {
     return kDiscSamplings.back().directions;
 }
 
-int leastFirstPoints(int directions) {
+int minFirstPoints(int directions) {
     for (const DiscSampling& sampling : kDiscSamplings)
         if (sampling.directions == directions) return sampling.first;
     return directions;
 }
 
-double leastPenumbra(double lightError) {
+double minPenumbra(double lightError) {
     constexpr double kPi = 3.14159265358979323846;
     return lightError * 3 * kPi;
 }

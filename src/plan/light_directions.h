@@ -32,7 +32,7 @@ int directionsFor(double lightError);
 /// error of the mean over a pixel is then at most `lightError` of full light. For a straight edge, this error is at
 /// most 2 / (3 pi) of half the width. On a slanted surface the penumbra is wider, but the cosine reduces the light by
 /// the same factor.
-double leastPenumbra(double lightError);
+double minPenumbra(double lightError);
 
 /// Returns point `i` of `count` (i < count) in a disc of radius 1 (Vogel 1979). The first point is the centre.
 /// Consecutive points are far apart, so the first few points are also evenly distributed. The order also fits the pixel
@@ -40,7 +40,7 @@ double leastPenumbra(double lightError);
 glm::dvec2 discPoint(int i, int count);
 
 /// Returns DiscSampling::first for `directions`, or `directions` if the table does not contain this number.
-int leastFirstPoints(int directions);
+int minFirstPoints(int directions);
 
 /// Returns the unit direction through `point` of the light's disc. The disc has the centre direction `middle`, of any
 /// length above 0, and the angular diameter `angleRadians`.

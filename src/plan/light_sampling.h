@@ -32,9 +32,9 @@ struct SkyLight {
 /// The penumbrae of a plan.
 struct Penumbra {
     double widestPixels = 0; // upper bound of the penumbra widths in view, in pixels perpendicular to the beam
-    double leastPixels = 0;  // narrower penumbrae are drawn as if the light were a point
+    double minPixels = 0;    // narrower penumbrae are drawn as if the light were a point
     int directions = 1;      // samples of the light's disc; 1: the light is a point
-    /// The tiles that can contain penumbrae of at least leastPixels, if there is more than one direction. Null means
+    /// The tiles that can contain penumbrae of at least minPixels, if there is more than one direction. Null means
     /// all tiles.
     std::shared_ptr<const shadow::TileMask> tiles{};
 };
@@ -58,7 +58,7 @@ void planPenumbra(FramePlan& plan, const PenumbraBound& bound);
 void planSky(FramePlan& plan, bool isAnythingHidden);
 
 /// Removes penumbrae and sky light from `plan`. Call this if the finished image has no sun.
-void leaveLightSamplingOut(FramePlan& plan);
+void skipLightSampling(FramePlan& plan);
 
 /// Returns the number of frames of an image in which each frame has its own direction of light. Returns 1 if the light
 /// needs only one frame.

@@ -40,21 +40,20 @@ void requireValid(const View& view) {
 }
 
 /// Returns the reason why this view needs no maps, or nullopt if it needs them.
-std::optional<OmissionReason> reasonForNoMaps(
-    const Quality& quality, const SceneFacts& scene, const DepthRange& range) {
-    if (quality.shadows == ShadowMode::Off) return OmissionReason::SwitchedOff;
-    if (quality.shadows == ShadowMode::Rays) return OmissionReason::RayTraced;
-    if (quality.shadows == ShadowMode::Exact) return OmissionReason::DecidedExactly;
-    if (range.isEmpty) return OmissionReason::NothingInView;
-    if (scene.light && scene.light->lit.empty()) return OmissionReason::NothingFacesLight;
-    if (scene.light && !scene.light->canBeShadowed) return OmissionReason::NoCasterInReach;
+std::optional<SkipReason> reasonForNoMaps(const Quality& quality, const SceneFacts& scene, const DepthRange& range) {
+    if (quality.shadows == ShadowMode::Off) return SkipReason::SwitchedOff;
+    if (quality.shadows == ShadowMode::Rays) return SkipReason::RayTraced;
+    if (quality.shadows == ShadowMode::Exact) return SkipReason::ResolvedExactly;
+    if (range.isEmpty) return SkipReason::NothingInView;
+    if (scene.light && scene.light->lit.empty()) return SkipReason::NothingFacesLight;
+    if (scene.light && !scene.light->canBeShadowed) return SkipReason::NoCasterInReach;
     return std::nullopt;
 }
 
 /// Returns the reason why exact shadows have no sample to compute, or nullopt if they may have one.
-std::optional<OmissionReason> reasonForNoDecision(const SceneFacts& scene, const DepthRange& range) {
-    if (range.isEmpty) return OmissionReason::NothingInView;
-    if (scene.isTurnedFromLight) return OmissionReason::NothingFacesLight;
+std::optional<SkipReason> reasonForNoDecision(const SceneFacts& scene, const DepthRange& range) {
+    if (range.isEmpty) return SkipReason::NothingInView;
+    if (scene.isTurnedFromLight) return SkipReason::NothingFacesLight;
     return std::nullopt;
 }
 
@@ -105,7 +104,7 @@ PlannedFrame planFrame(
     plan.view = view;
     plan.quality = quality;
     plan.backend = backend;
-    const ShadowDecision shadows = decideShadows(quality, backend);
+    const ShadowDecision shadows = chooseShadows(quality, backend);
     plan.quality.shadows = shadows.mode;
     plan.quality.mapsBecause.reset();
     plan.shadowReason = shadows.reason;
@@ -131,7 +130,7 @@ PlannedFrame planFrame(
         if (const auto reason = reasonForNoDecision(scene, range))
             plan.omitted.push_back({Effect::ExactShadows, *reason});
         else
-            plan.cellMaps = cellMaps(plan);
+            plan.sampleGridMaps = sampleGridMaps(plan);
     }
     chooseCasterCulling(plan);
     chooseOcclusion(plan, scene.layers);

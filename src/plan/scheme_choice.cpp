@@ -91,23 +91,20 @@ bool areFacesWorthIt(
     atSameCost.options = faces.options;
     atSameCost.options.texels = budget - extra * kTexelsPerTriangle;
     completeCandidate(context, atSameCost);
-    gain = 1 - atSameCost.promise() / whole.promise();
+    gain = 1 - atSameCost.aliasingBound() / whole.aliasingBound();
     const bool isHeld = context.before && context.before->choice.faces;
-    return atSameCost.promise() <= whole.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
+    return atSameCost.aliasingBound() <= whole.aliasingBound() * (isHeld ? kStillWorthwhile : kWorthwhile);
 }
 
 SchemeCandidate chosenFaces(
-    const SchemeContext& context, const std::vector<SchemeChoice>& choices, std::vector<Omission>& omitted) {
+    const SchemeContext& context, const std::vector<SchemeChoice>& choices, std::vector<SkippedEffect>& omitted) {
     SchemeCandidate whole = evaluate(context, choices[0]);
     if (choices.size() == 1) return whole;
     SchemeCandidate faces = evaluate(context, choices[1]);
     double gain = 0;
     if (!faces.setup.maps.empty() && areFacesWorthIt(context, whole, faces, gain)) return faces;
     omitted.push_back(
-        {Effect::FacePartitions,
-         gain > 0 ? OmissionReason::GainTooSmall : OmissionReason::NoGain,
-         0,
-         std::max(0.0, gain)});
+        {Effect::FacePartitions, gain > 0 ? SkipReason::GainTooSmall : SkipReason::NoGain, 0, std::max(0.0, gain)});
     return whole;
 }
 
@@ -117,10 +114,10 @@ std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
 }
 
 /// Returns true if `best` is better than the scheme of the previous frame by a clear margin. Either both or neither
-/// must meet the max aliasing.
+/// must stay within the max aliasing.
 bool dominates(const SchemeCandidate& best, const SchemeCandidate& before) {
-    if (best.keepsPromise) return static_cast<double>(before.cost) * kCheaper > static_cast<double>(best.cost);
-    return before.promise() * kLower > best.promise();
+    if (best.isWithinMaxAliasing) return static_cast<double>(before.cost) * kCheaper > static_cast<double>(best.cost);
+    return before.aliasingBound() * kLower > best.aliasingBound();
 }
 
 /// Returns the scheme of the previous frame, evaluated for this frame, if hysteresis preserves it although `best` is
@@ -133,7 +130,7 @@ std::optional<SchemeCandidate> held(
     const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const SchemeCandidate& a) {
         return a.choice.slices == before.slices && a.choice.faces == before.faces && a.choice.logRows == before.logRows;
     });
-    if (same == candidates.end() || same->keepsPromise != best.keepsPromise) return std::nullopt;
+    if (same == candidates.end() || same->isWithinMaxAliasing != best.isWithinMaxAliasing) return std::nullopt;
     SchemeCandidate result = *same;
     result.framesDominated = dominates(best, *same) ? context.before->framesDominated + 1 : 0;
     if (result.framesDominated >= kFramesBeforeSchemeGoes) return std::nullopt;
@@ -151,7 +148,7 @@ SchemeCandidate nearestInMaps(
     };
     const SchemeCandidate* nearest = &best;
     for (const SchemeCandidate& a : candidates) {
-        if (a.keepsPromise != best.keepsPromise || dominates(best, a)) continue;
+        if (a.isWithinMaxAliasing != best.isWithinMaxAliasing || dominates(best, a)) continue;
         const bool isNearer = change(a) < change(*nearest);
         if (isNearer || (change(a) == change(*nearest) && isBetter(a, *nearest))) nearest = &a;
     }
@@ -166,13 +163,13 @@ std::vector<SchemeCandidate> candidatesOf(const SchemeContext& context, const st
     return candidates;
 }
 
-/// Returns a candidate per choice. If no candidate meets the max aliasing, the function evaluates them again without
-/// hysteresis: slices without a receiver in this frame have no map. It returns the second list if one of its candidates
-/// meets the max aliasing.
+/// Returns a candidate per choice. If no candidate stays within the max aliasing, the function evaluates them again
+/// without hysteresis: slices without a receiver in this frame have no map. It returns the second list if one of its
+/// candidates stays within the max aliasing.
 std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
-    const auto keepsPromise = [](const SchemeCandidate& candidate) { return candidate.keepsPromise; };
+    const auto isWithinMaxAliasing = [](const SchemeCandidate& candidate) { return candidate.isWithinMaxAliasing; };
     std::vector<SchemeCandidate> candidates = candidatesOf(context, choices);
-    if (!context.before || std::any_of(candidates.begin(), candidates.end(), keepsPromise)) return candidates;
+    if (!context.before || std::any_of(candidates.begin(), candidates.end(), isWithinMaxAliasing)) return candidates;
     SchemeContext now = context;
     now.ignoreHistory = true;
     std::vector<SchemeCandidate> bare;
@@ -180,25 +177,25 @@ std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const 
     for (const SchemeCandidate& with : candidates)
         bare.push_back(
             with.options.emptySlices == emptySlicesOf(now, with.choice.slices) ? with : evaluate(now, with.choice));
-    return std::any_of(bare.begin(), bare.end(), keepsPromise) ? bare : candidates;
+    return std::any_of(bare.begin(), bare.end(), isWithinMaxAliasing) ? bare : candidates;
 }
 
 /// Returns the best candidate, or the scheme of the previous frame if hysteresis preserves it.
 SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const std::vector<SchemeCandidate> candidates = bestCandidates(context, choices);
     const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
-    std::uint64_t leastTexels = 0;
+    std::uint64_t minTexels = 0;
     for (const SchemeCandidate& candidate : candidates)
-        leastTexels = lesserTexels(leastTexels, candidate.texelsThatWouldDo);
+        minTexels = lesserTexels(minTexels, candidate.requiredTexels);
     std::optional<SchemeCandidate> stays = held(context, candidates, *best);
     SchemeCandidate chosen = stays ? std::move(*stays) : nearestInMaps(context, candidates, *best);
-    if (!chosen.keepsPromise) chosen.texelsThatWouldDo = leastTexels;
+    if (!chosen.isWithinMaxAliasing) chosen.requiredTexels = minTexels;
     return chosen;
 }
 
 /// Returns `chosen`, or the same scheme in the plain orientation if a rotation about the light does not pay off.
 SchemeCandidate inWorthwhileOrientation(
-    const SchemeContext& context, SchemeCandidate chosen, std::vector<Omission>& omitted) {
+    const SchemeContext& context, SchemeCandidate chosen, std::vector<SkippedEffect>& omitted) {
     SchemeChoice plainChoice = chosen.choice;
     plainChoice.lightRoll = false;
     SchemeCandidate plain = evaluate(context, plainChoice);
@@ -210,12 +207,15 @@ SchemeCandidate inWorthwhileOrientation(
     rolled.options.chosenOrientation = true;
     completeCandidate(afresh, rolled);
     const bool isHeld = context.before && context.before->choice.lightRoll;
-    const bool isWorthIt = rolled.promise() <= plain.promise() * (isHeld ? kStillWorthwhile : kWorthwhile);
-    if (isWorthIt || plain.keepsPromise != chosen.keepsPromise) return chosen;
+    const bool isWorthIt = rolled.aliasingBound() <= plain.aliasingBound() * (isHeld ? kStillWorthwhile : kWorthwhile);
+    if (isWorthIt || plain.isWithinMaxAliasing != chosen.isWithinMaxAliasing) return chosen;
     omitted.push_back(
-        {Effect::Orientation, OmissionReason::GainTooSmall, 0, std::max(0.0, 1 - rolled.promise() / plain.promise())});
+        {Effect::Orientation,
+         SkipReason::GainTooSmall,
+         0,
+         std::max(0.0, 1 - rolled.aliasingBound() / plain.aliasingBound())});
     plain.framesDominated = chosen.framesDominated;
-    plain.texelsThatWouldDo = lesserTexels(plain.texelsThatWouldDo, chosen.texelsThatWouldDo);
+    plain.requiredTexels = lesserTexels(plain.requiredTexels, chosen.requiredTexels);
     return plain;
 }
 
@@ -245,20 +245,20 @@ SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choic
     result.options = optionsOf(context, choice);
     result.setup = setupOf(context, result.options);
     const double aliasing = context.quality.maxAliasing;
-    result.texelsThatWouldDo = shadow::texelsThatWouldDo(result.setup, result.options, aliasing);
+    result.requiredTexels = shadow::requiredTexels(result.setup, result.options, aliasing);
     const std::uint64_t budget = budgetOf(context.quality);
-    const bool isEnough = result.texelsThatWouldDo > 0 && result.texelsThatWouldDo <= budget;
-    if (!context.quality.zPartitions && isEnough)
-        result.options.texels = std::min(budget, quantizeTexels(result.texelsThatWouldDo));
+    const bool isSufficient = result.requiredTexels > 0 && result.requiredTexels <= budget;
+    if (!context.quality.zPartitions && isSufficient)
+        result.options.texels = std::min(budget, quantizeTexels(result.requiredTexels));
     completeCandidate(context, result);
-    result.keepsPromise = result.promise() <= aliasing;
+    result.isWithinMaxAliasing = result.aliasingBound() <= aliasing;
     return result;
 }
 
 std::vector<SchemeChoice> openChoices(const SchemeContext& context) {
     const Quality& quality = context.quality;
     const int first = quality.zPartitions.value_or(1);
-    const int last = quality.zPartitions.value_or(kMostSlices);
+    const int last = quality.zPartitions.value_or(kMaxSlices);
     const Choice faces = quality.stabilize ? Choice::Off : quality.facePartitions;
     const bool areRowsOpen = !quality.zPartitions && quality.warp.rule == shadow::WarpRule::Auto &&
                              context.backend.unevenRows && !quality.stabilize;
@@ -275,25 +275,25 @@ std::vector<SchemeChoice> openChoices(const SchemeContext& context) {
 }
 
 bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b) {
-    if (a.keepsPromise != b.keepsPromise) return a.keepsPromise;
-    if (a.keepsPromise) return a.cost < b.cost;
+    if (a.isWithinMaxAliasing != b.isWithinMaxAliasing) return a.isWithinMaxAliasing;
+    if (a.isWithinMaxAliasing) return a.cost < b.cost;
     const auto asked = [](const SchemeCandidate& candidate) {
         const SchemeChoice& choice = candidate.choice;
-        return candidate.promise() / (choice.faces ? kWorthwhile : 1) / (choice.logRows ? kWorthwhile : 1);
+        return candidate.aliasingBound() / (choice.faces ? kWorthwhile : 1) / (choice.logRows ? kWorthwhile : 1);
     };
     return asked(a) < asked(b);
 }
 
-SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<Omission>& omitted) {
+SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<SkippedEffect>& omitted) {
     const Quality& quality = context.quality;
     const std::vector<SchemeChoice> choices = openChoices(context);
     SchemeCandidate chosen = quality.zPartitions ? chosenFaces(context, choices, omitted) : bestOf(context, choices);
     if (!quality.zPartitions && quality.facePartitions == Choice::Auto && !chosen.choice.faces && !quality.stabilize)
-        omitted.push_back({Effect::FacePartitions, OmissionReason::BetterWithout});
+        omitted.push_back({Effect::FacePartitions, SkipReason::BetterWithout});
     if (quality.stabilize) {
-        omitted.push_back({Effect::Orientation, OmissionReason::SlicesStabilized});
+        omitted.push_back({Effect::Orientation, SkipReason::SlicesStabilized});
     } else if (chosen.choice.faces && !chosen.setup.selector.faces.empty()) {
-        omitted.push_back({Effect::Orientation, OmissionReason::FacesGiveIt});
+        omitted.push_back({Effect::Orientation, SkipReason::FacesGiveIt});
     } else {
         chosen = inWorthwhileOrientation(context, std::move(chosen), omitted);
     }

@@ -29,12 +29,12 @@ struct SchemeCandidate {
     shadow::ShadowOptions options;
     shadow::ShadowMapSetup setup;
     std::vector<std::uint64_t> casterTriangles; // estimated number per map
-    std::uint64_t cost = 0;              // in caster triangles: texels / kTexelsPerTriangle + weighted caster triangles
-    std::uint64_t texelsThatWouldDo = 0; // number required for quality.maxAliasing; 0: no number suffices
-    bool keepsPromise = false;
+    std::uint64_t cost = 0;           // in caster triangles: texels / kTexelsPerTriangle + weighted caster triangles
+    std::uint64_t requiredTexels = 0; // number required for quality.maxAliasing; 0: no number suffices
+    bool isWithinMaxAliasing = false;
     int framesDominated = 0; // as in SchemeMemory
 
-    double promise() const { return setup.worst().worst(); }
+    double aliasingBound() const { return setup.worst().worst(); }
 };
 
 /// Number of texels whose clearing and storage cost as much as one caster triangle.
@@ -45,7 +45,7 @@ constexpr std::uint64_t kTexelsPerTriangle = 16;
 constexpr std::uint64_t kHalvesOfLogTriangle = 3;
 
 /// Max number of slices that `auto` considers.
-constexpr int kMostSlices = 12;
+constexpr int kMaxSlices = 12;
 
 /// Returns the candidate for `choice`. If the number of slices is open, the candidate uses only the texels that the max
 /// aliasing requires, rounded up to a step of 2^(1/4). Otherwise, or if the budget is too small for the max aliasing,
@@ -57,16 +57,16 @@ SchemeCandidate evaluate(const SchemeContext& context, const SchemeChoice& choic
 /// so more slices do not reduce the storage.
 std::vector<SchemeChoice> openChoices(const SchemeContext& context);
 
-/// Returns true if `a` is better than `b`. A candidate that meets the max aliasing is better than a candidate that
-/// exceeds it. If both meet it, the lower cost is better. If both exceed it, the lower aliasing bound is better. Face
-/// partitions and logarithmic rows must then lower the bound by a factor of kWorthwhile each.
+/// Returns true if `a` is better than `b`. A candidate that stays within the max aliasing is better than a candidate
+/// that exceeds it. If both stay within it, the lower cost is better. If both exceed it, the lower aliasing bound is
+/// better. Face partitions and logarithmic rows must then lower the bound by a factor of kWorthwhile each.
 bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b);
 
 /// Returns the receivers of the context's frame, together with the memory of earlier frames.
 Receivers receiversOf(const SchemeContext& context);
 
 /// Returns the scheme for the view. Adds an entry to `omitted` for each effect that it skips.
-SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<Omission>& omitted);
+SchemeCandidate chosenScheme(const SchemeContext& context, std::vector<SkippedEffect>& omitted);
 
 /// Returns the number of triangles in the blocks that intersect `volume` (camera space).
 std::uint64_t trianglesIn(

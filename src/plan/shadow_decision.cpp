@@ -2,9 +2,9 @@
 
 namespace gnomon::plan {
 
-ShadowDecision decideShadows(const Quality& quality, const Capabilities& backend) {
+ShadowDecision chooseShadows(const Quality& quality, const Capabilities& backend) {
     if (quality.shadows != ShadowMode::Auto) return {quality.shadows, ShadowReason::Requested};
-    if (isWithoutSun(quality.look.shading)) return {ShadowMode::Off, ShadowReason::NoSun};
+    if (hasNoSun(quality.look.shading)) return {ShadowMode::Off, ShadowReason::NoSun};
     if (quality.mapsBecause) return {ShadowMode::Maps, *quality.mapsBecause};
     if (!backend.exactShadows) return {ShadowMode::Maps, ShadowReason::BackendHasMaps};
     return {ShadowMode::Exact, ShadowReason::BackendIsExact};

@@ -13,6 +13,6 @@ struct ShadowDecision {
 
 /// Returns the kind of shadows that `backend` draws for `quality`. Auto is Off if the shading has no sun. Otherwise it
 /// is Maps if `quality` requests them or the backend draws nothing else, and Exact in all other cases.
-ShadowDecision decideShadows(const Quality& quality, const Capabilities& backend);
+ShadowDecision chooseShadows(const Quality& quality, const Capabilities& backend);
 
 } // namespace gnomon::plan

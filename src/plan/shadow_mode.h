@@ -9,7 +9,7 @@
 namespace gnomon::plan {
 
 /// The kinds of shadows. Maps looks up shadow maps, Exact computes each visible point with integers, and Rays traces
-/// rays. `decideShadows` replaces Auto by one of the other kinds.
+/// rays. `chooseShadows` replaces Auto by one of the other kinds.
 enum class ShadowMode : std::uint8_t { Off, Maps, Exact, Rays, Auto };
 inline constexpr std::array kShadowModes = {
     Word<ShadowMode>{ShadowMode::Off, "off"},

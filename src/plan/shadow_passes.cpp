@@ -20,38 +20,37 @@ bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const Scene
     return trianglesIn(before, basis, scene.light->casters) > 0;
 }
 
-OmissionReason warpReason(const FramePlan& plan) {
+SkipReason warpReason(const FramePlan& plan) {
     const Quality& quality = plan.quality;
-    if (plan.view.camera.isParallel()) return OmissionReason::ParallelSight;
-    if (quality.stabilize) return OmissionReason::SlicesStabilized;
-    if (quality.warp.rule == shadow::WarpRule::None) return OmissionReason::SwitchedOff;
-    return OmissionReason::NoGain;
+    if (plan.view.camera.isParallel()) return SkipReason::ParallelSight;
+    if (quality.stabilize) return SkipReason::SlicesStabilized;
+    if (quality.warp.rule == shadow::WarpRule::None) return SkipReason::SwitchedOff;
+    return SkipReason::NoGain;
 }
 
 /// Returns the reason why the rows are even although the warp is open.
-OmissionReason rowsReason(const FramePlan& plan) {
-    if (!plan.backend.unevenRows) return OmissionReason::BackendHasEvenRows;
-    return plan.quality.zPartitions ? OmissionReason::SlicesGiven : OmissionReason::BetterWithout;
+SkipReason rowsReason(const FramePlan& plan) {
+    if (!plan.backend.unevenRows) return SkipReason::BackendHasEvenRows;
+    return plan.quality.zPartitions ? SkipReason::SlicesGiven : SkipReason::BetterWithout;
 }
 
 /// Adds an entry for each skipped effect that has no entry yet.
-void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
-    std::vector<Omission>& omitted = plan.omitted;
+void explainSkipped(FramePlan& plan, std::uint64_t emptySlices) {
+    std::vector<SkippedEffect>& omitted = plan.omitted;
     const Quality& quality = plan.quality;
     for (std::size_t i = 0; i + 1 < plan.splits.size(); ++i)
-        if ((emptySlices >> i & 1U) != 0) omitted.push_back({Effect::MapOfSlice, OmissionReason::NothingFacesLight, i});
+        if ((emptySlices >> i & 1U) != 0) omitted.push_back({Effect::MapOfSlice, SkipReason::NothingFacesLight, i});
     if (plan.view.camera.isParallel())
-        omitted.push_back({Effect::FacePartitions, OmissionReason::ParallelSight});
+        omitted.push_back({Effect::FacePartitions, SkipReason::ParallelSight});
     else if (quality.facePartitions != Choice::Off && quality.stabilize)
-        omitted.push_back({Effect::FacePartitions, OmissionReason::SlicesStabilized});
+        omitted.push_back({Effect::FacePartitions, SkipReason::SlicesStabilized});
     else if (quality.facePartitions == Choice::Off)
-        omitted.push_back({Effect::FacePartitions, OmissionReason::SwitchedOff});
+        omitted.push_back({Effect::FacePartitions, SkipReason::SwitchedOff});
     else if (quality.facePartitions == Choice::On && !plan.hasFaces)
-        omitted.push_back({Effect::FacePartitions, OmissionReason::LightGrazesFaces});
+        omitted.push_back({Effect::FacePartitions, SkipReason::LightGrazesFaces});
     if (plan.splits.size() == 2)
         omitted.push_back(
-            {Effect::ZPartitions,
-             quality.zPartitions ? OmissionReason::SwitchedOff : OmissionReason::OneSliceSuffices});
+            {Effect::ZPartitions, quality.zPartitions ? SkipReason::SwitchedOff : SkipReason::OneSliceSuffices});
     const auto isWarped = [](const ShadowPass& pass) { return pass.map.warped.kappa > 0; };
     const auto isLog = [](const ShadowPass& pass) { return shadow::hasLogRows(pass.map.warped); };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), isWarped))
@@ -59,15 +58,15 @@ void explainOmissions(FramePlan& plan, std::uint64_t emptySlices) {
     else if (quality.warp.rule == shadow::WarpRule::Auto && std::none_of(plan.passes.begin(), plan.passes.end(), isLog))
         omitted.push_back({Effect::LogRows, rowsReason(plan)});
     if (!quality.stabilize) {
-        omitted.push_back({Effect::Stabilization, OmissionReason::SwitchedOff});
-        omitted.push_back({Effect::MapReuse, OmissionReason::NotStabilized});
+        omitted.push_back({Effect::Stabilization, SkipReason::SwitchedOff});
+        omitted.push_back({Effect::MapReuse, SkipReason::NotStabilized});
     }
-    if (quality.filter == 0) omitted.push_back({Effect::Filter, OmissionReason::SwitchedOff});
+    if (quality.filter == 0) omitted.push_back({Effect::Filter, SkipReason::SwitchedOff});
     const auto clamps = [](const ShadowPass& pass) { return pass.clampsDepth; };
     if (std::none_of(plan.passes.begin(), plan.passes.end(), clamps))
-        omitted.push_back({Effect::DepthClamp, OmissionReason::NoCasterBeforeMaps});
+        omitted.push_back({Effect::DepthClamp, SkipReason::NoCasterBeforeMaps});
     if (quality.cullCasters == CasterCulling::Off)
-        omitted.push_back({Effect::PartitionCulling, OmissionReason::SwitchedOff});
+        omitted.push_back({Effect::PartitionCulling, SkipReason::SwitchedOff});
 }
 
 } // namespace
@@ -89,8 +88,8 @@ SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const st
     const SchemeCandidate chosen = chosenScheme(context, plan.omitted);
     const shadow::ShadowMapSetup& setup = chosen.setup;
     plan.cost = chosen.cost;
-    plan.texelsThatWouldDo = chosen.texelsThatWouldDo;
-    plan.promiseKept = chosen.keepsPromise || plan.quality.zPartitions;
+    plan.requiredTexels = chosen.requiredTexels;
+    plan.isBoundKept = chosen.isWithinMaxAliasing || plan.quality.zPartitions;
     plan.selector = setup.selector;
     plan.splits = setup.selector.splits;
     plan.hasFaces = !setup.selector.faces.empty();
@@ -105,11 +104,11 @@ SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const st
         pass.estimatedTriangles = chosen.casterTriangles[i];
         pass.clampsDepth = reachesBefore(pass, plan.basis, scene);
         const shadow::Resolution texels = pass.map.texels();
-        plan.storageFactor +=
-            pass.map.promised.x * pass.map.promised.z * (texels.s / plan.view.height) * (texels.t / plan.view.height);
+        plan.storageFactor += pass.map.aliasingBound.x * pass.map.aliasingBound.z * (texels.s / plan.view.height) *
+                              (texels.t / plan.view.height);
     }
-    plan.promised = {setup.worst().x, setup.worst().z};
-    explainOmissions(plan, chosen.options.emptySlices);
+    plan.aliasingBound = {setup.worst().x, setup.worst().z};
+    explainSkipped(plan, chosen.options.emptySlices);
     return {
         chosen.choice,
         setup.orientation,

@@ -7,7 +7,7 @@ namespace gnomon::raster {
 namespace {
 
 /// A tile with more than this fraction (1/32) of the total cost is split.
-constexpr std::uint64_t kMostTilesWorth = 32;
+constexpr std::uint64_t kMaxTilesWorth = 32;
 
 /// Returns the tiles that a box intersects, in units of tiles.
 PixelBox touchedTiles(const PixelBox& box, const PixelBox& viewport, int side) {
@@ -95,7 +95,7 @@ void splitTile(std::span<const BinItem> items, std::size_t t, Bins& bins) {
     }
 }
 
-bool isAtLeast(const PixelBox& box, int side) {
+bool hasMinSide(const PixelBox& box, int side) {
     return std::min(box.width(), box.height()) >= side;
 }
 
@@ -110,7 +110,7 @@ void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bin
             continue;
         }
         const auto parts = quarters(box);
-        if (isAtLeast(box, 2 * kLeastUnwantedSide) && std::any_of(parts.begin(), parts.end(), isUnwanted))
+        if (hasMinSide(box, 2 * kMinUnwantedSide) && std::any_of(parts.begin(), parts.end(), isUnwanted))
             splitTile(items, t, bins);
         else
             ++t;
@@ -118,13 +118,13 @@ void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bin
 }
 
 /// Splits tiles with more than their fraction of the cost, and sorts the most expensive tiles first.
-void shareOut(std::span<const BinItem> items, int leastSide, Bins& bins) {
+void shareOut(std::span<const BinItem> items, int minSide, Bins& bins) {
     std::uint64_t total = 0;
     for (const TileBin& tile : bins.tiles)
         total += tile.cost;
     for (std::size_t t = 0; t < bins.tiles.size();) {
         const TileBin& tile = bins.tiles[t];
-        if (isAtLeast(tile.box, 2 * leastSide) && tile.cost * kMostTilesWorth > total)
+        if (hasMinSide(tile.box, 2 * minSide) && tile.cost * kMaxTilesWorth > total)
             splitTile(items, t, bins);
         else
             ++t;
@@ -139,8 +139,8 @@ PixelBox intersection(const PixelBox& a, const PixelBox& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
-void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int leastSide, Bins& bins) {
-    binWanted(items, viewport, {}, side, leastSide, bins);
+void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int minSide, Bins& bins) {
+    binWanted(items, viewport, {}, side, minSide, bins);
 }
 
 void binWanted(
@@ -148,14 +148,14 @@ void binWanted(
     const PixelBox& viewport,
     const BoxFilter& isWanted,
     int side,
-    int leastSide,
+    int minSide,
     Bins& bins) {
     bins.tiles.clear();
     bins.indices.clear();
     if (viewport.empty()) return;
     fillTiles(items, viewport, side, bins);
     if (isWanted) dropUnwanted(items, isWanted, bins);
-    shareOut(items, leastSide, bins);
+    shareOut(items, minSide, bins);
     // The splitting can create unwanted tiles that are smaller than the tiles of dropUnwanted.
     if (isWanted) std::erase_if(bins.tiles, [&](const TileBin& tile) { return !isWanted(tile.box); });
 }

@@ -35,13 +35,13 @@ struct Bins {
 };
 
 /// Assigns items to tiles. Tiles are squares of `side` pixels, cut at the viewport. A tile is split, down to
-/// `leastSide`, while it holds more than 1/32 of the total cost. The result depends only on the arguments. The function
+/// `minSide`, while it holds more than 1/32 of the total cost. The result depends only on the arguments. The function
 /// overwrites `bins` and reuses its memory.
-void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int leastSide, Bins& bins);
+void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int minSide, Bins& bins);
 
 /// Min side of a tile that is split because a part of it is not wanted. Below this side, the cost of shared clusters is
 /// larger than the gain.
-constexpr int kLeastUnwantedSide = 64;
+constexpr int kMinUnwantedSide = 64;
 
 /// Assigns items to tiles and omits tiles without a wanted pixel. It splits tiles to find such parts.
 void binWanted(
@@ -49,7 +49,7 @@ void binWanted(
     const PixelBox& viewport,
     const BoxFilter& isWanted,
     int side,
-    int leastSide,
+    int minSide,
     Bins& bins);
 
 } // namespace gnomon::raster

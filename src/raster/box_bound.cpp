@@ -29,13 +29,13 @@ constexpr CornerTag kCornerTag;
 constexpr float kSumError = 0x1p-20F;
 /// Relative error of a quotient and of a pixel coordinate, from the roundings of the vertices and here.
 constexpr float kQuotientError = 0x1p-20F;
-/// Absolute error from the underflow of products. It is far smaller than the smallest w (kLeastW).
+/// Absolute error from the underflow of products. It is far smaller than the smallest w (kMinW).
 constexpr float kUnderflow = 0x1p-130F;
 
 /// A clip-space coordinate over the corners of a box.
 struct ClipRow {
-    std::array<float, 3> least{}; // per axis, the product at the lower end of the box
-    std::array<float, 3> most{};
+    std::array<float, 3> low{}; // per axis, the product at the lower end of the box
+    std::array<float, 3> high{};
     float constant;
     float error;
 
@@ -45,16 +45,16 @@ struct ClipRow {
         float magnitude = std::abs(constant);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float factor = projection.clipFromCell[4 * axis + row];
-            least[axis] = factor * min[axis];
-            most[axis] = factor * max[axis];
-            magnitude += std::max(std::abs(least[axis]), std::abs(most[axis]));
+            low[axis] = factor * min[axis];
+            high[axis] = factor * max[axis];
+            magnitude += std::max(std::abs(low[axis]), std::abs(high[axis]));
         }
         error = magnitude * kSumError + kUnderflow;
     }
 
     HWY_INLINE Corners at(hn::Mask<CornerTag> x, hn::Mask<CornerTag> y, hn::Mask<CornerTag> z) const {
         const auto end = [this](hn::Mask<CornerTag> isUpper, std::size_t axis) HWY_ATTR {
-            return hn::IfThenElse(isUpper, hn::Set(kCornerTag, most[axis]), hn::Set(kCornerTag, least[axis]));
+            return hn::IfThenElse(isUpper, hn::Set(kCornerTag, high[axis]), hn::Set(kCornerTag, low[axis]));
         };
         return hn::Add(hn::Add(hn::Add(end(x, 0), end(y, 1)), end(z, 2)), hn::Set(kCornerTag, constant));
     }
@@ -72,9 +72,9 @@ struct QuotientRange {
         hi = hn::Max(hi, quotient);
     }
 
-    HWY_INLINE void reduce(float& least, float& most) const {
-        least = hn::GetLane(hn::MinOfLanes(kCornerTag, lo));
-        most = hn::GetLane(hn::MaxOfLanes(kCornerTag, hi));
+    HWY_INLINE void reduce(float& low, float& high) const {
+        low = hn::GetLane(hn::MinOfLanes(kCornerTag, lo));
+        high = hn::GetLane(hn::MaxOfLanes(kCornerTag, hi));
     }
 };
 
@@ -91,15 +91,15 @@ struct PixelRange {
 
 /// Returns the pixels along an axis whose centres lie in [least, most] (normalised device coordinates), extended by
 /// `error`.
-PixelRange pixelsWithin(float least, float most, float error, const AxisScale& axis) {
+PixelRange pixelsWithin(float low, float high, float error, const AxisScale& axis) {
     const auto [scale, translate] = axis;
-    const float largest = std::max(std::abs(least), std::abs(most)) * scale + std::abs(translate) + 1;
+    const float largest = std::max(std::abs(low), std::abs(high)) * scale + std::abs(translate) + 1;
     constexpr float kSnapping = 1.0F / kSubpixels; // half a subpixel, and the rounding of the addition here
     const float margin = error * scale + largest * kQuotientError + kSnapping;
     constexpr float kFar = 1 << 20; // pixels: larger than any viewport, and fits an int
     return {
-        static_cast<int>(std::ceil(std::max(least * scale + translate - margin - 0.5F, -kFar))),
-        static_cast<int>(std::floor(std::min(most * scale + translate + margin - 0.5F, kFar))) + 1};
+        static_cast<int>(std::ceil(std::max(low * scale + translate - margin - 0.5F, -kFar))),
+        static_cast<int>(std::floor(std::min(high * scale + translate + margin - 0.5F, kFar))) + 1};
 }
 
 /// Returns one end of a box relative to the eye.
@@ -121,7 +121,7 @@ public:
           z_(projection, 2, min, max),
           w_(projection, 3, min, max),
           isWhole_(hn::FirstN(kCornerTag, kCorners)),
-          leastW_(hn::Set(kCornerTag, hwy::HighestValue<float>())) {}
+          minW_(hn::Set(kCornerTag, hwy::HighestValue<float>())) {}
 
     HWY_INLINE void addCorners(std::size_t first) {
         const hn::RebindToSigned<CornerTag> ints;
@@ -134,12 +134,12 @@ public:
         const auto z = z_.at(isUpper(1), isUpper(2), isUpper(4));
         const auto w = w_.at(isUpper(1), isUpper(2), isUpper(4));
         const auto certainW = hn::Sub(w, hn::Set(kCornerTag, w_.error));
-        leastW_ = hn::Min(leastW_, certainW);
+        minW_ = hn::Min(minW_, certainW);
         const auto isWithin = [&](Corners value, float error, float guard) HWY_ATTR {
             return hn::Le(
                 hn::Add(hn::Abs(value), hn::Set(kCornerTag, error)), hn::Mul(hn::Set(kCornerTag, guard), certainW));
         };
-        isWhole_ = hn::And(isWhole_, hn::Gt(certainW, hn::Set(kCornerTag, 2 * kLeastW)));
+        isWhole_ = hn::And(isWhole_, hn::Gt(certainW, hn::Set(kCornerTag, 2 * kMinW)));
         isWhole_ = hn::And(isWhole_, isWithin(x, x_.error, projection_->guardX));
         isWhole_ = hn::And(isWhole_, isWithin(y, y_.error, projection_->guardY));
         if (projection_->cutsDepth)
@@ -154,41 +154,41 @@ public:
         BoxBound bound;
         bound.isWhole = hn::AllTrue(kCornerTag, isWhole_);
         if (!bound.isWhole) return bound;
-        const float leastW = hn::GetLane(hn::MinOfLanes(kCornerTag, leastW_));
-        float least = 0;
-        float most = 0;
-        rangeX_.reduce(least, most);
+        const float minW = hn::GetLane(hn::MinOfLanes(kCornerTag, minW_));
+        float low = 0;
+        float high = 0;
+        rangeX_.reduce(low, high);
         const Projection& p = *projection_;
-        const float offX = error(x_, least, most, leastW);
-        const PixelRange x = pixelsWithin(least, most, offX, {p.scaleX, p.translateX});
-        rangeY_.reduce(least, most);
-        const PixelRange y = rowsWithin(least, most, error(y_, least, most, leastW));
+        const float offX = error(x_, low, high, minW);
+        const PixelRange x = pixelsWithin(low, high, offX, {p.scaleX, p.translateX});
+        rangeY_.reduce(low, high);
+        const PixelRange y = rowsWithin(low, high, error(y_, low, high, minW));
         bound.box = {x.first, y.first, x.end, y.end};
-        rangeZ_.reduce(least, most);
-        const float off = error(z_, least, most, leastW);
-        bound.nearest = std::clamp(most + off, 0.0F, 1.0F);
-        bound.least = std::clamp(least - off, 0.0F, 1.0F);
+        rangeZ_.reduce(low, high);
+        const float off = error(z_, low, high, minW);
+        bound.nearest = std::clamp(high + off, 0.0F, 1.0F);
+        bound.min = std::clamp(low - off, 0.0F, 1.0F);
         return bound;
     }
 
 private:
-    PixelRange rowsWithin(float least, float most, float error) const {
+    PixelRange rowsWithin(float low, float high, float error) const {
         const Projection& p = *projection_;
-        if (p.rows == nullptr) return pixelsWithin(least, most, error, {p.scaleY, p.translateY});
-        const auto [first, end] = p.rows->rowsBetween(least - error, most + error);
+        if (p.rows == nullptr) return pixelsWithin(low, high, error, {p.scaleY, p.translateY});
+        const auto [first, end] = p.rows->rowsBetween(low - error, high + error);
         return {first, end};
     }
 
     /// Returns the error of a quotient in [least, most].
-    float error(const ClipRow& row, float least, float most, float leastW) const {
-        const float largest = std::max(std::abs(least), std::abs(most));
-        return ((row.error + largest * w_.error) / leastW + largest * kQuotientError) * (1 + kQuotientError);
+    float error(const ClipRow& row, float low, float high, float minW) const {
+        const float largest = std::max(std::abs(low), std::abs(high));
+        return ((row.error + largest * w_.error) / minW + largest * kQuotientError) * (1 + kQuotientError);
     }
 
     const Projection* projection_;
     ClipRow x_, y_, z_, w_;
     hn::Mask<CornerTag> isWhole_; // lanes whose corners need no clipping
-    Corners leastW_;
+    Corners minW_;
     QuotientRange rangeX_, rangeY_, rangeZ_;
 };
 

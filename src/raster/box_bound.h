@@ -9,7 +9,7 @@ namespace gnomon::raster {
 struct BoxBound {
     PixelBox box;         // all pixels that the triangles can cover, also outside the viewport
     float nearest = 1;    // with reversed depth: upper bound of the depth of their pixels; 0 to 1
-    float least = 0;      // lower bound of that depth; 0 to 1
+    float min = 0;        // lower bound of that depth; 0 to 1
     bool isWhole = false; // true: no vertex needs clipping; false: the other members are undefined
 };
 

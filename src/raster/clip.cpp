@@ -96,7 +96,7 @@ ClippedPolygon clipTriangle(const Projection& projection, const std::array<ClipP
         const Corner& p = polygon.corners[i];
         // A point with w = 0 inside all planes is the centre of projection: the triangle is seen edge-on. A non-finite
         // coordinate means overflow.
-        if (!(p.w >= double{kLeastW}) || !std::isfinite(p.x + p.y + p.z + p.w)) return {};
+        if (!(p.w >= double{kMinW}) || !std::isfinite(p.x + p.y + p.z + p.w)) return {};
         clipped.corners[clipped.count++] = p.isCut ? snappedCut(projection, p)
                                                    : snapped(
                                                          projection,

@@ -55,7 +55,7 @@ isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest
 /// Returns the triangles of `asked` whose pixels all hold a nearer word, for triangles of any size. Tests one triangle
 /// after another with the farthest depths of blocks.
 HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Ints nearest, VisibilityTile& target) {
-    using Lanes = std::array<std::int32_t, kMostLanes>;
+    using Lanes = std::array<std::int32_t, kMaxLanes>;
     Lanes x0;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
     Lanes y0;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
     Lanes x1;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
@@ -115,10 +115,10 @@ extentLanes(const PointLanes& a, const PointLanes& b, const PointLanes& c, const
     const auto round = hn::Set(kInts, kSubpixels - 1);
     const auto subpixels = hn::Set(kInts, kSubpixels);
     const auto one = hn::Set(kInts, 1);
-    const auto minX = least(a.x, b.x, c.x);
-    const auto maxX = largest(a.x, b.x, c.x);
-    const auto minY = least(a.y, b.y, c.y);
-    const auto maxY = largest(a.y, b.y, c.y);
+    const auto minX = minOf(a.x, b.x, c.x);
+    const auto maxX = maxOf(a.x, b.x, c.x);
+    const auto minY = minOf(a.y, b.y, c.y);
+    const auto maxY = maxOf(a.y, b.y, c.y);
     const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(minX, round));
     const auto firstY = hn::ShiftRight<kSubpixelBits>(hn::Add(minY, round));
     const auto endX = hn::ShiftRight<kSubpixelBits>(hn::Add(maxX, subpixels));

@@ -82,8 +82,8 @@ void OcclusionPass::boundClusters(std::span<const CellBox> boxes) {
 
 /// Returns an upper bound of the nearness of an item: a cluster of the pass, or clipped triangles.
 std::uint32_t OcclusionPass::nearnessOf(std::size_t i) const {
-    if (order_ == DepthOrder::Plain) return isBounded(i) ? plainNearness(bounds_[i].least) : plainNearness(0);
-    return reversedNearness(isBounded(i) ? bounds_[i].nearest : clampedDepth(snapped_->all()[i].mostZ));
+    if (order_ == DepthOrder::Plain) return isBounded(i) ? plainNearness(bounds_[i].min) : plainNearness(0);
+    return reversedNearness(isBounded(i) ? bounds_[i].nearest : clampedDepth(snapped_->all()[i].maxZ));
 }
 
 void OcclusionPass::orderItems(const PixelBox& viewport) {
@@ -145,7 +145,7 @@ std::uint64_t OcclusionPass::drawOver(
             covered += projection_.rows == nullptr ? drawDepthTile(work, pixels)
                                                    : drawUnevenTile(work, *projection_.rows, pixels);
         } else {
-            if (depths.hides(box, reversedNearness(clampedDepth(cluster.mostZ)))) continue;
+            if (depths.hides(box, reversedNearness(clampedDepth(cluster.maxZ)))) continue;
             noteSetUp(drawn.cluster, drawVisibilityTile(work, pixels, &depths));
         }
         depths.noteDrawn(box);

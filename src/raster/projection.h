@@ -16,7 +16,7 @@ constexpr int kSubpixels = 1 << kSubpixelBits;
 constexpr float kGuardPixels = 32768;
 
 /// The smallest w that permits the division by w.
-constexpr float kLeastW = 0x1p-100F;
+constexpr float kMinW = 0x1p-100F;
 
 /// Max absolute depth of a vertex, so that differences stay finite. Each pixel's depth is clamped further.
 constexpr float kDepthLimit = 0x1p30F;
@@ -62,7 +62,7 @@ struct SnappedVertex {
 
 /// Min ratio of the unsnapped to the snapped area of a triangle. Below it, the depth plane goes through the snapped
 /// corners.
-constexpr float kLeastTrueArea = 0.25F;
+constexpr float kMinTrueArea = 0.25F;
 
 /// Returns a rest in units of 1/256 pixel, exactly.
 constexpr float restOf(std::int16_t rest) {

@@ -34,7 +34,7 @@ PixelBox heldPart(const PixelBox& viewport, const VisibilityTarget& target) {
 }
 
 /// Min side of a tile. In smaller tiles, clusters that overlap several tiles would dominate the cost.
-constexpr int kLeastTileSide = 32;
+constexpr int kMinTileSide = 32;
 
 /// The properties of a depth target. VisibilityKind has those of a visibility target.
 struct DepthKind {
@@ -123,7 +123,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
     items.clear();
     for (const SnappedCluster& cluster : clusters.all())
         items.push_back({cluster.box, static_cast<std::uint32_t>(cluster.triangles.size())});
-    binWanted(items, viewport, isWanted, side, kLeastTileSide, bins);
+    binWanted(items, viewport, isWanted, side, kMinTileSide, bins);
 }
 
 /// Last step: draws each tile in thread-local memory, then copies it to the target once.
@@ -209,7 +209,7 @@ NearestDepths Rasterizer::drawNearestDepth(
     Memory& memory = *memory_;
     memory.occlusion.prepare(
         clusters, boxes, memory.depthProjection(view), view.viewport, DepthOrder::Plain, memory.clusters);
-    binWanted(memory.occlusion.items(), view.viewport, target.isWanted, DepthKind::kSide, kLeastTileSide, memory.bins);
+    binWanted(memory.occlusion.items(), view.viewport, target.isWanted, DepthKind::kSide, kMinTileSide, memory.bins);
     memory.drawTiles<DepthKind>({target.depths, target.width}, {}, [&memory](const TileBin& tile, float* depths) {
         return memory.occlusion.drawTile(tile.box, memory.bins.of(tile), depths);
     });
@@ -232,7 +232,7 @@ OcclusionCounts Rasterizer::drawVisible(
     const PixelBox held = heldPart(view.viewport, target);
     Memory& memory = *memory_;
     memory.occlusion.prepare(clusters, boxes, projection(view, true), held, DepthOrder::Reversed, memory.clusters);
-    binWanted(memory.occlusion.items(), held, target.isWanted, VisibilityKind::kSide, kLeastTileSide, memory.bins);
+    binWanted(memory.occlusion.items(), held, target.isWanted, VisibilityKind::kSide, kMinTileSide, memory.bins);
     memory.drawTiles<VisibilityKind>(
         {target.words, target.width, target.firstRow}, {}, [&memory](const TileBin& tile, std::uint64_t* words) {
             memory.occlusion.drawTile(tile.box, memory.bins.of(tile), words);

@@ -10,15 +10,15 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr std::array<Triangle, CutCluster::kMostTriangles> unsharedTriangles() {
-    std::array<Triangle, CutCluster::kMostTriangles> triangles{};
+constexpr std::array<Triangle, CutCluster::kMaxTriangles> unsharedTriangles() {
+    std::array<Triangle, CutCluster::kMaxTriangles> triangles{};
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k)
             triangles[i][k] = static_cast<std::uint8_t>(3 * i + k);
     return triangles;
 }
 
-constexpr std::array<Triangle, CutCluster::kMostTriangles> kUnsharedTriangles = unsharedTriangles();
+constexpr std::array<Triangle, CutCluster::kMaxTriangles> kUnsharedTriangles = unsharedTriangles();
 
 /// Returns the half-open range of rows that a corner can touch.
 std::array<int, 2> rowsOf(const RowBands* rows, const SnappedVertex& corner) {
@@ -76,7 +76,7 @@ void SnappedClusters::cutTriangles(const Projection& projection, const Cluster& 
             continue;
         const ClippedPolygon polygon = clipTriangle(projection, corners);
         for (std::size_t k = 2; k < polygon.count; ++k) {
-            if (cut->count == CutCluster::kMostTriangles) cut = &cuts.next();
+            if (cut->count == CutCluster::kMaxTriangles) cut = &cuts.next();
             addTriangle(
                 *cut,
                 {polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]},
@@ -115,7 +115,7 @@ ClusterPlace SnappedClusters::snap(std::span<const Cluster> input, std::size_t i
             input[i].firstTriangleId,
             nullptr,
             stage.box,
-            stage.mostZ};
+            stage.maxZ};
     return stage.place;
 }
 

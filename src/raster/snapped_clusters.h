@@ -14,12 +14,12 @@ namespace gnomon::raster {
 
 /// The triangles of a cluster with clipped triangles. Each triangle has three vertices of its own.
 struct CutCluster {
-    static constexpr std::size_t kMostTriangles = kMaxClusterVertices / 3;
+    static constexpr std::size_t kMaxTriangles = kMaxClusterVertices / 3;
     std::array<std::int32_t, kMaxClusterVertices> x{};
     std::array<std::int32_t, kMaxClusterVertices> y{};
     std::array<float, kMaxClusterVertices> z{};
     std::array<std::uint32_t, kMaxClusterVertices> rests{};
-    std::array<std::uint32_t, kMostTriangles> ids{};
+    std::array<std::uint32_t, kMaxTriangles> ids{};
     std::size_t count = 0; // number of triangles
     PixelBox box{kMaxTargetSide, kMaxTargetSide, 0, 0};
 };

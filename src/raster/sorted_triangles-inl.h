@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Packed triangles of one size class: corner indices in three bytes, the triangle's index in the upper byte.
 struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
-    std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMostLanes> packed;
+    std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMaxLanes> packed;
     std::uint32_t count = 0;
 
     HWY_INLINE void add(Ints lanes, hn::Mask<IntTag> mask) {
@@ -32,7 +32,7 @@ struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to 
     HWY_INLINE Ints at(std::uint32_t i) const { return hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + i)); }
 
     /// Fills the last vector with triangles without area.
-    HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMostLanes, 0U); }
+    HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMaxLanes, 0U); }
 };
 
 struct SortedCluster {
@@ -52,7 +52,7 @@ struct SortedCluster {
 };
 
 /// The packed triangles of a cluster, padded with triangles without area.
-using PackedTriangles = std::array<std::uint32_t, kMaxClusterTriangles + kMostLanes>;
+using PackedTriangles = std::array<std::uint32_t, kMaxClusterTriangles + kMaxLanes>;
 
 HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangles& packed) {
     const std::size_t count = triangles.size();
@@ -75,7 +75,7 @@ HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangl
     for (; i < count; ++i)
         packed[i] = triangles[i][0] | std::uint32_t{triangles[i][1]} << 8U | std::uint32_t{triangles[i][2]} << 16U |
                     static_cast<std::uint32_t>(i) << 24U;
-    std::fill_n(packed.data() + count, kMostLanes, 0U);
+    std::fill_n(packed.data() + count, kMaxLanes, 0U);
 }
 
 } // namespace gnomon::raster::HWY_NAMESPACE

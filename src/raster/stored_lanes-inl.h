@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// A vector of set-up triangles in memory.
 struct StoredLanes {
     template <class T>
-    using Lanes = std::array<T, kMostLanes>;
+    using Lanes = std::array<T, kMaxLanes>;
 
     alignas(64) std::array<Lanes<std::int32_t>, 3> edges;
     alignas(64) std::array<Lanes<std::int32_t>, 3> perX;
@@ -42,8 +42,8 @@ struct StoredLanes {
         hn::Store(t.depth.atReference, kFloats, depth[0].data());
         hn::Store(t.depth.perX, kFloats, depth[1].data());
         hn::Store(t.depth.perY, kFloats, depth[2].data());
-        hn::Store(t.depth.least, kFloats, depth[3].data());
-        hn::Store(t.depth.largest, kFloats, depth[4].data());
+        hn::Store(t.depth.min, kFloats, depth[3].data());
+        hn::Store(t.depth.max, kFloats, depth[4].data());
         hn::Store(t.depth.fromX, kFloats, depth[5].data());
         hn::Store(t.depth.fromY, kFloats, depth[6].data());
         hn::Store(t.firstX, kInts, box[0].data());

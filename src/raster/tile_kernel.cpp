@@ -72,16 +72,17 @@ HWY_INLINE bool reachesOverEdge(const SnappedCluster& cluster, const PixelBox& t
 }
 
 /// Returns the lanes whose pixel (x, y), counted from the first pixel of the lane's triangle, is outside the tile.
-HWY_INLINE IntMask isBeyond(const TriangleLanes& t, int x, int y) {
+HWY_INLINE IntMask isOutside(const TriangleLanes& t, int x, int y) {
     return hn::Or(
         hn::Gt(hn::Add(t.firstX, hn::Set(kInts, x)), t.lastX), hn::Gt(hn::Add(t.firstY, hn::Set(kInts, y)), t.lastY));
 }
 
 /// Removes pixels in the margin of the tile's memory from the count.
 template <class Target>
-HWY_INLINE void discountBeyond(const TriangleLanes& t, IntMask inside, int x, int y, bool reachesOver, Target& target) {
+HWY_INLINE void discountOutside(
+    const TriangleLanes& t, IntMask inside, int x, int y, bool reachesOver, Target& target) {
     if constexpr (Target::kCounts)
-        if (reachesOver) target.discount(hn::CountTrue(kInts, hn::And(inside, isBeyond(t, x, y))));
+        if (reachesOver) target.discount(hn::CountTrue(kInts, hn::And(inside, isOutside(t, x, y))));
 }
 
 /// Tests `side` x `side` pixel centres of each lane's triangle.
@@ -107,7 +108,7 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
                     hn::Add(rowAddress, hn::Set(kInts, x)),
                     depthAt(t.depth, rowDepth, hn::Add(t.depth.fromX, hn::Set(kFloats, static_cast<float>(x)))),
                     ids);
-                discountBeyond(t, inside, x, y, reachesOver, target);
+                discountOutside(t, inside, x, y, reachesOver, target);
             }
             step(t.edges, t.perY);
             rowAddress = hn::Add(rowAddress, hn::Set(kInts, kTileStride));
@@ -159,8 +160,8 @@ HWY_INLINE void drawWide(const SnappedCluster& cluster, std::uint32_t packed, co
     const std::uint32_t id =
         cluster.triangleIds == nullptr ? cluster.firstTriangleId + place : cluster.triangleIds[place];
     const WideTriangle triangle = wideTriangle(corners);
-    const auto leastDepth = hn::Set(kFloats, triangle.leastDepth);
-    const auto largestDepth = hn::Set(kFloats, triangle.largestDepth);
+    const auto minDepth = hn::Set(kFloats, triangle.minDepth);
+    const auto maxDepth = hn::Set(kFloats, triangle.maxDepth);
     WideRows rows(triangle, tile);
     const auto perX = hn::Set(kFloats, rows.depthPerX());
     const auto referenceX = hn::Set(kInts, rows.referenceX());
@@ -172,7 +173,7 @@ HWY_INLINE void drawWide(const SnappedCluster& cluster, std::uint32_t packed, co
         for (int x = row.x0; x < row.x1; x += static_cast<int>(hn::Lanes(kInts))) {
             const auto pixels = hn::Iota(kInts, x);
             const auto along = hn::ConvertTo(kFloats, hn::Sub(pixels, referenceX));
-            const auto depth = hn::Min(hn::Max(hn::Add(reference, hn::Mul(perX, along)), leastDepth), largestDepth);
+            const auto depth = hn::Min(hn::Max(hn::Add(reference, hn::Mul(perX, along)), minDepth), maxDepth);
             target.takeRow((row.y - tile.y0) * kTileStride + x - tile.x0, hn::Lt(pixels, end), depth, id);
         }
     }

@@ -25,10 +25,11 @@ using WordTag = hn::Repartition<std::uint64_t, UintTag>;
 
 /// The covered pixels of a vector of triangles: address in the tile, depth, and triangle id.
 struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
-    static constexpr std::size_t kMost = std::size_t{17} * kMostLanes; // 4 x 4 pixels per lane, and one more vector
-    std::array<std::int32_t, kMost> addresses;
-    std::array<float, kMost> depths;
-    std::array<std::uint32_t, kMost> ids;
+    static constexpr std::size_t kMaxEntries =
+        std::size_t{17} * kMaxLanes; // 4 x 4 pixels per lane, and one more vector
+    std::array<std::int32_t, kMaxEntries> addresses;
+    std::array<float, kMaxEntries> depths;
+    std::array<std::uint32_t, kMaxEntries> ids;
     std::size_t count = 0;
 
     template <bool hasIds>

@@ -26,7 +26,7 @@ struct SnappedCluster {
     std::uint32_t firstTriangleId = 0;
     const std::uint32_t* triangleIds = nullptr; // if not null, replaces firstTriangleId + i
     PixelBox box;                               // contains each pixel that the cluster can cover
-    float mostZ = 0;                            // max z of its vertices
+    float maxZ = 0;                             // max z of its vertices
 };
 
 /// A set of triangles of a cluster, one bit per triangle.

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using IntTag = hn::CappedTag<std::int32_t, kMostLanes>;
+using IntTag = hn::CappedTag<std::int32_t, kMaxLanes>;
 using UintTag = hn::RebindToUnsigned<IntTag>;
 using FloatTag = hn::RebindToFloat<IntTag>;
 using Ints = hn::Vec<IntTag>;
@@ -27,11 +27,11 @@ constexpr IntTag kInts;
 constexpr UintTag kUints;
 constexpr FloatTag kFloats;
 
-HWY_INLINE Ints least(Ints a, Ints b, Ints c) {
+HWY_INLINE Ints minOf(Ints a, Ints b, Ints c) {
     return hn::Min(hn::Min(a, b), c);
 }
 
-HWY_INLINE Ints largest(Ints a, Ints b, Ints c) {
+HWY_INLINE Ints maxOf(Ints a, Ints b, Ints c) {
     return hn::Max(hn::Max(a, b), c);
 }
 
@@ -70,7 +70,7 @@ HWY_INLINE IntMask isInside(const Edges& e) {
 /// corners and to [0, 1]. The reference is the pixel of corner 0; it depends only on the triangle.
 struct DepthLanes {
     Floats atReference, perX, perY; // per pixel
-    Floats least, largest;
+    Floats min, max;
     Floats fromX, fromY; // from the reference to the first pixel
 };
 
@@ -80,7 +80,7 @@ HWY_INLINE Floats depthOfRow(const DepthLanes& d, Floats fromY) {
 }
 
 HWY_INLINE Floats depthAt(const DepthLanes& d, Floats rowDepth, Floats fromX) {
-    return hn::Min(hn::Max(hn::Add(rowDepth, hn::Mul(d.perX, fromX)), d.least), d.largest);
+    return hn::Min(hn::Max(hn::Add(rowDepth, hn::Mul(d.perX, fromX)), d.min), d.max);
 }
 
 struct TriangleLanes {
@@ -219,7 +219,7 @@ HWY_INLINE void setDepth(
         hn::Sub(hn::Mul(side1.snappedX, side2.restY), hn::Mul(side2.snappedX, side1.restY)),
         hn::Sub(hn::Mul(side1.restX, side2.y()), hn::Mul(side2.restX, side1.y())));
     // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
-    const auto isTrue = hn::Gt(hn::Add(area, change), hn::Mul(area, hn::Set(kFloats, kLeastTrueArea)));
+    const auto isTrue = hn::Gt(hn::Add(area, change), hn::Mul(area, hn::Set(kFloats, kMinTrueArea)));
     side1.keepRestWhere(isTrue);
     side2.keepRestWhere(isTrue);
     rest = {hn::IfThenElseZero(isTrue, rest.x), hn::IfThenElseZero(isTrue, rest.y)};
@@ -241,8 +241,8 @@ HWY_INLINE void setDepth(
     const auto subpixels = hn::Set(kFloats, static_cast<float>(kSubpixels));
     depth.perX = hn::Mul(perX, subpixels);
     depth.perY = hn::Mul(perY, subpixels);
-    depth.least = withinUnit(hn::Min(hn::Min(z.z0, z.z1), z.z2));
-    depth.largest = withinUnit(hn::Max(hn::Max(z.z0, z.z1), z.z2));
+    depth.min = withinUnit(hn::Min(hn::Min(z.z0, z.z1), z.z2));
+    depth.max = withinUnit(hn::Max(hn::Max(z.z0, z.z1), z.z2));
     depth.fromX = hn::ConvertTo(kFloats, hn::Sub(t.firstX, referenceX));
     depth.fromY = hn::ConvertTo(kFloats, hn::Sub(t.firstY, referenceY));
 }
@@ -263,10 +263,10 @@ HWY_INLINE TriangleLanes triangleLanes(const SnappedCluster& cluster, Ints packe
     TriangleLanes t;
     t.hasArea = hn::Gt(area, hn::Zero(kInts));
     const auto round = hn::Set(kInts, kSubpixels - 1);
-    t.firstX = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.x, b.x, c.x), round)), hn::Zero(kInts));
-    t.firstY = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.y, b.y, c.y), round)), hn::Zero(kInts));
-    t.lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1));
-    t.lastY = hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.y, b.y, c.y)), hn::Set(kInts, tile.height() - 1));
+    t.firstX = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(minOf(a.x, b.x, c.x), round)), hn::Zero(kInts));
+    t.firstY = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(minOf(a.y, b.y, c.y), round)), hn::Zero(kInts));
+    t.lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(maxOf(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1));
+    t.lastY = hn::Min(hn::ShiftRight<kSubpixelBits>(maxOf(a.y, b.y, c.y)), hn::Set(kInts, tile.height() - 1));
     const PointLanes pixel = {hn::ShiftLeft<kSubpixelBits>(t.firstX), hn::ShiftLeft<kSubpixelBits>(t.firstY)};
     setEdge(b, c, pixel, t.edges.e0, t.perX.e0, t.perY.e0);
     setEdge(c, a, pixel, t.edges.e1, t.perX.e1, t.perY.e1);

@@ -108,7 +108,7 @@ HWY_INLINE Positions clipPositions(const Projection& projection, const Cells& ce
 }
 
 HWY_INLINE Ints insideGuard(const Projection& projection, const Positions& p) {
-    auto inside = hn::Ge(p.w, hn::Set(kFloats, kLeastW));
+    auto inside = hn::Ge(p.w, hn::Set(kFloats, kMinW));
     inside = hn::And(inside, hn::Le(hn::Abs(p.x), hn::Mul(hn::Set(kFloats, projection.guardX), p.w)));
     inside = hn::And(inside, hn::Le(hn::Abs(p.y), hn::Mul(hn::Set(kFloats, projection.guardY), p.w)));
     if (projection.cutsDepth) inside = hn::And(inside, hn::And(hn::Ge(p.z, hn::Zero(kFloats)), hn::Le(p.z, p.w)));
@@ -166,15 +166,15 @@ struct UnevenAxis {
         return {hn::BitCast(kInts, position), hn::Zero(kInts)};
     }
 
-    HWY_INLINE float least() const { return hn::GetLane(hn::MinOfLanes(kFloats, lowest)); }
+    HWY_INLINE float min() const { return hn::GetLane(hn::MinOfLanes(kFloats, lowest)); }
 
-    HWY_INLINE float most() const { return hn::GetLane(hn::MaxOfLanes(kFloats, highest)); }
+    HWY_INLINE float max() const { return hn::GetLane(hn::MaxOfLanes(kFloats, highest)); }
 };
 
 /// Joins x (in place) and y to words if the box is small enough; otherwise stores y. Returns true for a joined
 /// (compact) cluster.
 HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
-    const bool isCompact = std::max(box.width(), box.height()) <= kMostCompactPixels;
+    const bool isCompact = std::max(box.width(), box.height()) <= kMaxCompactPixels;
     const auto originX = hn::Set(kInts, (box.x0 - 1) * kSubpixels);
     const auto originY = hn::Set(kInts, (box.y0 - 1) * kSubpixels);
     for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(kInts))) {
@@ -236,9 +236,9 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         (hn::GetLane(hn::MinOfLanes(kInts, minY)) + kSubpixels - 1) >> kSubpixelBits,
         (hn::GetLane(hn::MaxOfLanes(kInts, maxX)) >> kSubpixelBits) + 1,
         (hn::GetLane(hn::MaxOfLanes(kInts, maxY)) >> kSubpixelBits) + 1};
-    stage.mostZ = hn::GetLane(hn::MaxOfLanes(kFloats, maxZ));
+    stage.maxZ = hn::GetLane(hn::MaxOfLanes(kFloats, maxZ));
     if (isUneven) {
-        const auto [firstRow, endRow] = projection.rows->rowsBetween(alongY.least(), alongY.most());
+        const auto [firstRow, endRow] = projection.rows->rowsBetween(alongY.min(), alongY.max());
         stage.box.y0 = firstRow;
         stage.box.y1 = endRow;
         std::copy_n(allY.data(), paddedVertexCount(cluster.vertexCount), snapped.y);

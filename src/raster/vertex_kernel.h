@@ -6,10 +6,10 @@
 namespace gnomon::raster {
 
 /// Max lanes of a vector. Arrays of snapped vertices are read and written in whole vectors.
-constexpr std::uint32_t kMostLanes = 16;
+constexpr std::uint32_t kMaxLanes = 16;
 
 constexpr std::uint32_t paddedVertexCount(std::uint32_t count) {
-    return (count + kMostLanes - 1) / kMostLanes * kMostLanes;
+    return (count + kMaxLanes - 1) / kMaxLanes * kMaxLanes;
 }
 
 /// The snapped vertices of a cluster: arrays of paddedVertexCount elements.
@@ -27,7 +27,7 @@ constexpr std::uint32_t packedRests(const SnappedVertex& vertex) {
 /// Max width and height of a compact cluster, in pixels. A compact cluster stores x and y in the halves of one word, in
 /// 1/256 pixel. The origin is one pixel left of and below the cluster's box. A corner then needs one load instead of
 /// two.
-constexpr int kMostCompactPixels = 254;
+constexpr int kMaxCompactPixels = 254;
 
 enum class ClusterPlace {
     Outside, // outside one frustum plane: nothing to draw
@@ -38,7 +38,7 @@ enum class ClusterPlace {
 struct VertexStage {
     ClusterPlace place = ClusterPlace::Outside;
     PixelBox box;           // pixel centres between the extremes of the snapped vertices; only if place is Inside
-    float mostZ = 0;        // max z of the vertices; only if place is Inside
+    float maxZ = 0;         // max z of the vertices; only if place is Inside
     bool isCompact = false; // true: x is in the lower half of snapped.x, y in the upper half; snapped.y is not written
 };
 

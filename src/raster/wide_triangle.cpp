@@ -67,7 +67,7 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
     const Side side2(a, c);
     const double unsnapped = side1.x * side2.y - side2.x * side1.y;
     // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
-    if (!(unsnapped > kLeastTrueArea * static_cast<double>(area))) return wideTriangle(withoutRests(corners));
+    if (!(unsnapped > kMinTrueArea * static_cast<double>(area))) return wideTriangle(withoutRests(corners));
     const double dz1 = double{b.z} - a.z;
     const double dz2 = double{c.z} - a.z;
     const double scale = kSubpixels / unsnapped;
@@ -81,8 +81,8 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
         (maxY >> kSubpixelBits) + 1};
     wide.depthPerX = (dz1 * side2.y - dz2 * side1.y) * scale;
     wide.depthPerY = (dz2 * side1.x - dz1 * side2.x) * scale;
-    wide.leastDepth = std::clamp(minZ, 0.0F, 1.0F);
-    wide.largestDepth = std::clamp(maxZ, 0.0F, 1.0F);
+    wide.minDepth = std::clamp(minZ, 0.0F, 1.0F);
+    wide.maxDepth = std::clamp(maxZ, 0.0F, 1.0F);
     return wide;
 }
 

@@ -27,8 +27,8 @@ struct WideTriangle {
     PixelBox box;         // pixel centres between the extremes of the corners
     double depthPerX = 0; // per pixel
     double depthPerY = 0;
-    float leastDepth = 0; // smallest depth of the corners, clamped to [0, 1]
-    float largestDepth = 0;
+    float minDepth = 0; // smallest depth of the corners, clamped to [0, 1]
+    float maxDepth = 0;
 };
 
 /// The quotient floor(value / divisor), updated from row to row without a division. The value grows by a constant per

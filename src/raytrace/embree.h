@@ -35,8 +35,8 @@ inline RTCRay embreeRay(const Ray& ray) {
     result.dir_x = ray.direction.x;
     result.dir_y = ray.direction.y;
     result.dir_z = ray.direction.z;
-    result.tnear = ray.least;
-    result.tfar = ray.greatest;
+    result.tnear = ray.tMin;
+    result.tfar = ray.tMax;
     result.mask = ~0U;
     return result;
 }

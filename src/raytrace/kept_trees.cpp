@@ -17,9 +17,9 @@ namespace gnomon::raytrace {
 namespace {
 
 /// Max number of clusters in a run. Groups rarely have more.
-constexpr std::uint32_t kMostClusters = 64;
+constexpr std::uint32_t kMaxClusters = 64;
 
-using ClusterBits = std::bitset<kMostClusters>;
+using ClusterBits = std::bitset<kMaxClusters>;
 
 /// Adjacent clusters of one group with the same refinement. A cut draws all of them or none, except clusters outside
 /// its volumes.
@@ -48,7 +48,7 @@ struct PageRuns {
 PageRuns::PageRuns(const hierarchy::Page& page) : runOfCluster(page.clusters.size()) {
     for (const hierarchy::Group& group : page.groups)
         for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
-            const bool continues = c > group.firstCluster && runs.back().clusterCount < kMostClusters &&
+            const bool continues = c > group.firstCluster && runs.back().clusterCount < kMaxClusters &&
                                    page.clusters[c].refinement == page.clusters[c - 1].refinement;
             if (!continues) runs.emplace_back().firstCluster = c;
             ++runs.back().clusterCount;
@@ -293,8 +293,8 @@ bool isOnRay(RTCScene scene, RayContext& context, const Ray& ray) {
 bool CutScene::isOccluded(const Ray& ray) const {
     Ray inCells = ray;
     inCells.origin = glm::vec3(glm::dvec3(ray.origin) * state_->cellsPerUnit);
-    inCells.least = static_cast<float>(static_cast<double>(ray.least) * state_->cellsPerUnit);
-    inCells.greatest = static_cast<float>(static_cast<double>(ray.greatest) * state_->cellsPerUnit);
+    inCells.tMin = static_cast<float>(static_cast<double>(ray.tMin) * state_->cellsPerUnit);
+    inCells.tMax = static_cast<float>(static_cast<double>(ray.tMax) * state_->cellsPerUnit);
     RayContext context{.runs = state_->runs.data()};
     return isOnRay(state_->scene, context, inCells);
 }

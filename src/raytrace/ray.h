@@ -11,8 +11,8 @@ namespace gnomon::raytrace {
 struct Ray {
     glm::vec3 origin{0};
     glm::vec3 direction{0, 0, 1};
-    float least = 0; // min parameter along `direction`
-    float greatest = std::numeric_limits<float>::infinity();
+    float tMin = 0; // min parameter along `direction`
+    float tMax = std::numeric_limits<float>::infinity();
 };
 
 /// Triangles for occlusion queries, in world orientation and units. Many threads may query them at once.

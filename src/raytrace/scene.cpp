@@ -61,15 +61,15 @@ std::optional<Ray> keptPart(Ray ray, std::span<const Plane> planes) {
     for (const Plane& plane : planes) {
         const double distance = plane.signedDistance(ray.origin);
         const double slope = glm::dot(plane.normal, glm::dvec3(ray.direction));
-        const auto met = static_cast<float>(-distance / slope);
+        const auto crossing = static_cast<float>(-distance / slope);
         if (slope > 0)
-            ray.least = std::max(ray.least, met);
+            ray.tMin = std::max(ray.tMin, crossing);
         else if (slope < 0)
-            ray.greatest = std::min(ray.greatest, met);
+            ray.tMax = std::min(ray.tMax, crossing);
         else if (distance < 0)
             return std::nullopt;
     }
-    return ray.least <= ray.greatest ? std::optional(ray) : std::nullopt;
+    return ray.tMin <= ray.tMax ? std::optional(ray) : std::nullopt;
 }
 
 void Scene::State::count(std::span<const ClusterSpan> spans) {

@@ -4,7 +4,7 @@
 
 namespace gnomon::render {
 
-DrawStatistics Backend::draw(const FrameDrawing& frame) {
+DrawStatistics Backend::draw(const DrawInputs& frame) {
     DrawStatistics statistics;
     statistics.shadows = drawShadowMaps(frame);
     statistics.image = drawImage(frame);
@@ -12,7 +12,7 @@ DrawStatistics Backend::draw(const FrameDrawing& frame) {
     return statistics;
 }
 
-DrawStatistics Backend::drawExactly(const FrameDrawing&) {
+DrawStatistics Backend::drawExactly(const DrawInputs&) {
     throw Error("exact shadows", "this backend has none", "the software rasteriser", name());
 }
 

@@ -33,18 +33,18 @@ using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 /// Camera-relative space: world axes and units, with the origin at the grid point of the model that is nearest to the
 /// eye. Floats are therefore precise near the eye, also if the model is far from the world's origin or the eye is far
 /// from the model.
-struct DrawSpace {
+struct CameraRelativeSpace {
     hierarchy::GridPoint originCell;
     double step = 1;
-    glm::dvec3 eye{0};              // in draw space
+    glm::dvec3 eye{0};              // in camera-relative space
     glm::dmat4 cameraFromDraw{1.0}; // to left-handed camera space
 };
 
-/// Returns the draw space of `view` on `grid`. `bounds` are the bounds of the model in world space.
-DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
+/// Returns the camera-relative space of `view` on `grid`. `bounds` are the bounds of the model in world space.
+CameraRelativeSpace cameraRelativeSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
 
-/// Returns the width of a pixel's beam at `p` (draw space) in world units: 2 tan(theta) (p.v) / height.
-double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm::dvec3& p);
+/// Returns the width of a pixel's beam at `p` (camera-relative space) in world units: 2 tan(theta) (p.v) / height.
+double pixelWidth(const plan::FramePlan& plan, const CameraRelativeSpace& space, const glm::dvec3& p);
 
 /// The reason why a cluster is drawn and not a finer one.
 enum class Residence : std::uint8_t {
@@ -87,9 +87,9 @@ inline constexpr float kGroundShade = 1.0F / 16;
 struct SectionMemory;
 
 /// One frame, ready to be drawn.
-struct FrameDrawing {
+struct DrawInputs {
     const plan::FramePlan* plan = nullptr;
-    DrawSpace space;
+    CameraRelativeSpace space;
     hierarchy::Grid grid;
     const lod::DrawList* image = nullptr;
     std::vector<const lod::DrawList*> casters; // one list per pass
@@ -126,7 +126,7 @@ struct FrameDrawing {
 };
 
 /// Returns the rows that `frame` draws.
-inline ImageRows rowsOf(const FrameDrawing& frame) {
+inline ImageRows rowsOf(const DrawInputs& frame) {
     return frame.rows.value_or(ImageRows{0, frame.plan->view.height});
 }
 
@@ -158,9 +158,9 @@ struct DrawStatistics {
 
 /// The visible surface of a pixel.
 struct SurfaceSample {
-    glm::vec3 normal{0};       // normal of the triangle, towards the viewer; draw space
+    glm::vec3 normal{0};       // normal of the triangle, towards the viewer; camera-relative space
     float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 if the surface faces away from the light
-    glm::vec3 position{0};     // the point of the shadow lookup; draw space
+    glm::vec3 position{0};     // the point of the shadow lookup; camera-relative space
     float isSurface = 0;       // 1 if the pixel shows a surface, otherwise 0
 
     bool isLitSide() const { return isSurface > 0 && partitionAndLit >= 0; }
@@ -193,9 +193,9 @@ public:
     virtual std::string name() const = 0;
     /// Draws the maps of all passes. Maps that the plan reuses stay unchanged. Call this first in each frame, also in a
     /// frame without maps.
-    virtual PassStatistics drawShadowMaps(const FrameDrawing& frame) = 0;
+    virtual PassStatistics drawShadowMaps(const DrawInputs& frame) = 0;
     /// Draws the image, lit by the maps or by the frame's `litMask`.
-    virtual PassStatistics drawImage(const FrameDrawing& frame) = 0;
+    virtual PassStatistics drawImage(const DrawInputs& frame) = 0;
 
     /// Returns what the backend can draw.
     virtual plan::Capabilities capabilities() const { return plan::kOpenGlCapabilities; }
@@ -206,13 +206,13 @@ public:
 
     /// Draws the image of a frame whose plan has exact shadows or rays: finds the visible points, computes their
     /// shadows, and shades each pixel once. Throws Error if the backend cannot.
-    virtual DrawStatistics drawExactly(const FrameDrawing& frame);
+    virtual DrawStatistics drawExactly(const DrawInputs& frame);
 
     /// Returns the memory of geometry and textures since the last frame.
     virtual Bytes deviceMemory() const = 0;
 
     /// Draws both passes of a frame. The picture is the same with and without culling by receivers.
-    virtual DrawStatistics draw(const FrameDrawing& frame);
+    virtual DrawStatistics draw(const DrawInputs& frame);
 
     /// Returns the image of the drawn rows. The following functions return these rows too.
     virtual Picture picture() = 0;

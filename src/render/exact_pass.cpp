@@ -34,7 +34,7 @@ private:
     std::unordered_map<std::uint32_t, std::vector<bool>> pages_;
 };
 
-exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
+exact::Caster casterOf(const DrawInputs& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     const hierarchy::GridPoint origin = frame.space.originCell;
     // Differences in 32 bits are also correct for positions outside the grid.
@@ -48,40 +48,40 @@ exact::Caster casterOf(const FrameDrawing& frame, const hierarchy::Page& page, s
         cluster.vertexCount,
         {page.triangles.data() + cluster.firstTriangle, cluster.triangleCount},
         static_cast<std::uint32_t>(place) << kTriangleBits};
-    caster.least = fromOrigin(cluster.box.min);
-    caster.most = fromOrigin(cluster.box.max);
+    caster.min = fromOrigin(cluster.box.min);
+    caster.max = fromOrigin(cluster.box.max);
     return caster;
 }
 
 /// Returns the caster of a piece of a cluster, with the piece's own corners.
-exact::Caster casterOfPiece(const FrameDrawing& frame, const raster::Cluster& piece) {
+exact::Caster casterOfPiece(const DrawInputs& frame, const raster::Cluster& piece) {
     const hierarchy::GridPoint origin = frame.space.originCell;
     exact::Caster caster;
     caster.geometry = piece;
-    caster.least = glm::i64vec3(std::numeric_limits<std::int64_t>::max());
-    caster.most = glm::i64vec3(std::numeric_limits<std::int64_t>::min());
+    caster.min = glm::i64vec3(std::numeric_limits<std::int64_t>::max());
+    caster.max = glm::i64vec3(std::numeric_limits<std::int64_t>::min());
     const std::size_t stride = piece.positionStride / sizeof(std::uint32_t);
     for (std::size_t v = 0; v < piece.vertexCount; ++v) {
         const std::uint32_t* p = piece.positions + v * stride;
         const glm::i64vec3 cell = glm::i64vec3(p[0], p[1], p[2]) - glm::i64vec3(origin.x, origin.y, origin.z);
-        caster.least = glm::min(caster.least, cell);
-        caster.most = glm::max(caster.most, cell);
+        caster.min = glm::min(caster.min, cell);
+        caster.max = glm::max(caster.max, cell);
     }
     return caster;
 }
 
 /// Returns the eye in cells. A distant orthographic eye can exceed the range of fixed-point coordinates with 2^-24
 /// precision. It is then moved along the view, which does not change its parallel rays.
-glm::dvec3 eyeCell(const FrameDrawing& frame) {
+glm::dvec3 eyeCell(const DrawInputs& frame) {
     constexpr double kFarthest = 0x1p36;
     const glm::dvec3 eye = frame.space.eye / frame.space.step;
-    const double beyond = glm::length(eye) - kFarthest;
-    return frame.plan->view.camera.isParallel() && beyond > 0 ? eye + frame.plan->basis.view * beyond : eye;
+    const double excess = glm::length(eye) - kFarthest;
+    return frame.plan->view.camera.isParallel() && excess > 0 ? eye + frame.plan->basis.view * excess : eye;
 }
 
 } // namespace
 
-exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
+exact::SampleSpace sampleSpace(const DrawInputs& frame) {
     if (const auto& light = frame.plan->view.pointLight) {
         const glm::dvec3 cell = (light->at - frame.grid.origin) / frame.space.step;
         const hierarchy::GridPoint origin = frame.space.originCell;
@@ -93,7 +93,7 @@ exact::SampleSpace sampleSpace(const FrameDrawing& frame) {
     space.shear = exact::shearAlong(space.light);
     space.eye = eyeCell(frame);
     // 0 maps when shadow maps are compared with the ground truth
-    space.maps = std::max(static_cast<int>(frame.plan->cellMaps.size()), 1);
+    space.maps = std::max(static_cast<int>(frame.plan->sampleGridMaps.size()), 1);
     return space;
 }
 
@@ -102,37 +102,37 @@ std::uint32_t tolerance(const IntegerLight& light) {
 }
 
 std::optional<raster::OcclusionCounts> collectSamples(
-    const FrameDrawing& frame, const ImageBuffers& buffers, exact::SampleList& samples, UndecidedPixels& undecided) {
+    const DrawInputs& frame, const ImageBuffers& buffers, exact::SampleList& samples, UnresolvedPixels& unresolved) {
     const auto occlusion = drawVisible(frame, buffers);
     const exact::SampleSpace space = sampleSpace(frame);
     samples.reset(space, buffers.picture->pixels.size());
-    undecided.samples = &samples;
-    undecided.tolerance = tolerance(space.light);
-    undecided.sliceEnds.clear();
-    for (const shadow::ShadowMap& map : frame.plan->cellMaps)
-        undecided.sliceEnds.push_back(static_cast<float>(map.region.frustum.far));
+    unresolved.samples = &samples;
+    unresolved.tolerance = tolerance(space.light);
+    unresolved.sliceEnds.clear();
+    for (const shadow::ShadowMap& map : frame.plan->sampleGridMaps)
+        unresolved.sliceEnds.push_back(static_cast<float>(map.region.frustum.far));
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
     const FloatPicture noMaps;
-    const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Undecided);
+    const Shading shading(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Unresolved);
     ShadingTarget target;
     target.picture = buffers.picture;
-    target.undecided = &undecided;
+    target.unresolved = &unresolved;
     target.tiles = frame.tiles;
     shadeVisible(shading, *buffers.words, target);
     return occlusion;
 }
 
-void drawPoints(const FrameDrawing& frame, const ImageBuffers& buffers, exact::VisiblePoints& points) {
+void drawPoints(const DrawInputs& frame, const ImageBuffers& buffers, exact::VisiblePoints& points) {
     drawVisible(frame, buffers);
     points.reset(buffers.picture->pixels.size());
-    UndecidedPixels undecided;
-    undecided.points = &points;
+    UnresolvedPixels unresolved;
+    unresolved.points = &points;
     const FloatPicture noMaps;
     const glm::dmat4 clipFromDraw = imageClipFromDraw(frame);
-    const Shading collecting(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Undecided);
-    shadeVisible(collecting, *buffers.words, {buffers.picture, nullptr, &undecided});
+    const Shading collecting(frame, clipFromDraw, noMaps, buffers.pass->drawn(), Verdict::Unresolved);
+    shadeVisible(collecting, *buffers.words, {buffers.picture, nullptr, &unresolved});
     const Raster<std::uint8_t> nothingLit(buffers.picture->width, buffers.picture->height);
-    FrameDrawing shadowed = frame;
+    DrawInputs shadowed = frame;
     shadowed.litMask = &nothingLit;
     const Shading shading(shadowed, clipFromDraw, noMaps, buffers.pass->drawn());
     shadeVisible(shading, *buffers.words, {buffers.picture});
@@ -142,7 +142,7 @@ namespace {
 
 /// Adds the clusters of the image's pass at their indices. The ground and pieces get no vertices, so they throw no
 /// shadow, but samples can still refer to their triangles.
-void addDrawnCasters(const FrameDrawing& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
+void addDrawnCasters(const DrawInputs& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
     for (std::size_t place = 0; place < image.drawn().size(); ++place) {
         const DrawnCluster& cluster = image.drawn()[place];
         casters.push_back(casterOf(frame, *cluster.page, cluster.cluster, place));
@@ -155,14 +155,14 @@ void addDrawnCasters(const FrameDrawing& frame, const SoftwarePass& image, std::
 
 /// Adds the pieces in the pass from index `first` on. Their ids are those of the triangles that they belong to.
 void addPieceCasters(
-    const FrameDrawing& frame, const SoftwarePass& image, std::size_t first, std::vector<exact::Caster>& casters) {
+    const DrawInputs& frame, const SoftwarePass& image, std::size_t first, std::vector<exact::Caster>& casters) {
     for (std::size_t place = first; place < image.drawn().size(); ++place)
         if (image.drawn()[place].isPiece) casters.push_back(casterOfPiece(frame, image.clusters()[place]));
 }
 
 /// Adds the parts of a cluster that the sections keep.
 void addCutCaster(
-    const FrameDrawing& frame,
+    const DrawInputs& frame,
     SoftwarePass& image,
     std::uint32_t page,
     std::uint32_t cluster,
@@ -178,7 +178,7 @@ void addCutCaster(
 
 } // namespace
 
-void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vector<exact::Caster>& casters) {
+void gatherExactCasters(const DrawInputs& frame, SoftwarePass& image, std::vector<exact::Caster>& casters) {
     casters.clear();
     const bool isCut = frame.plan->view.cutsCasters && !frame.plan->view.sections.empty();
     if (isCut) frame.sectionMemory->cut.cut(frame, frame.exactCasters->ranges);
@@ -197,10 +197,10 @@ void gatherExactCasters(const FrameDrawing& frame, SoftwarePass& image, std::vec
     }
 }
 
-std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::LightShear& shear) {
+std::vector<glm::dmat3> cellPlanes(const DrawInputs& frame, const exact::LightShear& shear) {
     std::vector<glm::dmat3> planes;
     if (frame.plan->view.pointLight) return planes; // its maps are the faces of a cube around the light
-    for (const shadow::ShadowMap& map : frame.plan->cellMaps) {
+    for (const shadow::ShadowMap& map : frame.plan->sampleGridMaps) {
         const glm::dmat4 clip = map.lightClipFromCamera() * frame.space.cameraFromDraw;
         const auto column = [&](const glm::dvec4& p) {
             const glm::dvec4 c = clip * p;
@@ -215,21 +215,21 @@ std::vector<glm::dmat3> cellPlanes(const FrameDrawing& frame, const exact::Light
     return planes;
 }
 
-Raster<std::uint8_t> litByIntegers(const FrameDrawing& frame) {
+Raster<std::uint8_t> litByIntegers(const DrawInputs& frame) {
     const plan::View& view = frame.plan->view;
     raster::Rasterizer rasterizer;
     SoftwarePass pass;
     Picture picture(view.width, view.height);
     std::vector<std::uint64_t> words(picture.pixels.size());
     exact::SampleList samples;
-    UndecidedPixels undecided;
+    UnresolvedPixels unresolved;
     plan::FramePlan whole = *frame.plan;
     whole.skipsHidden = false; // the ground truth does not rely on occlusion culling
-    FrameDrawing drawing = frame;
+    DrawInputs drawing = frame;
     drawing.plan = &whole;
     drawing.wantsLight = false;
     drawing.ground = nullptr; // the ground is not part of the model
-    collectSamples(drawing, {&rasterizer, &pass, &words, &picture}, samples, undecided);
+    collectSamples(drawing, {&rasterizer, &pass, &words, &picture}, samples, unresolved);
     const hierarchy::GridPoint origin = frame.space.originCell;
     std::vector<exact::Caster> casters;
     gatherExactCasters(frame, pass, casters);

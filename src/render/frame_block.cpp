@@ -2,7 +2,7 @@
 
 #include "core/check.h"
 #include "render/light/light_model.h"
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 #include "shadow/depth_bias.h"
 
 #include <algorithm>
@@ -26,21 +26,23 @@ glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& 
     return glm::transpose(glm::dmat4(x, y, z, w));
 }
 
-/// Converts a direction from camera space to draw space, which has the axes of the world.
+/// Converts a direction from camera space to camera-relative space, which has the axes of the world.
 glm::vec4 toDraw(const CameraBasis& basis, const glm::dvec3& direction, double w = 0) {
     return {glm::vec3(toWorld(basis, direction)), static_cast<float>(w)};
 }
 
-/// Returns the transformation to camera space for an eye at `eye` in draw space, which has the axes of the world.
+/// Returns the transformation to camera space for an eye at `eye` in camera-relative space, which has the axes of the
+/// world.
 glm::dmat4 cameraFromDraw(const CameraBasis& basis, const glm::dvec3& eye) {
     const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
     return fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
 }
 
-/// Returns the draw space of `view` with the grid point nearest to `local` as origin. `local` is in the model's local
-/// space.
-DrawSpace drawSpaceAt(const plan::View& view, const hierarchy::Grid& grid, const glm::dvec3& local) {
-    DrawSpace space;
+/// Returns the camera-relative space of `view` with the grid point nearest to `local` as origin. `local` is in the
+/// model's local space.
+CameraRelativeSpace cameraRelativeSpaceAt(
+    const plan::View& view, const hierarchy::Grid& grid, const glm::dvec3& local) {
+    CameraRelativeSpace space;
     space.step = grid.step();
     const glm::dvec3 cell =
         glm::clamp(glm::round(local / space.step), glm::dvec3(0), glm::dvec3(hierarchy::kMaxGridCoordinate));
@@ -51,14 +53,14 @@ DrawSpace drawSpaceAt(const plan::View& view, const hierarchy::Grid& grid, const
     return space;
 }
 
-/// Returns the origin of `space` in the frame's draw space.
-glm::dvec3 originIn(const FrameDrawing& frame, const DrawSpace& space) {
+/// Returns the origin of `space` in the frame's camera-relative space.
+glm::dvec3 originIn(const DrawInputs& frame, const CameraRelativeSpace& space) {
     const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
     return (cells(space.originCell) - cells(frame.space.originCell)) * space.step;
 }
 
 /// Returns the drawing space of a stabilised map. It depends only on the world, not on camera and frame.
-MapDrawing stableDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+MapDrawing stableDrawing(const DrawInputs& frame, const shadow::ShadowMap& map) {
     const plan::View& view = frame.plan->view;
     const shadow::LightFrame axes = shadow::stableWorldFrame(frame.plan->light.unit());
     const shadow::StablePlace& place = *map.stable;
@@ -67,7 +69,7 @@ MapDrawing stableDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map
     };
     const glm::dvec3 center = axes.x * middle(0) - axes.y * middle(1) + axes.z * middle(2);
     MapDrawing result;
-    result.space = drawSpaceAt(view, frame.grid, center - frame.grid.origin);
+    result.space = cameraRelativeSpaceAt(view, frame.grid, center - frame.grid.origin);
     const glm::dvec3 origin = frame.grid.origin + frame.grid.local(result.space.originCell);
     const shadow::WarpedMap warped = shadow::stableMap(place, axes, shadow::toLight(axes, origin));
     const glm::dmat4 clip = map.lightClipFromMap() * shadow::textureFromCamera(warped);
@@ -77,37 +79,37 @@ MapDrawing stableDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map
 
 } // namespace
 
-DrawSpace drawSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds) {
-    return drawSpaceAt(view, grid, glm::clamp(view.camera.eye, bounds.min, bounds.max) - grid.origin);
+CameraRelativeSpace cameraRelativeSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds) {
+    return cameraRelativeSpaceAt(view, grid, glm::clamp(view.camera.eye, bounds.min, bounds.max) - grid.origin);
 }
 
-double pixelWidth(const plan::FramePlan& plan, const DrawSpace& space, const glm::dvec3& p) {
+double pixelWidth(const plan::FramePlan& plan, const CameraRelativeSpace& space, const glm::dvec3& p) {
     return 2 * plan.view.tanHalfY() * glm::dot(plan.basis.view, p - space.eye) / plan.view.height;
 }
 
-glm::dmat4 imageClipFromDraw(const FrameDrawing& frame) {
+glm::dmat4 imageClipFromDraw(const DrawInputs& frame) {
     const plan::View& view = frame.plan->view;
-    const Lens lens = lensOf(frame);
+    const ImageProjection projection = imageProjection(frame);
     // Shifts the image so that the sample position becomes the centre of the pixel.
     const glm::dvec2 moved = glm::dvec2(0) - 2.0 * frame.subpixel / glm::dvec2(view.width, view.height);
-    return lens.clipFromCamera(moved) * cameraFromDraw(lens.basis, lens.eye);
+    return projection.clipFromCamera(moved) * cameraFromDraw(projection.basis, projection.eye);
 }
 
-MapDrawing mapDrawing(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+MapDrawing mapDrawing(const DrawInputs& frame, const shadow::ShadowMap& map) {
     if (map.stable) return stableDrawing(frame, map);
     const plan::View& view = frame.plan->view;
     MapDrawing result;
     result.space = frame.space;
     if (map.origin != glm::dvec3(0)) {
         const glm::dvec3 inside = view.camera.eye + toWorld(frame.plan->basis, map.origin);
-        result.space = drawSpaceAt(view, frame.grid, inside - frame.grid.origin);
+        result.space = cameraRelativeSpaceAt(view, frame.grid, inside - frame.grid.origin);
     }
     const glm::dmat4 clip = map.lightClipFromCamera() * result.space.cameraFromDraw;
     result.image = shadow::rounded(shadow::mapImage(map, clip, originIn(frame, result.space)));
     return result;
 }
 
-block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const glm::dmat4& clipFromDraw) {
+block::Frame frameBlock(const DrawInputs& frame, const CameraRelativeSpace& space, const glm::dmat4& clipFromDraw) {
     const plan::FramePlan& plan = *frame.plan;
     const plan::View& view = plan.view;
     const CameraBasis& basis = plan.basis;
@@ -130,12 +132,12 @@ block::Frame frameBlock(const FrameDrawing& frame, const DrawSpace& space, const
     result.hasOwnNear = plan.selector.ownNear ? 1 : 0;
     result.errorPixels = static_cast<float>(plan.quality.errorPixels);
     setLight(view, plan.quality.look, frame.shading, result);
-    if (frame.lightPart == LightPart::WithoutSky) takeSkyOut(plan.quality.look, result);
-    if (frame.lightPart == LightPart::SkyDirection) leaveSkyDirection(plan.quality.look, frame.skyWeight, result);
+    if (frame.lightPart == LightPart::WithoutSky) removeSkyLight(plan.quality.look, result);
+    if (frame.lightPart == LightPart::SkyDirection) keepOnlySkyDirection(plan.quality.look, frame.skyWeight, result);
     return result;
 }
 
-block::Shadows shadowsBlock(const FrameDrawing& frame) {
+block::Shadows shadowsBlock(const DrawInputs& frame) {
     const plan::FramePlan& plan = *frame.plan;
     GNOMON_CHECK_OP(plan.passes.size(), <=, std::size_t{GNOMON_MAX_PARTITIONS});
     GNOMON_CHECK_OP(plan.splits.size(), <=, std::size_t{GNOMON_MAX_SLICES});

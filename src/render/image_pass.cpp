@@ -11,7 +11,7 @@
 
 namespace gnomon::render {
 
-std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers) {
+std::optional<raster::OcclusionCounts> drawVisible(const DrawInputs& frame, const ImageBuffers& buffers) {
     const plan::View& view = frame.plan->view;
     SoftwarePass& pass = *buffers.pass;
     pass.gather(frame, *frame.image, Cutting::BySections);

@@ -19,7 +19,7 @@ struct ImageBuffers {
 
 /// Collects the clusters of the image in the pass and fills the words with the visible triangles. Returns the counts of
 /// occlusion culling if the plan uses it. Words outside the frame's tiles stay unchanged.
-std::optional<raster::OcclusionCounts> drawVisible(const FrameDrawing& frame, const ImageBuffers& buffers);
+std::optional<raster::OcclusionCounts> drawVisible(const DrawInputs& frame, const ImageBuffers& buffers);
 
 /// Shades each pixel of `target` from `words` on all cores. If the target has tiles, shades only these.
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target);

@@ -13,7 +13,7 @@ namespace {
 
 /// Returns the corners of a triangle of a cluster, in cells from the frame's origin.
 exact::Corners cornersOf(
-    const FrameDrawing& frame, const hierarchy::Vertex* vertices, const hierarchy::Triangle& triangle) {
+    const DrawInputs& frame, const hierarchy::Vertex* vertices, const hierarchy::Triangle& triangle) {
     const hierarchy::GridPoint& origin = frame.space.originCell;
     exact::Corners corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -31,25 +31,25 @@ exact::Corners cornersOf(
 /// A rule that lets rays pass through their own triangle and through triangles in its plane.
 class PlaneRule final : public raytrace::HitRule {
 public:
-    PlaneRule(const FrameDrawing& frame, const exact::SampleList& samples, std::span<const DrawnCluster> drawn)
+    PlaneRule(const DrawInputs& frame, const exact::SampleList& samples, std::span<const DrawnCluster> drawn)
         : frame_(&frame), samples_(&samples), drawn_(drawn) {}
 
-    bool stops(std::uint32_t ray, const raytrace::PageTriangle& met) const override {
+    bool stops(std::uint32_t ray, const raytrace::PageTriangle& hit) const override {
         const std::uint32_t name = samples_->triangle[ray];
         const DrawnCluster& own = drawn_[name >> kTriangleBits];
         const std::uint32_t ownTriangle = name & (raster::kMaxClusterTriangles - 1);
-        if (met.page == own.pageId && met.cluster == own.cluster && met.triangle == ownTriangle) return false;
-        const hierarchy::Page& page = frame_->pages(met.page);
-        const hierarchy::Cluster& cluster = page.clusters[met.cluster];
+        if (hit.page == own.pageId && hit.cluster == own.cluster && hit.triangle == ownTriangle) return false;
+        const hierarchy::Page& page = frame_->pages(hit.page);
+        const hierarchy::Cluster& cluster = page.clusters[hit.cluster];
         const exact::Corners corners = cornersOf(
-            *frame_, &page.vertices[cluster.firstVertex], page.triangles[cluster.firstTriangle + met.triangle]);
+            *frame_, &page.vertices[cluster.firstVertex], page.triangles[cluster.firstTriangle + hit.triangle]);
         const exact::PointOnTriangle point{
             cornersOf(*frame_, own.vertices, own.triangles[ownTriangle]), samples_->second[ray], samples_->third[ray]};
         return !exact::isInPlane(corners, exact::scaledPoint(point));
     }
 
 private:
-    const FrameDrawing* frame_;
+    const DrawInputs* frame_;
     const exact::SampleList* samples_;
     std::span<const DrawnCluster> drawn_;
 };
@@ -70,18 +70,18 @@ raytrace::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<c
         const glm::dvec3 towards = glm::dvec3(*space.pointLight) - origin;
         constexpr double kTolerance = 2; // in cells
         ray.direction = glm::vec3(glm::normalize(towards));
-        ray.least = static_cast<float>(kTolerance);
-        ray.greatest = static_cast<float>(glm::length(towards));
+        ray.tMin = static_cast<float>(kTolerance);
+        ray.tMax = static_cast<float>(glm::length(towards));
     } else {
         ray.direction = glm::vec3(glm::dvec3(space.light.direction) * std::ldexp(1.0, -kLightBits));
-        ray.least = static_cast<float>(samples.tolerance[i]);
+        ray.tMin = static_cast<float>(samples.tolerance[i]);
     }
     const glm::dvec3 direction(ray.direction);
     for (const Plane& plane : sections) { // removed geometry throws no shadow
         const double slope = glm::dot(plane.normal, direction);
         if (slope >= 0) continue;
         const double end = std::max(plane.signedDistance(origin), 0.0) / -slope;
-        ray.greatest = std::min(ray.greatest, static_cast<float>(end));
+        ray.tMax = std::min(ray.tMax, static_cast<float>(end));
     }
     return ray;
 }
@@ -89,7 +89,7 @@ raytrace::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<c
 } // namespace
 
 std::vector<std::uint8_t> tracedStatuses(
-    const FrameDrawing& frame,
+    const DrawInputs& frame,
     const raytrace::CutScene& scene,
     const exact::SampleList& samples,
     std::span<const DrawnCluster> drawn) {

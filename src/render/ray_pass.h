@@ -13,7 +13,7 @@ namespace gnomon::render {
 /// otherwise exact::kLit. Samples name their triangles by the clusters of `drawn`. Rays use the floats of Embree, but
 /// an integer test ignores triangles in the plane of the sample.
 std::vector<std::uint8_t> tracedStatuses(
-    const FrameDrawing& frame,
+    const DrawInputs& frame,
     const raytrace::CutScene& scene,
     const exact::SampleList& samples,
     std::span<const DrawnCluster> drawn);

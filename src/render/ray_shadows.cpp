@@ -21,7 +21,7 @@ std::vector<lod::ClusterRange> distinctClusters(std::span<const lod::DrawList* c
     return clusters;
 }
 
-raytrace::Scene rayScene(const FrameDrawing& frame, std::span<const lod::DrawList* const> lists) {
+raytrace::Scene rayScene(const DrawInputs& frame, std::span<const lod::DrawList* const> lists) {
     const std::vector<lod::ClusterRange> clusters = distinctClusters(lists);
     std::vector<raytrace::ClusterSpan> spans;
     spans.reserve(clusters.size());
@@ -37,7 +37,7 @@ raytrace::Scene rayScene(const FrameDrawing& frame, std::span<const lod::DrawLis
     return scene;
 }
 
-raytrace::LightSource lightSource(const FrameDrawing& frame) {
+raytrace::LightSource lightSource(const DrawInputs& frame) {
     const std::optional<plan::PointLight>& lamp = frame.plan->view.pointLight;
     if (!lamp) return {frame.plan->light.unit(), false};
     return {lamp->at - frame.grid.origin - frame.grid.local(frame.space.originCell), true};
@@ -45,7 +45,7 @@ raytrace::LightSource lightSource(const FrameDrawing& frame) {
 
 std::vector<raytrace::Light> lightByRays(
     const raytrace::Occluders& scene,
-    const FrameDrawing& frame,
+    const DrawInputs& frame,
     const Raster<SurfaceSample>& surfaces,
     double offsetPixels) {
     std::vector<raytrace::SurfacePoint> points(surfaces.pixels.size());
@@ -64,7 +64,7 @@ std::vector<raytrace::Light> lightByRays(
 
 namespace {
 
-raytrace::CutScene cutScene(const FrameDrawing& frame, raytrace::KeptTrees& trees) {
+raytrace::CutScene cutScene(const DrawInputs& frame, raytrace::KeptTrees& trees) {
     std::vector<raytrace::PageClusters> clusters;
     for (const lod::DrawList* list : {frame.image, frame.exactCasters})
         for (const lod::ClusterRange& range : list->ranges)
@@ -74,13 +74,13 @@ raytrace::CutScene cutScene(const FrameDrawing& frame, raytrace::KeptTrees& tree
 
 /// Returns the lit pixels of `frame`: 255 if lit, otherwise 0. Draws the surfaces and adds the draw calls to
 /// `drawCalls`.
-Raster<std::uint8_t> litBySurfaces(Backend& backend, FrameDrawing frame, std::uint64_t& drawCalls) {
+Raster<std::uint8_t> litBySurfaces(Backend& backend, DrawInputs frame, std::uint64_t& drawCalls) {
     frame.wantsSurfaces = true;
     frame.wantsLight = false;
     frame.overlay = Overlay::None;
     drawCalls += backend.drawImage(frame).drawCalls;
     const Raster<SurfaceSample> surfaces = backend.surfaces();
-    const std::vector<raytrace::Light> light = lightByRays(*frame.rays, frame, surfaces, kTouchingPixels);
+    const std::vector<raytrace::Light> light = lightByRays(*frame.rays, frame, surfaces, kContactTolerancePixels);
     Raster<std::uint8_t> lit(surfaces.width, surfaces.height);
     for (std::size_t i = 0; i < light.size(); ++i)
         lit.pixels[i] = light[i] == raytrace::Light::Lit ? 255 : 0;
@@ -89,7 +89,7 @@ Raster<std::uint8_t> litBySurfaces(Backend& backend, FrameDrawing frame, std::ui
 
 } // namespace
 
-DrawStatistics drawByRays(Backend& backend, FrameDrawing frame, raytrace::KeptTrees& trees) {
+DrawStatistics drawByRays(Backend& backend, DrawInputs frame, raytrace::KeptTrees& trees) {
     const Stopwatch watch;
     const raytrace::CutScene scene = cutScene(frame, trees);
     frame.rays = &scene;

@@ -11,10 +11,10 @@ namespace gnomon::render {
 
 /// A batch of pixels that are shaded together, with input and results.
 struct PixelBatch {
-    static constexpr std::size_t kMost = 128;
+    static constexpr std::size_t kMaxPixels = 128;
 
     template <class T>
-    using Values = std::array<T, kMost>;
+    using Values = std::array<T, kMaxPixels>;
     template <class T>
     using Vectors = std::array<Values<T>, 3>;
 
@@ -22,14 +22,15 @@ struct PixelBatch {
     void pad();
 
     std::size_t count = 0;
-    // Input: the pixel centre; corner 0 of the triangle in grid cells from draw space's origin; the edges from this
-    // corner in cells; the normals and colours of the corners in page format; and the lit fraction, if it is known.
+    // Input: the pixel centre; corner 0 of the triangle in grid cells from the origin of camera-relative space; the
+    // edges from this corner in cells; the normals and colours of the corners in page format; and the lit fraction, if
+    // it is known.
     Values<float> x{}, y{};
     Vectors<std::int32_t> corner{}, edge1{}, edge2{};
     Vectors<std::uint32_t> normals{}, colors{};
     Values<float> litMask{};
     // Results:
-    Vectors<float> position{};     // draw space
+    Vectors<float> position{};     // camera-relative space
     Vectors<float> flatNormal{};   // towards the eye
     Vectors<float> shaded{};       // before the overlay
     Values<float> depth{};         // along the view
@@ -40,7 +41,7 @@ struct PixelBatch {
     // With LitSource::Awaited: the lit colour. `color` is then the colour in shadow.
     Values<std::uint32_t> litColor{};
     Vectors<float> light{}; // with `wantsLight`: the reflected linear RGB
-    // With LitSource::Undecided: the weights of corners 1 and 2. `depth` is then the only other result.
+    // With LitSource::Unresolved: the weights of corners 1 and 2. `depth` is then the only other result.
     Values<float> second{}, third{};
     // With Awaited: the later lookup in map `pass`, which is not drawn yet. It has the first and the last texel of the
     // filter kernel (column and row of the depth texture) and the depth for the comparison.
@@ -50,16 +51,16 @@ struct PixelBatch {
 
 /// A batch of points for lookups in the maps. Entries after `count` are computed too, but meaningless.
 struct PointBatch {
-    std::size_t count = 0;                   // at most PixelBatch::kMost
-    PixelBatch::Vectors<float> position{};   // draw space
+    std::size_t count = 0;                   // at most PixelBatch::kMaxPixels
+    PixelBatch::Vectors<float> position{};   // camera-relative space
     PixelBatch::Vectors<float> normal{};     // unit normal of the surface, towards the viewer
     PixelBatch::Values<float> lit{};         // lit fraction; 0 if the surface faces away from the light
     PixelBatch::Values<std::int32_t> pass{}; // index of the looked-up map; -1: none
 };
 
-/// The source of a pixel's lit fraction. An Undecided pixel gets no colour, because its exact shadow is not computed
+/// The source of a pixel's lit fraction. An Unresolved pixel gets no colour, because its exact shadow is not computed
 /// yet. An Awaited pixel, whose map is not drawn yet, gets both its lit and its shadowed colour.
-enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Undecided, Awaited };
+enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Unresolved, Awaited };
 
 /// The constants of a frame for all pixels.
 struct ShadingFrame {
@@ -69,8 +70,8 @@ struct ShadingFrame {
     int shadowWidth = 0;                // in texels
     LitSource litSource = LitSource::Everywhere;
     bool wantsLight = false;
-    // Primary rays start at rayOriginCells (grid cells from draw space's origin). The ray through the image point (x,
-    // y), in pixels, has the direction first + x perX + y perY, whose view depth is 1.
+    // Primary rays start at rayOriginCells (grid cells from the origin of camera-relative space). The ray through the
+    // image point (x, y), in pixels, has the direction first + x perX + y perY, whose view depth is 1.
     std::array<float, 3> rayOriginCells{};
     std::array<float, 3> rayFirst{};
     std::array<float, 3> rayPerX{};

@@ -100,14 +100,14 @@ HWY_INLINE Weights weightsAt(
     const auto third = hn::Mul(dot(e1, across), scaling);
     const auto isWithin =
         hn::And(hn::And(hn::Ge(second, zero), hn::Ge(third, zero)), hn::Le(hn::Add(second, third), one));
-    const auto isMet = hn::And(isOpen, isWithin);
-    const Weights met = {hn::Sub(hn::Sub(one, second), third), second, third};
-    if (hn::AllTrue(kFloats, isMet)) return met;
+    const auto isHit = hn::And(isOpen, isWithin);
+    const Weights hit = {hn::Sub(hn::Sub(one, second), third), second, third};
+    if (hn::AllTrue(kFloats, isHit)) return hit;
     const Weights nearest = nearestOnOutline(ray, isParallel, fromCorner, e1, e2);
     return {
-        hn::IfThenElse(isMet, met.first, nearest.first),
-        hn::IfThenElse(isMet, met.second, nearest.second),
-        hn::IfThenElse(isMet, met.third, nearest.third)};
+        hn::IfThenElse(isHit, hit.first, nearest.first),
+        hn::IfThenElse(isHit, hit.second, nearest.second),
+        hn::IfThenElse(isHit, hit.third, nearest.third)};
 }
 
 /// Decodes two octahedral snorm16 to a unit normal (Meyer et al. 2010). Returns zero if the vertex has no normal.
@@ -184,8 +184,8 @@ HWY_INLINE Vec3 towardsPoint(const block::Frame& frame, const Vec3& position) {
 /// the range of light sums.
 HWY_INLINE Floats pointStrength(const block::Frame& frame, const Vec3& position) {
     const Vec3 towards = scale(subtract(constant(&frame.towardsLight.x), position), constant(1 / frame.pointReach));
-    constexpr float kLeast = 1.0F / 1024;
-    return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kLeast)));
+    constexpr float kMinSquare = 1.0F / 1024;
+    return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kMinSquare)));
 }
 
 /// Returns the lit fraction before lookups in maps.
@@ -214,7 +214,7 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 position = scale(inCells, constant(frame.gridStep));
     const auto depth = hn::Add(dot(constant(&frame.viewDirection.x), position), constant(frame.originDepth));
     hn::StoreU(depth, kFloats, batch.depth.data() + i);
-    if (f.litSource == LitSource::Undecided) { // the colour follows when the shadow is known
+    if (f.litSource == LitSource::Unresolved) { // the colour follows when the shadow is known
         hn::StoreU(weights.second, kFloats, batch.second.data() + i);
         hn::StoreU(weights.third, kFloats, batch.third.data() + i);
         return;
@@ -288,7 +288,7 @@ HWY_EXPORT(lookUpShadowsInLanes);
 
 void PixelBatch::pad() {
     constexpr std::size_t kLanes = 16;
-    static_assert(kMost % kLanes == 0);
+    static_assert(kMaxPixels % kLanes == 0);
     const std::size_t end = (count + kLanes - 1) / kLanes * kLanes;
     const auto repeat = [&](auto& values) {
         std::fill(

@@ -266,15 +266,15 @@ HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, 
     pass = none;
     if (hn::AllFalse(kFloats, surface.faces)) return hn::Zero(kFloats);
     pass = passOfSurface(f, surface);
-    const auto isAsked = hn::Gt(pass, none);
+    const auto isRequested = hn::Gt(pass, none);
     auto lit = constant(1);
-    if (!hn::AllFalse(kInts, isAsked)) {
+    if (!hn::AllFalse(kInts, isRequested)) {
         const auto largest = hn::MaxOfLanes(kInts, pass);
-        const auto filled = hn::IfThenElse(isAsked, pass, largest);
+        const auto filled = hn::IfThenElse(isRequested, pass, largest);
         const auto asked = hn::AllTrue(kInts, hn::Eq(filled, largest))
                                ? litFraction<true>(f, filled, surface.position, surface.normal, surface.cosine)
                                : litFraction<false>(f, filled, surface.position, surface.normal, surface.cosine);
-        lit = hn::IfThenElse(hn::RebindMask(kFloats, isAsked), asked, lit);
+        lit = hn::IfThenElse(hn::RebindMask(kFloats, isRequested), asked, lit);
     }
     return hn::IfThenElseZero(surface.faces, lit);
 }
@@ -315,10 +315,10 @@ HWY_INLINE AwaitedLanes awaitedLookups(const ShadingFrame& f, const SurfaceLanes
     pass = none;
     if (hn::AllFalse(kFloats, surface.faces)) return {};
     pass = passOfSurface(f, surface);
-    const auto isAsked = hn::Gt(pass, none);
-    if (hn::AllFalse(kInts, isAsked)) return {};
+    const auto isRequested = hn::Gt(pass, none);
+    if (hn::AllFalse(kInts, isRequested)) return {};
     const auto largest = hn::MaxOfLanes(kInts, pass);
-    const auto filled = hn::IfThenElse(isAsked, pass, largest);
+    const auto filled = hn::IfThenElse(isRequested, pass, largest);
     return hn::AllTrue(kInts, hn::Eq(filled, largest)) ? awaitedAt<true>(f, filled, surface)
                                                        : awaitedAt<false>(f, filled, surface);
 }

@@ -8,7 +8,7 @@
 #include "render/light/background.h"
 #include "render/ray_pass.h"
 #include "render/software/receiver_pass.h"
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 #include "render/view/section_caps.h"
 #include "render/view/seen_triangles.h"
 
@@ -26,15 +26,15 @@ class SoftwareBackend final : public Backend {
 public:
     std::string name() const override { return "software"; }
 
-    PassStatistics drawShadowMaps(const FrameDrawing& frame) override;
+    PassStatistics drawShadowMaps(const DrawInputs& frame) override;
 
-    PassStatistics drawImage(const FrameDrawing& frame) override;
+    PassStatistics drawImage(const DrawInputs& frame) override;
 
-    DrawStatistics draw(const FrameDrawing& frame) override;
+    DrawStatistics draw(const DrawInputs& frame) override;
 
     plan::Capabilities capabilities() const override { return plan::kSoftwareCapabilities; }
 
-    DrawStatistics drawExactly(const FrameDrawing& frame) override;
+    DrawStatistics drawExactly(const DrawInputs& frame) override;
 
     Bytes deviceMemory() const override {
         return {
@@ -64,20 +64,20 @@ private:
     void sizeShadowDepth(const plan::FramePlan& plan);
     void clearBetweenMaps(const plan::FramePlan& plan);
     void drawMap(
-        const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics);
+        const DrawInputs& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics);
     raster::OcclusionCounts drawWantedMap(
-        const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics);
+        const DrawInputs& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics);
 
     raster::DepthTarget depthTarget() { return {shadowDepth_.pixels.data(), shadowDepth_.width, shadowDepth_.height}; }
 
-    CulledCasters drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics);
-    void sizeTargets(const FrameDrawing& frame);
+    CulledCasters drawCulledMaps(const DrawInputs& frame, PassStatistics& statistics);
+    void sizeTargets(const DrawInputs& frame);
 
     ImageBuffers imageBuffers() { return {&rasterizer_, &pass_, &words_, &picture_}; }
 
-    void shade(const FrameDrawing& frame);
+    void shade(const DrawInputs& frame);
     void keepVerdict(std::span<const std::uint8_t> statuses);
-    bool shadeDecided(const FrameDrawing& frame);
+    bool shadeDecided(const DrawInputs& frame);
 
     raster::Rasterizer rasterizer_;
     SoftwarePass mapPass_;             // pass of the map that is drawn
@@ -95,11 +95,11 @@ private:
     std::atomic<std::uint64_t> litPixels_{0};
     exact::ExactShadows exact_;
     std::vector<exact::Caster> casters_; // casters of exact shadows
-    UndecidedPixels undecided_;
+    UnresolvedPixels unresolved_;
     ReceiverPass receivers_;
 };
 
-Cutting castersCutting(const FrameDrawing& frame) {
+Cutting castersCutting(const DrawInputs& frame) {
     return frame.plan->view.cutsCasters ? Cutting::BySections : Cutting::Whole;
 }
 
@@ -132,7 +132,7 @@ void SoftwareBackend::sizeShadowDepth(const plan::FramePlan& plan) {
 }
 
 void SoftwareBackend::drawMap(
-    const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
+    const DrawInputs& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
     mapPass_.gather(frame, casters, castersCutting(frame));
     statistics.drawCalls += casters.ranges.size();
     *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, depthTarget());
@@ -141,7 +141,7 @@ void SoftwareBackend::drawMap(
 /// Draws a map without texels that no receiver looks up and without casters behind other casters. Returns the counts of
 /// skipped casters.
 raster::OcclusionCounts SoftwareBackend::drawWantedMap(
-    const FrameDrawing& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
+    const DrawInputs& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
     mapPass_.gather(frame, casters, castersCutting(frame));
     statistics.drawCalls += casters.ranges.size();
     raster::DepthTarget target = depthTarget();
@@ -152,7 +152,7 @@ raster::OcclusionCounts SoftwareBackend::drawWantedMap(
     return drawn.hidden;
 }
 
-PassStatistics SoftwareBackend::drawShadowMaps(const FrameDrawing& frame) {
+PassStatistics SoftwareBackend::drawShadowMaps(const DrawInputs& frame) {
     const Stopwatch watch;
     const plan::FramePlan& plan = *frame.plan;
     PassStatistics statistics{{}, 0, 0};
@@ -171,7 +171,7 @@ PassStatistics SoftwareBackend::drawShadowMaps(const FrameDrawing& frame) {
 }
 
 /// Draws the parts of each map that receivers look up.
-CulledCasters SoftwareBackend::drawCulledMaps(const FrameDrawing& frame, PassStatistics& statistics) {
+CulledCasters SoftwareBackend::drawCulledMaps(const DrawInputs& frame, PassStatistics& statistics) {
     CulledCasters culled;
     for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
         if (frame.plan->passes[p].isReused) continue;
@@ -188,7 +188,7 @@ CulledCasters SoftwareBackend::drawCulledMaps(const FrameDrawing& frame, PassSta
     return culled;
 }
 
-DrawStatistics SoftwareBackend::draw(const FrameDrawing& frame) {
+DrawStatistics SoftwareBackend::draw(const DrawInputs& frame) {
     if (!frame.cullsByReceivers || frame.plan->passes.empty()) return Backend::draw(frame);
     Stopwatch watch;
     DrawStatistics statistics;
@@ -212,8 +212,8 @@ DrawStatistics SoftwareBackend::draw(const FrameDrawing& frame) {
     return statistics;
 }
 
-void SoftwareBackend::sizeTargets(const FrameDrawing& frame) {
-    depth_ = lensOf(frame).depth;
+void SoftwareBackend::sizeTargets(const DrawInputs& frame) {
+    depth_ = imageProjection(frame).depth;
     isTransparent_ = isTransparent(frame);
     const int width = frame.plan->view.width;
     const int height = rowsOf(frame).count;
@@ -233,7 +233,7 @@ void SoftwareBackend::sizeTargets(const FrameDrawing& frame) {
 }
 
 /// Computes the colours of the image from its words, and the surfaces if requested.
-void SoftwareBackend::shade(const FrameDrawing& frame) {
+void SoftwareBackend::shade(const DrawInputs& frame) {
     const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
     litPixels_ = 0;
     ShadingTarget target;
@@ -245,7 +245,7 @@ void SoftwareBackend::shade(const FrameDrawing& frame) {
     shadeVisible(shading, words_, target);
 }
 
-PassStatistics SoftwareBackend::drawImage(const FrameDrawing& frame) {
+PassStatistics SoftwareBackend::drawImage(const DrawInputs& frame) {
     const Stopwatch watch;
     sizeTargets(frame);
     const auto occlusion = drawVisible(frame, imageBuffers());
@@ -273,9 +273,9 @@ void SoftwareBackend::keepVerdict(std::span<const std::uint8_t> statuses) {
 }
 
 /// Shades the image by the mask of the lit pixels. Returns true if it uses the headlight.
-bool SoftwareBackend::shadeDecided(const FrameDrawing& frame) {
+bool SoftwareBackend::shadeDecided(const DrawInputs& frame) {
     const std::uint64_t lit = litPixels_;
-    FrameDrawing decided = frame;
+    DrawInputs decided = frame;
     decided.litMask = &litMask_;
     const bool isHeadlit = lit < frame.minLitPixels.value_or(0);
     if (isHeadlit) decided.shading = plan::Shading::Headlight;
@@ -284,12 +284,12 @@ bool SoftwareBackend::shadeDecided(const FrameDrawing& frame) {
     return isHeadlit;
 }
 
-DrawStatistics SoftwareBackend::drawExactly(const FrameDrawing& frame) {
+DrawStatistics SoftwareBackend::drawExactly(const DrawInputs& frame) {
     const Stopwatch watch;
     DrawStatistics statistics;
     shadowDepth_ = {};
     sizeTargets(frame);
-    const auto occlusion = collectSamples(frame, imageBuffers(), exact_.samples(), undecided_);
+    const auto occlusion = collectSamples(frame, imageBuffers(), exact_.samples(), unresolved_);
     const Stopwatch shadowWatch;
     if (frame.rays != nullptr) {
         keepVerdict(tracedStatuses(frame, *frame.rays, exact_.samples(), pass_.drawn()));
@@ -298,7 +298,7 @@ DrawStatistics SoftwareBackend::drawExactly(const FrameDrawing& frame) {
         const std::vector<glm::dmat3> planes = cellPlanes(frame, exact_.samples().space().shear);
         const hierarchy::GridPoint origin = frame.space.originCell;
         statistics.exact =
-            exact_.decide({casters_, {origin.x, origin.y, origin.z}, planes, plan::cellSide(*frame.plan)});
+            exact_.resolve({casters_, {origin.x, origin.y, origin.z}, planes, plan::cellSide(*frame.plan)});
         keepVerdict(exact_.statuses());
     }
     statistics.shadows = {shadowWatch.elapsed(), 0, std::nullopt};

@@ -29,7 +29,7 @@ glm::vec2 texelAt(const block::Partition& part, const glm::vec4& clip) {
 } // namespace
 
 SoftwareOverlay::SoftwareOverlay(
-    const FrameDrawing& frame,
+    const DrawInputs& frame,
     const block::Frame& block,
     const block::Shadows& shadows,
     std::span<const DrawnCluster> clusters)
@@ -80,8 +80,8 @@ float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
         const glm::dvec3 ray = glm::dvec3(pixel.ray) + double(column - pixel.x) * glm::dvec3(pixel.rayPerX) +
                                double(row - pixel.y) * glm::dvec3(pixel.rayPerY);
         const double across = glm::dot(glm::dvec3(pixel.normal), ray);
-        const glm::dvec3 met = across == 0 ? fromOrigin : ray * (distance / across);
-        return (texelAt(part, clipOf(part, glm::vec3(met + origin))) - part.firstTexel) / 5.0F;
+        const glm::dvec3 hit = across == 0 ? fromOrigin : ray * (distance / across);
+        return (texelAt(part, clipOf(part, glm::vec3(hit + origin))) - part.firstTexel) / 5.0F;
     };
     // Differences within blocks of two by two pixels, as in GL.
     const int left = pixel.x & ~1;

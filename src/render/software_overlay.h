@@ -11,7 +11,7 @@ namespace gnomon::render {
 /// A shaded pixel below an overlay.
 struct PaintedPixel {
     glm::vec3 shaded{0};
-    glm::vec3 position{0};   // draw space
+    glm::vec3 position{0};   // camera-relative space
     float depth = 0;         // along the view
     int pass = -1;           // index of the looked-up map; -1: none
     glm::dvec3 rayOrigin{0}; // origin of the ray through the pixel's centre, and its change per pixel
@@ -32,7 +32,7 @@ public:
     /// Prepares the painting. The blocks and `frame` must outlive this object. `clusters` are the clusters of the
     /// image.
     SoftwareOverlay(
-        const FrameDrawing& frame,
+        const DrawInputs& frame,
         const block::Frame& block,
         const block::Shadows& shadows,
         std::span<const DrawnCluster> clusters);
@@ -54,7 +54,7 @@ private:
         return marks_.at(pixel.cluster->pageId)[pixel.cluster->cluster];
     }
 
-    const FrameDrawing* frame_;
+    const DrawInputs* frame_;
     const block::Frame* block_;
     const block::Shadows* shadows_;
     // The marks of all clusters, per page. Only overlays of clusters fill them.

@@ -5,7 +5,7 @@
 
 namespace gnomon::render {
 
-void SoftwarePass::gather(const FrameDrawing& frame, const lod::DrawList& list, Cutting cutting) {
+void SoftwarePass::gather(const DrawInputs& frame, const lod::DrawList& list, Cutting cutting) {
     clusters_.clear();
     drawn_.clear();
     hasGround_ = false;
@@ -22,7 +22,7 @@ void SoftwarePass::gather(const FrameDrawing& frame, const lod::DrawList& list, 
     }
 }
 
-void SoftwarePass::addCut(const FrameDrawing& frame, const lod::ClusterRange& range) {
+void SoftwarePass::addCut(const DrawInputs& frame, const lod::ClusterRange& range) {
     SectionCut& cut = frame.sectionMemory->cut;
     const hierarchy::Page& page = frame.pages(range.page);
     for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
@@ -64,7 +64,8 @@ std::span<const raster::CellBox> SoftwarePass::boxes() {
     return boxes_;
 }
 
-raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport) {
+raster::View rasterView(
+    const CameraRelativeSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport) {
     raster::View view;
     view.eyeCell = glm::ivec3(space.originCell.x, space.originCell.y, space.originCell.z);
     view.clipFromCell = glm::mat4(clipFromDraw);
@@ -74,7 +75,7 @@ raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, 
     return view;
 }
 
-MapView::MapView(const FrameDrawing& frame, const shadow::ShadowMap& map) {
+MapView::MapView(const DrawInputs& frame, const shadow::ShadowMap& map) {
     const shadow::TexelRectangle& r = map.rectangle;
     const MapDrawing drawing = mapDrawing(frame, map);
     view = rasterView(drawing.space, drawing.clipFromDraw(), {r.x, r.y, r.x + r.width, r.y + r.height});

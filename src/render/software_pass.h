@@ -15,10 +15,10 @@ class SoftwarePass {
 public:
     /// Collects the clusters of `list`, whose pages must outlive the pass. With Cutting::BySections, collects only the
     /// remaining pieces.
-    void gather(const FrameDrawing& frame, const lod::DrawList& list, Cutting cutting);
+    void gather(const DrawInputs& frame, const lod::DrawList& list, Cutting cutting);
 
     /// Adds the clusters of `range`, cut by sections.
-    void addCut(const FrameDrawing& frame, const lod::ClusterRange& range);
+    void addCut(const DrawInputs& frame, const lod::ClusterRange& range);
 
     /// Adds the single cluster of the page `ground`.
     void addGround(const hierarchy::Page& ground);
@@ -44,14 +44,15 @@ private:
 
 /// Returns the view of a viewport of the target through `clipFromDraw`: the matrix of the shaders, with the grid step
 /// included.
-raster::View rasterView(const DrawSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport);
+raster::View rasterView(
+    const CameraRelativeSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport);
 
 /// The view of a map's casters, with the row positions that the view refers to.
 struct MapView {
     std::vector<float> rows; // empty if the rows are evenly spaced
     raster::View view;
 
-    MapView(const FrameDrawing& frame, const shadow::ShadowMap& map);
+    MapView(const DrawInputs& frame, const shadow::ShadowMap& map);
 };
 
 } // namespace gnomon::render

@@ -3,7 +3,7 @@
 #include "render/frame_block.h"
 #include "render/light/background.h"
 #include "render/light/light_model.h"
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 #include "render/view/section_caps.h"
 
 #include <algorithm>
@@ -36,17 +36,17 @@ std::uint8_t level(float channel) {
 /// A batch of pixels and their positions in the image.
 struct Shading::Work {
     PixelBatch batch;
-    std::array<std::uint32_t, PixelBatch::kMost> triangles{}; // ids of the visible triangles
-    std::array<std::array<const hierarchy::Vertex*, 3>, PixelBatch::kMost> corners{};
-    std::array<int, PixelBatch::kMost> columns{};
-    std::array<int, PixelBatch::kMost> rows{};                           // from the bottom
-    std::array<std::uint32_t, PixelBatch::kMost> pixels{}, tolerances{}; // of undecided pixels
-    std::array<std::int32_t, PixelBatch::kMost> maps{};                  // the map whose bins contain the pixel
-    std::array<std::uint32_t, PixelBatch::kMost> awaiting{};             // indices in the batch
+    std::array<std::uint32_t, PixelBatch::kMaxPixels> triangles{}; // ids of the visible triangles
+    std::array<std::array<const hierarchy::Vertex*, 3>, PixelBatch::kMaxPixels> corners{};
+    std::array<int, PixelBatch::kMaxPixels> columns{};
+    std::array<int, PixelBatch::kMaxPixels> rows{};                           // from the bottom
+    std::array<std::uint32_t, PixelBatch::kMaxPixels> pixels{}, tolerances{}; // of unresolved pixels
+    std::array<std::int32_t, PixelBatch::kMaxPixels> maps{};                  // the map whose bins contain the pixel
+    std::array<std::uint32_t, PixelBatch::kMaxPixels> awaiting{};             // indices in the batch
 };
 
 Shading::Shading(
-    const FrameDrawing& frame,
+    const DrawInputs& frame,
     const glm::dmat4& clipFromDraw,
     const FloatPicture& shadowDepth,
     std::span<const DrawnCluster> clusters,
@@ -70,29 +70,29 @@ Shading::Shading(
     shared_.shadowWidth = shadowDepth.width;
     shared_.wantsLight = frame.wantsLight;
     if (verdict != Verdict::Known)
-        shared_.litSource = verdict == Verdict::Undecided ? LitSource::Undecided : LitSource::Awaited;
+        shared_.litSource = verdict == Verdict::Unresolved ? LitSource::Unresolved : LitSource::Awaited;
     else if (frame.litMask != nullptr)
         shared_.litSource = LitSource::Mask;
     else if (!frame.plan->passes.empty())
         shared_.litSource = LitSource::Maps;
     const plan::View& view = frame.plan->view;
-    const Lens lens = lensOf(frame);
-    rayOrigin_ = lens.eye;
-    const glm::dvec3 right = lens.basis.right * lens.half.x;
-    const glm::dvec3 up = lens.basis.up * lens.half.y;
+    const ImageProjection projection = imageProjection(frame);
+    rayOrigin_ = projection.eye;
+    const glm::dvec3 right = projection.basis.right * projection.half.x;
+    const glm::dvec3 up = projection.basis.up * projection.half.y;
     const glm::dvec2 first = 2.0 * frame.subpixel / glm::dvec2(view.width, view.height) - 1.0;
     const glm::dvec3 perX = right * (2.0 / view.width);
     const glm::dvec3 perY = up * (2.0 / view.height);
-    if (lens.depth.isParallel) {
-        rayOrigin_ += lens.basis.view * lens.depth.clip.near + first.x * right + first.y * up;
+    if (projection.depth.isParallel) {
+        rayOrigin_ += projection.basis.view * projection.depth.clip.near + first.x * right + first.y * up;
         shared_.isParallel = true;
-        shared_.rayFirst = toArray(lens.basis.view);
+        shared_.rayFirst = toArray(projection.basis.view);
         shared_.originPerX = toArray(perX / frame.space.step);
         shared_.originPerY = toArray(perY / frame.space.step);
         originPerX_ = perX;
         originPerY_ = perY;
     } else {
-        shared_.rayFirst = toArray(lens.basis.view + first.x * right + first.y * up);
+        shared_.rayFirst = toArray(projection.basis.view + first.x * right + first.y * up);
         shared_.rayPerX = toArray(perX);
         shared_.rayPerY = toArray(perY);
     }
@@ -155,7 +155,7 @@ void Shading::shadeSquare(
         for (int x = box.x0; x < box.x1; ++x) {
             const std::uint32_t name = raster::visibleTriangle(row[x]);
             if (row[x] == 0 || isCapName(name)) {
-                if (target.undecided != nullptr) continue;
+                if (target.unresolved != nullptr) continue;
                 colors[x] = row[x] == 0 ? background : capColor(*frame_, name);
                 leaveUnshaded(picture.index(x, fromTop(y)), row[x] != 0, target);
                 continue;
@@ -166,7 +166,7 @@ void Shading::shadeSquare(
             work.rows[i] = y;
             const DrawnCluster& cluster = clusters_[work.triangles[i] >> kTriangleBits];
             hwy::Prefetch(&cluster.triangles[work.triangles[i] & (raster::kMaxClusterTriangles - 1)]);
-            if (work.batch.count == PixelBatch::kMost) flush(work, target);
+            if (work.batch.count == PixelBatch::kMaxPixels) flush(work, target);
         }
     }
 }
@@ -199,7 +199,7 @@ void Shading::gatherTriangles(Work& work) const {
         take(batch.corner, i, a->position, origin);
         take(batch.edge1, i, b->position, a->position);
         take(batch.edge2, i, c->position, a->position);
-        if (shared_.litSource == LitSource::Undecided) continue;
+        if (shared_.litSource == LitSource::Unresolved) continue;
         for (std::size_t k = 0; k < 3; ++k) {
             batch.normals[k][i] = work.corners[i][k]->normal;
             batch.colors[k][i] = work.corners[i][k]->color;
@@ -216,8 +216,8 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     if (batch.count == 0) return;
     gatherTriangles(work);
     shadePixels(shared_, batch);
-    if (target.undecided != nullptr) {
-        leaveUndecided(work, target);
+    if (target.unresolved != nullptr) {
+        leaveUnresolved(work, target);
         batch.count = 0;
         return;
     }
@@ -250,7 +250,7 @@ std::array<float, 3> Shading::lightOfCap(const Rgb& color) const {
     if (frame_->lightPart == LightPart::SkyDirection) return light;
     for (std::size_t c = 0; c < 3; ++c) {
         const float shown = linearFromDisplay(static_cast<float>(color[c]) / 255);
-        light[c] = block_.isShouldered != 0 ? shown / std::max(1 - shown, 1e-3F) : shown;
+        light[c] = block_.isToneMapped != 0 ? shown / std::max(1 - shown, 1e-3F) : shown;
     }
     return light;
 }
@@ -293,18 +293,18 @@ void Shading::countLit(const Work& work, const ShadingTarget& target) const {
     target.litPixels->fetch_add(count, std::memory_order_relaxed);
 }
 
-void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
+void Shading::leaveUnresolved(Work& work, const ShadingTarget& target) const {
     const PixelBatch& batch = work.batch;
-    UndecidedPixels& undecided = *target.undecided;
+    UnresolvedPixels& unresolved = *target.unresolved;
     for (std::size_t i = 0; i < batch.count; ++i) {
         const std::size_t at = target.picture->index(work.columns[i], fromTop(work.rows[i]));
         work.pixels[i] = static_cast<std::uint32_t>(at);
-        work.tolerances[i] = undecided.tolerance;
+        work.tolerances[i] = unresolved.tolerance;
         work.maps[i] = 0;
-        if (undecided.sliceEnds.size() < 2) continue;
-        const auto end = std::lower_bound(undecided.sliceEnds.begin(), undecided.sliceEnds.end(), batch.depth[i]);
+        if (unresolved.sliceEnds.size() < 2) continue;
+        const auto end = std::lower_bound(unresolved.sliceEnds.begin(), unresolved.sliceEnds.end(), batch.depth[i]);
         // A depth behind the last slice gives one index too many. SampleList clamps the index to the last map.
-        work.maps[i] = static_cast<std::int32_t>(end - undecided.sliceEnds.begin());
+        work.maps[i] = static_cast<std::int32_t>(end - unresolved.sliceEnds.begin());
     }
     exact::PointBatch points;
     points.count = batch.count;
@@ -319,10 +319,10 @@ void Shading::leaveUndecided(Work& work, const ShadingTarget& target) const {
     points.pixel = work.pixels.data();
     points.triangle = work.triangles.data();
     points.tolerance = work.tolerances.data();
-    if (undecided.points != nullptr)
-        undecided.points->add(points);
+    if (unresolved.points != nullptr)
+        unresolved.points->add(points);
     else
-        undecided.samples->add(points);
+        unresolved.samples->add(points);
 }
 
 void Shading::leaveAwaited(Work& work, const ShadingTarget& target) const {

@@ -21,9 +21,9 @@ constexpr Rgb unpacked(std::uint32_t color) {
 }
 
 /// Pixels whose shadow is computed before they are shaded.
-struct UndecidedPixels {
+struct UnresolvedPixels {
     exact::SampleList* samples = nullptr; // receives the pixels that face the light
-    std::uint32_t tolerance = 0;          // as in exact::meet
+    std::uint32_t tolerance = 0;          // as in exact::intersect
     std::vector<float> sliceEnds;         // view depths of the ends of the slices of the sample grids, nearest first
     exact::VisiblePoints* points =
         nullptr; // if not null, receives all pixels instead of `samples`, also those that face away from the light
@@ -47,7 +47,7 @@ struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
     // If not null, the visible points are only collected here. All other results are then unchanged.
-    UndecidedPixels* undecided = nullptr;
+    UnresolvedPixels* unresolved = nullptr;
     // If not null, pixels are shaded in shadow, and those whose maps are drawn later are collected here. A pixel that
     // needs no map gets its final colour immediately.
     AwaitedPixels* awaited = nullptr;
@@ -56,17 +56,17 @@ struct ShadingTarget {
     const shadow::TileMask* tiles = nullptr;         // the tiles to shade; null: all pixels
 };
 
-/// The state of the shadow result during shading, apart from the plan and the mask: known, undecided until exact
+/// The state of the shadow result during shading, apart from the plan and the mask: known, unresolved until exact
 /// shadows are computed, or awaited until the maps are drawn.
-enum class Verdict : std::uint8_t { Known, Undecided, Awaited };
+enum class Verdict : std::uint8_t { Known, Unresolved, Awaited };
 
 /// The shading of one frame. All threads can shade boxes.
 class Shading {
 public:
     /// Prepares the shading. All arguments must outlive it. `shadowDepth` is empty without maps, and `clusters` are the
-    /// clusters of the image's pass. A `verdict` other than Known requires targets with `undecided` or `awaited`.
+    /// clusters of the image's pass. A `verdict` other than Known requires targets with `unresolved` or `awaited`.
     Shading(
-        const FrameDrawing& frame,
+        const DrawInputs& frame,
         const glm::dmat4& clipFromDraw,
         const FloatPicture& shadowDepth,
         std::span<const DrawnCluster> clusters,
@@ -98,7 +98,7 @@ private:
         Work& work) const;
     void gatherTriangles(Work& work) const;
     void flush(Work& work, const ShadingTarget& target) const;
-    void leaveUndecided(Work& work, const ShadingTarget& target) const;
+    void leaveUnresolved(Work& work, const ShadingTarget& target) const;
     void leaveAwaited(Work& work, const ShadingTarget& target) const;
     Rgb painted(const Work& work, std::size_t i) const;
     void keepLight(const Work& work, const ShadingTarget& target) const;
@@ -115,13 +115,13 @@ private:
     bool countsAsLit(const Work& work, std::size_t i) const;
     void countLit(const Work& work, const ShadingTarget& target) const;
 
-    const FrameDrawing* frame_;
+    const DrawInputs* frame_;
     ImageRows rows_;
     std::span<const DrawnCluster> clusters_;
     block::Frame block_;
     block::Shadows shadows_;
     ShadingFrame shared_;
-    glm::dvec3 rayOrigin_{0}; // draw space; for the image point (0, 0)
+    glm::dvec3 rayOrigin_{0}; // camera-relative space; for the image point (0, 0)
     glm::dvec3 originPerX_{0};
     glm::dvec3 originPerY_{0};
     SoftwareOverlay overlay_;

@@ -16,9 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::render::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t kMostLanes = 16;
+constexpr std::size_t kMaxLanes = 16;
 
-using IntTag = hn::CappedTag<std::int32_t, kMostLanes>;
+using IntTag = hn::CappedTag<std::int32_t, kMaxLanes>;
 using UintTag = hn::RebindToUnsigned<IntTag>;
 using FloatTag = hn::RebindToFloat<IntTag>;
 using Ints = hn::Vec<IntTag>;

@@ -64,7 +64,7 @@ std::string_view key(ErrorKind kind) {
     switch (kind) {
     case ErrorKind::WrongPixels:
         return "wrong_pixels_all";
-    case ErrorKind::PromisedAliasing:
+    case ErrorKind::AliasingBound:
         return "promised_aliasing";
     case ErrorKind::MeasuredAliasing:
         return "measured_aliasing";
@@ -82,7 +82,7 @@ std::string_view label(ErrorKind kind) {
     switch (kind) {
     case ErrorKind::WrongPixels:
         return "wrong pixels (fraction of all, against integers)";
-    case ErrorKind::PromisedAliasing:
+    case ErrorKind::AliasingBound:
         return "promised aliasing (texel widths per pixel width)";
     case ErrorKind::MeasuredAliasing:
         return "measured aliasing (texel widths per pixel width)";
@@ -107,7 +107,7 @@ ErrorKind leadingError(std::span<const RunSummary> runs) {
 ErrorKind shadowError(std::span<const RunSummary> runs) {
     for (const ErrorKind kind : {ErrorKind::WrongShadow, ErrorKind::ShadowEdge})
         if (allMapsKnow(runs, kind)) return kind;
-    return ErrorKind::PromisedAliasing;
+    return ErrorKind::AliasingBound;
 }
 
 bool dominates(const RunSummary& a, const RunSummary& b, ErrorKind kind) {
@@ -211,7 +211,7 @@ Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind
     result.rank = pearson(ranksA, ranksB);
     for (std::size_t i = 0; i < known.size(); ++i)
         if (std::abs(ranksA[i] - ranksB[i]) > static_cast<double>(known.size()) / 3)
-            result.disobedient.push_back(known[i]);
+            result.outliers.push_back(known[i]);
     return result;
 }
 

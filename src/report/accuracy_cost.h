@@ -88,7 +88,7 @@ std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, 
 struct Correlation {
     double rank = 0; // in [-1, 1]; 0 for fewer than three runs
     std::size_t runs = 0;
-    std::vector<std::size_t> disobedient; // runs whose two ranks differ by more than a third of the number of runs
+    std::vector<std::size_t> outliers; // runs whose two ranks differ by more than a third of the number of runs
 };
 
 Correlation correlation(std::span<const RunSummary> runs, ErrorKind a, ErrorKind b);

@@ -39,7 +39,7 @@ nlohmann::json runData(const RunSummary& run) {
         {"errors", errors},
         {"crawl", run.crawl < 0 ? nlohmann::json() : nlohmann::json(run.crawl)},
         {"storage_factor", run.storageFactor},
-        {"promise_kept", run.promiseKept},
+        {"promise_kept", run.isBoundKept},
         {"frames", run.frameMs}};
 }
 
@@ -94,8 +94,8 @@ nlohmann::json pageData(const Report& report) {
         data["errors"].push_back({{"key", key(kind)}, {"label", label(kind)}});
         data["fronts"][std::string(key(kind))] = paretoFront(report.runs, kind);
     }
-    const Correlation promise = correlation(report.runs, ErrorKind::PromisedAliasing, ErrorKind::WrongShadow);
-    data["correlation"] = {{"rank", promise.rank}, {"runs", promise.runs}, {"disobedient", promise.disobedient}};
+    const Correlation bound = correlation(report.runs, ErrorKind::AliasingBound, ErrorKind::WrongShadow);
+    data["correlation"] = {{"rank", bound.rank}, {"runs", bound.runs}, {"disobedient", bound.outliers}};
     for (const StoragePoint& point : report.storage)
         data["storage"].push_back({{"scheme", point.scheme}, {"maps", point.maps}, {"S", point.storageFactor}});
     for (const Picture& picture : report.pictures)

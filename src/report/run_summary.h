@@ -14,7 +14,7 @@ namespace gnomon::report {
 /// The kinds of errors of a run. Each run has some of them.
 enum class ErrorKind {
     WrongPixels,      // share of all pixels whose lit or dark result differs from integer arithmetic
-    PromisedAliasing, // larger bound of perspective aliasing of x and z over [near, far]
+    AliasingBound,    // larger bound of perspective aliasing of x and z over [near, far]
     MeasuredAliasing, // perspective aliasing measured at the pixels
     WrongShadow,      // share of lit-side pixels whose shadow differs from ray tracing, including missed thin casters
     ShadowEdge,       // 99th percentile of the distance of shadow edges from ray-traced edges, in pixels
@@ -23,7 +23,7 @@ enum class ErrorKind {
 
 inline constexpr std::array kErrorKinds{
     ErrorKind::WrongPixels,
-    ErrorKind::PromisedAliasing,
+    ErrorKind::AliasingBound,
     ErrorKind::MeasuredAliasing,
     ErrorKind::WrongShadow,
     ErrorKind::ShadowEdge,
@@ -65,7 +65,7 @@ struct RunSummary {
     std::map<ErrorKind, double> errors;
     double crawl = -1; // share of fixed points whose shadow changed; negative: not measured
     double storageFactor = 0;
-    bool promiseKept = true;
+    bool isBoundKept = true;
     std::uint64_t pagesDamaged = 0; // total up to the last frame
     std::uint64_t pagesMissing = 0; // max over all frames
     std::vector<double> frameMs;    // along the path, median over repetitions

@@ -57,7 +57,7 @@ std::string errorsInWords(ErrorKind kind, double a, const std::string& joint, do
         return share("wrong shadow pixels");
     case ErrorKind::ShadowEdge:
         return text("shadow edges %.2g pixels off", a) + joint + text("%.2g", b);
-    case ErrorKind::PromisedAliasing:
+    case ErrorKind::AliasingBound:
     case ErrorKind::MeasuredAliasing:
         return text("texels up to %.2g pixels wide", a) + joint + text("%.2g", b);
     case ErrorKind::ImageDifference:
@@ -75,7 +75,7 @@ std::string errorName(ErrorKind kind) {
         return "wrong shadow pixels";
     case ErrorKind::ShadowEdge:
         return "distance of shadow edges";
-    case ErrorKind::PromisedAliasing:
+    case ErrorKind::AliasingBound:
     case ErrorKind::MeasuredAliasing:
         return "width of texels";
     case ErrorKind::ImageDifference:
@@ -106,12 +106,12 @@ std::string timeInWords(const RunSummary& a, const RunSummary& b) {
         const double step = ratio < 10 ? 0.01 : std::pow(10, std::floor(std::log10(ratio)) - 1);
         return text("%.3g", round(ratio / step) * step);
     };
-    const auto [leastA, mostA] = timeRange(a);
-    const auto [leastB, mostB] = timeRange(b); // the ranges are disjoint, so neither upper end is 0
-    const std::string least = rounded(leastA / mostB, [](double x) { return std::floor(x); });
-    if (!(leastB > 0)) return "at least " + least + " times the frame time";
-    const std::string most = rounded(mostA / leastB, [](double x) { return std::ceil(x); });
-    return (least == most ? least : least + " to " + most) + " times the frame time";
+    const auto [minA, maxA] = timeRange(a);
+    const auto [minB, maxB] = timeRange(b); // the ranges are disjoint, so neither upper end is 0
+    const std::string low = rounded(minA / maxB, [](double x) { return std::floor(x); });
+    if (!(minB > 0)) return "at least " + low + " times the frame time";
+    const std::string high = rounded(maxA / minB, [](double x) { return std::ceil(x); });
+    return (low == high ? low : low + " to " + high) + " times the frame time";
 }
 
 /// Returns the verdict of `a` against `b`. `costs` is 1 if `a` takes more time than `b`, -1 for less and 0 for equal.
@@ -164,7 +164,7 @@ std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
 }
 
 /// Returns the first run of `sweep` after which no larger number of maps lowers the error by a tenth.
-const RunSummary* enoughMaps(const std::vector<const RunSummary*>& sweep, ErrorKind kind) {
+const RunSummary* sufficientMaps(const std::vector<const RunSummary*>& sweep, ErrorKind kind) {
     for (std::size_t i = 0; i + 1 < sweep.size(); ++i) {
         const double here = knownError(*sweep[i], kind).value_or(0);
         const bool improves =
@@ -200,11 +200,11 @@ std::vector<std::string> sentences(std::span<const RunSummary> runs) {
         result.push_back(comparison({exact, "exact shadows", false}, namedMaps(more), ErrorKind::WrongPixels));
     const ErrorKind kind = shadowError(runs);
     result.push_back(comparison(namedMaps(more), {&one, countInWords(one.shadowMaps), one.shadowMaps == 1}, kind));
-    const RunSummary* enough = enoughMaps(sweep, kind);
-    if (enough != nullptr && knownError(*enough, kind).value_or(0) > 0) {
-        const std::string name = namedMaps(*enough).name;
+    const RunSummary* sufficient = sufficientMaps(sweep, kind);
+    if (sufficient != nullptr && knownError(*sufficient, kind).value_or(0) > 0) {
+        const std::string name = namedMaps(*sufficient).name;
         result.push_back(
-            atStart(name) + (enough->shadowMaps == 1 ? " is" : " are") +
+            atStart(name) + (sufficient->shadowMaps == 1 ? " is" : " are") +
             " enough here: no larger number that was tried lowers the " + errorName(kind) + " by a tenth.");
     }
     return result;

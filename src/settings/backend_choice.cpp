@@ -89,7 +89,7 @@ std::string onlySoftware(bool Capabilities::*capability) {
     return std::string("only the software backend ") + found->verb;
 }
 
-std::optional<BackendNeed> unmetNeed(
+std::optional<BackendNeed> missingCapability(
     const Settings& settings, const ValueColors& colors, const Capabilities& capabilities) {
     for (const Need& need : kNeeds)
         if (!(capabilities.*need.capability) && need.isRequested(settings, colors))
@@ -98,12 +98,12 @@ std::optional<BackendNeed> unmetNeed(
 }
 
 std::optional<BackendNeed> softwareNeed(const Settings& settings, const ValueColors& colors) {
-    return unmetNeed(settings, colors, plan::kOpenGlCapabilities);
+    return missingCapability(settings, colors, plan::kOpenGlCapabilities);
 }
 
 void requireCapable(const Settings& settings, const ValueColors& colors) {
     if (settings.backend == Backend::Auto) return;
-    if (const auto need = unmetNeed(settings, colors, capabilitiesOf(settings.backend)))
+    if (const auto need = missingCapability(settings, colors, capabilitiesOf(settings.backend)))
         throw UsageError{
             "--backend",
             optionText("backend", settings) + " and " + need->option + " contradict each other: " + need->reason};

@@ -45,7 +45,7 @@ plan::Capabilities capabilitiesOf(Backend backend);
 std::string onlySoftware(bool plan::Capabilities::*capability);
 
 /// Returns the first option that a backend with `capabilities` cannot draw, or nullopt if it can draw all options.
-std::optional<BackendNeed> unmetNeed(
+std::optional<BackendNeed> missingCapability(
     const Settings& settings, const ValueColors& colors, const plan::Capabilities& capabilities);
 
 /// Returns the first option that only the software backend can draw, or nullopt.

@@ -22,7 +22,8 @@ constexpr OptionUse kLight{"light", [](const Request& r) { return r.settings.isL
 constexpr OptionUse kOverlay{"overlay", [](const Request& r) { return r.output.overlay != render::Overlay::None; }};
 constexpr OptionUse kColorBy{"color-by", [](const Request& r) { return r.output.colors.by != ColorBy::None; }};
 constexpr OptionUse kStats{"stats", [](const Request& r) { return !r.output.statistics.empty(); }};
-constexpr OptionUse kOracle{"oracle", [](const Request& r) { return r.output.oracle != validation::Oracle::None; }};
+constexpr OptionUse kOracle{
+    "oracle", [](const Request& r) { return r.output.groundTruth != validation::GroundTruth::None; }};
 constexpr OptionUse kDepth{"depth", [](const Request& r) { return !r.output.depth.empty(); }};
 constexpr OptionUse kShadowDepth{"shadow-depth", [](const Request& r) { return !r.output.shadowDepth.empty(); }};
 constexpr OptionUse kReference{"reference", [](const Request& r) { return !r.output.reference.empty(); }};
@@ -60,7 +61,7 @@ std::vector<Contradiction> lightContradictions() {
          {kWarp, {"eta"}, {"z-partitions"}, {"split-lambda"}, {"face-partitions"}, {"stabilize"}},
          "the maps of a lamp are the faces of a cube around it"},
         {{"light-at"}, {{"ground"}}, "the ground shows the shadow of a direction"},
-        {{"shading", [](const Request& r) { return plan::isWithoutSun(r.settings.quality.look.shading); }},
+        {{"shading", [](const Request& r) { return plan::hasNoSun(r.settings.quality.look.shading); }},
          {{"shadows",
            [](const Request& r) {
                const plan::ShadowMode mode = r.settings.quality.shadows;
@@ -142,7 +143,7 @@ void requireFiles(const Request& request) {
             refuse("--output", output.picture, "- or a name with a number in it, such as frame%04d.png");
         return;
     }
-    requireApart(
+    requireDistinctFiles(
         {{"MODEL", request.model}, {"--camera", request.settings.cameraFile}, {"--reference", output.reference}},
         {{"--output", output.picture}, {"--stats", output.statistics}, {"--depth", output.depth}});
 }

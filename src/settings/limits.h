@@ -15,9 +15,9 @@ constexpr std::int64_t kMaxShadowTexels = std::int64_t{kMaxSide} * kMaxSide;
 constexpr int kMaxFilter = 16; // texels
 
 /// The min and max values that the window offers.
-constexpr double kLeastOfferedErrorPixels = 0.125;
-constexpr double kMostOfferedErrorPixels = 64;
-constexpr int kLeastOfferedTexels = 256; // per side
-constexpr int kMostOfferedTexels = 8192;
+constexpr double kMinOfferedErrorPixels = 0.125;
+constexpr double kMaxOfferedErrorPixels = 64;
+constexpr int kMinOfferedTexels = 256; // per side
+constexpr int kMaxOfferedTexels = 8192;
 
 } // namespace gnomon::settings

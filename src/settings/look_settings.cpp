@@ -14,7 +14,7 @@ namespace {
 using plan::Background;
 using Color = std::array<std::uint8_t, 3>;
 
-constexpr double kMostAmbient = 10;
+constexpr double kMaxAmbient = 10;
 
 struct NamedBackground {
     Background value;
@@ -69,7 +69,7 @@ Codec<std::vector<Section>> sections() {
                 if (std::count(part.begin(), part.end(), ',') != 5) return std::nullopt;
                 const auto point = vector().read(part.substr(0, third));
                 const auto normal = direction().read(part.substr(third + 1));
-                if (!point || !normal || all.size() == kMostSections) return std::nullopt;
+                if (!point || !normal || all.size() == kMaxSections) return std::nullopt;
                 all.push_back({*point, *normal});
             }
             return all.empty() ? std::nullopt : std::optional(all);
@@ -94,29 +94,29 @@ std::vector<Setting> lookSettings() {
              .usually = "from the camera file or path, else perspective"},
             ifGiven(oneOf(kProjections))),
         look(
-            &plan::Look::shading,
+            &plan::ShadingSettings::shading,
             {.name = "shading",
              .form = "MODE",
              .help = "Shading: auto, lit (sun), headlight, flat or unlit",
              .offer = {.title = "shading"}},
             oneOf(plan::kShadings)),
         look(
-            &plan::Look::ambient,
+            &plan::ShadingSettings::ambient,
             {.name = "ambient",
              .form = "F",
              .help = "Factor for the light of sky and ground, from 0 to 10",
-             .offer = {.title = "ambient light", .least = 0.25, .most = 4}},
+             .offer = {.title = "ambient light", .min = 0.25, .max = 4}},
             number(
-                "a number from 0 to " + shortest(kMostAmbient),
-                [](double value) { return value >= 0 && value <= kMostAmbient; })),
+                "a number from 0 to " + shortest(kMaxAmbient),
+                [](double value) { return value >= 0 && value <= kMaxAmbient; })),
         look(
-            &plan::Look::background,
+            &plan::ShadingSettings::background,
             {.name = "background",
              .form = "COLOUR|sky|white|transparent",
              .help = "Colour such as #336699, sky, white or transparent"},
             background()),
         look(
-            &plan::Look::ground,
+            &plan::ShadingSettings::ground,
             {.name = "ground",
              .form = {},
              .help = "Shadow of the model on a plane under it",

@@ -11,7 +11,7 @@ namespace gnomon::settings {
 /// them.
 std::vector<Setting> lookSettings();
 
-/// Returns the codec for 1 to kMostSections planes "PX,PY,PZ,NX,NY,NZ" (a point and a normal), separated by semicolons.
+/// Returns the codec for 1 to kMaxSections planes "PX,PY,PZ,NX,NY,NZ" (a point and a normal), separated by semicolons.
 Codec<std::vector<Section>> sections();
 
 /// Returns the codec for a background: "sky", "transparent", "white", or an sRGB colour "#rrggbb".

@@ -4,13 +4,13 @@ namespace gnomon::settings {
 
 int samplesOf(const Output& output) {
     const bool isOfOneFrame = output.overlay != render::Overlay::None || output.colors.by != ColorBy::None ||
-                              output.oracle != validation::Oracle::None ||
+                              output.groundTruth != validation::GroundTruth::None ||
                               !(output.statistics + output.reference + output.depth + output.shadowDepth).empty();
     return output.samples.value_or(isOfOneFrame ? 1 : kUsualSamples);
 }
 
 bool needsMaps(const Output& output) {
-    return !output.shadowDepth.empty() || validation::isOfMaps(output.oracle) || render::isOfMaps(output.overlay);
+    return !output.shadowDepth.empty() || validation::isOfMaps(output.groundTruth) || render::isOfMaps(output.overlay);
 }
 
 } // namespace gnomon::settings

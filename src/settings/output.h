@@ -3,7 +3,7 @@
 
 #include "render/overlay/overlay.h"
 #include "settings/value_colors.h"
-#include "validation/oracle.h"
+#include "validation/ground_truth_kind.h"
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 namespace gnomon::settings {
 
 inline constexpr int kUsualSamples = 16;
-inline constexpr int kMostSamples = 65535;
+inline constexpr int kMaxSamples = 65535;
 
 /// The requested pictures, and the files of one picture. An empty path is no file.
 struct Output {
@@ -28,7 +28,7 @@ struct Output {
     double referenceThreshold = 0.01; // max mean difference, fraction of full scale
     std::string depth{};              // view depths, PFM
     std::string shadowDepth{};        // a folder for the shadow maps, PFM
-    validation::Oracle oracle = validation::Oracle::None;
+    validation::GroundTruth groundTruth = validation::GroundTruth::None;
 
     bool isSeries() const { return !path.empty() || turntable > 0; }
 };

@@ -69,9 +69,9 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
     // In a logarithmic map, the row above the lower edge of the rectangle is this factor times ln(w), with the w of the
     // matrix. The value 0 means that rows are even in y / w.
     json["rows_per_log"] = map.warped.rows == shadow::RowSpacing::Even ? 0.0 : map.rowsPerLog();
-    json["promised_aliasing_x"] = map.promised.x;
-    json["promised_aliasing_z"] = map.promised.z;
-    json["promised_aliasing_z_sheared"] = map.promised.sheared;
+    json["promised_aliasing_x"] = map.aliasingBound.x;
+    json["promised_aliasing_z"] = map.aliasingBound.z;
+    json["promised_aliasing_z_sheared"] = map.aliasingBound.sheared;
     json["caster_planes"] = planesJson(plan, map.casterVolume);
     json["clamps_depth"] = pass.clampsDepth;
     json["estimated_triangles"] = pass.estimatedTriangles;
@@ -103,7 +103,7 @@ ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend)
     json["far_from"] = sourceInWords(plan.farFrom);
     if (const auto& lamp = plan.view.pointLight) json["light_at"] = {lamp->at.x, lamp->at.y, lamp->at.z};
     json["light_angle"] = degreesFromRadians(plan.lightAngleRadians);
-    json["promise_kept"] = plan.promiseKept;
+    json["promise_kept"] = plan.isBoundKept;
     json["scheme"] = plan::schemeName(plan);
     json["shadows"] = wordOf(plan::kShadowModes, plan.quality.shadows);
     json["shadows_because"] = reasonInWords(plan.shadowReason);
@@ -116,10 +116,10 @@ ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend)
     for (const plan::ShadowPass& pass : plan.passes)
         json["passes"].push_back(passJson(plan, pass));
     json["omitted"] = ordered_json::array();
-    for (const plan::Omission& omission : plan.omitted)
-        json["omitted"].push_back({{"effect", effectInWords(omission)}, {"reason", reasonInWords(omission)}});
+    for (const plan::SkippedEffect& skipped : plan.omitted)
+        json["omitted"].push_back({{"effect", effectInWords(skipped)}, {"reason", reasonInWords(skipped)}});
     json["texels_that_would_do"] = nullptr; // no maps, or no number of texels reaches the requested aliasing bound
-    if (plan.texelsThatWouldDo > 0) json["texels_that_would_do"] = plan.texelsThatWouldDo;
+    if (plan.requiredTexels > 0) json["texels_that_would_do"] = plan.requiredTexels;
     return json;
 }
 
@@ -131,10 +131,10 @@ std::string mapsText(const plan::FramePlan& plan) {
     std::string text;
     text += line(
         "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",
-        plan.promised.x,
-        plan.promised.z,
-        plan.promiseKept ? "" : ", which is NOT what was asked for",
-        plan.texelsThatWouldDo > 0 ? std::to_string(plan.texelsThatWouldDo).c_str() : "no number of",
+        plan.aliasingBound.x,
+        plan.aliasingBound.z,
+        plan.isBoundKept ? "" : ", which is NOT what was asked for",
+        plan.requiredTexels > 0 ? std::to_string(plan.requiredTexels).c_str() : "no number of",
         plan.quality.maxAliasing);
     text += line(
         "\n%-5s %-6s %10s %10s %22s %10s %9s %9s %9s %12s\n",
@@ -159,9 +159,9 @@ std::string mapsText(const plan::FramePlan& plan) {
             asked(map.region.frustum.far),
             line("%dx%d at %d,%d", r.width, r.height, r.x, r.y).c_str(),
             map.warped.kappa,
-            map.promised.x,
-            map.promised.z,
-            map.promised.sheared,
+            map.aliasingBound.x,
+            map.aliasingBound.z,
+            map.aliasingBound.sheared,
             static_cast<unsigned long long>(pass.estimatedTriangles));
     }
     const auto isLog = [](const plan::ShadowPass& pass) { return shadow::hasLogRows(pass.map.warped); };
@@ -201,8 +201,8 @@ std::string planText(const plan::FramePlan& plan, const BackendChoice& backend) 
     text += shadowsInWords(plan) + lightInWords(plan);
     if (!plan.passes.empty()) text += mapsText(plan);
     if (!plan.omitted.empty()) text += "\nleft out\n";
-    for (const plan::Omission& omission : plan.omitted)
-        text += line("  %-18s %s\n", effectInWords(omission).c_str(), reasonInWords(omission).c_str());
+    for (const plan::SkippedEffect& skipped : plan.omitted)
+        text += line("  %-18s %s\n", effectInWords(skipped).c_str(), reasonInWords(skipped).c_str());
     return text;
 }
 

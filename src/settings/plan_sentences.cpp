@@ -11,7 +11,7 @@ namespace gnomon::settings {
 namespace {
 
 using plan::Effect;
-using plan::OmissionReason;
+using plan::SkipReason;
 
 std::string percent(double share, int decimals) {
     std::array<char, 32> text{};
@@ -26,15 +26,13 @@ std::string decimal(double value, int decimals) {
 }
 
 /// Returns the min reduction of the aliasing bound for which the plan uses an effect, as a percentage.
-std::string leastGain() {
+std::string minGain() {
     return percent(1 - plan::kWorthwhile, 0);
 }
 
-std::string whyGainIsTooSmall(const plan::Omission& omission) {
-    const char* const what =
-        omission.effect == Effect::Orientation ? "a roll about the light" : "at the same cost they";
-    return std::string(what) + " would lower the promise by " + percent(omission.gain, 1) + ", less than " +
-           leastGain();
+std::string whyGainIsTooSmall(const plan::SkippedEffect& skipped) {
+    const char* const what = skipped.effect == Effect::Orientation ? "a roll about the light" : "at the same cost they";
+    return std::string(what) + " would lower the promise by " + percent(skipped.gain, 1) + ", less than " + minGain();
 }
 
 const char* whyStabilized(Effect effect) {
@@ -45,22 +43,22 @@ const char* whyStabilized(Effect effect) {
 
 /// Returns the words for reasons about penumbrae, the sky, even rows and point lights. The calling function handles all
 /// other reasons.
-std::string otherReason(const plan::Omission& omission) {
-    switch (omission.reason) {
-    case OmissionReason::NarrowPenumbrae:
-        return "none in view is wider than " + decimal(omission.pixels, 2) +
+std::string otherReason(const plan::SkippedEffect& skipped) {
+    switch (skipped.reason) {
+    case SkipReason::NarrowPenumbrae:
+        return "none in view is wider than " + decimal(skipped.pixels, 2) +
                " pixels across the beam: the light is a point";
-    case OmissionReason::NoShadows:
+    case SkipReason::NoShadows:
         return "shadows are switched off";
-    case OmissionReason::NoSun:
+    case SkipReason::NoSun:
         return "the shading has no sun";
-    case OmissionReason::BackendHasEvenRows:
+    case SkipReason::BackendHasEvenRows:
         return onlySoftware(&plan::Capabilities::unevenRows);
-    case OmissionReason::SlicesGiven:
+    case SkipReason::SlicesGiven:
         return "--z-partitions gives the slices, and with them a scheme of even rows";
-    case OmissionReason::NothingHidesTheSky:
+    case SkipReason::NothingHidesTheSky:
         return "nothing stands between what is seen and the sky";
-    case OmissionReason::FacesOfCube:
+    case SkipReason::FacesOfCube:
         return "a lamp's maps are the faces of a cube about it";
     default:
         return "";
@@ -69,14 +67,14 @@ std::string otherReason(const plan::Omission& omission) {
 
 } // namespace
 
-std::string effectInWords(const plan::Omission& omission) {
-    switch (omission.effect) {
+std::string effectInWords(const plan::SkippedEffect& skipped) {
+    switch (skipped.effect) {
     case Effect::ShadowMaps:
         return "shadow maps";
     case Effect::ExactShadows:
         return "exact shadows";
     case Effect::MapOfSlice:
-        return "map of slice " + std::to_string(omission.slice);
+        return "map of slice " + std::to_string(skipped.slice);
     case Effect::FacePartitions:
         return "face partitions";
     case Effect::ZPartitions:
@@ -111,66 +109,66 @@ std::string effectInWords(const plan::Omission& omission) {
     return "";
 }
 
-std::string reasonInWords(const plan::Omission& omission) {
-    switch (omission.reason) {
-    case OmissionReason::SwitchedOff:
-        if (omission.effect == Effect::Filter)
+std::string reasonInWords(const plan::SkippedEffect& skipped) {
+    switch (skipped.reason) {
+    case SkipReason::SwitchedOff:
+        if (skipped.effect == Effect::Filter)
             return "switched off; its kernel would widen the texels, and so raise the promise";
         return "switched off";
-    case OmissionReason::RayTraced:
+    case SkipReason::RayTraced:
         return "shadows are ray-traced";
-    case OmissionReason::DecidedExactly:
+    case SkipReason::ResolvedExactly:
         return "shadows are decided exactly, point by point";
-    case OmissionReason::NothingInView:
+    case SkipReason::NothingInView:
         return "nothing is in view";
-    case OmissionReason::NothingFacesLight:
-        if (omission.effect == Effect::MapOfSlice) return "nothing that is seen in it faces the light";
+    case SkipReason::NothingFacesLight:
+        if (skipped.effect == Effect::MapOfSlice) return "nothing that is seen in it faces the light";
         return "no visible surface faces the light";
-    case OmissionReason::NoCasterInReach:
+    case SkipReason::NoCasterInReach:
         return "no caster can reach a visible surface";
-    case OmissionReason::SlicesStabilized:
-        return whyStabilized(omission.effect);
-    case OmissionReason::NotStabilized:
+    case SkipReason::SlicesStabilized:
+        return whyStabilized(skipped.effect);
+    case SkipReason::NotStabilized:
         return "only stabilised ones stay where they are while the camera moves";
-    case OmissionReason::LightGrazesFaces:
+    case SkipReason::LightGrazesFaces:
         return "the light grazes every face of the view";
-    case OmissionReason::FacesGiveIt:
+    case SkipReason::FacesGiveIt:
         return "the maps of faces follow their edges";
-    case OmissionReason::GainTooSmall:
-        return whyGainIsTooSmall(omission);
-    case OmissionReason::NoGain:
-        if (omission.effect == Effect::Warp) return "it would not lower the promise under this light";
+    case SkipReason::GainTooSmall:
+        return whyGainIsTooSmall(skipped);
+    case SkipReason::NoGain:
+        if (skipped.effect == Effect::Warp) return "it would not lower the promise under this light";
         return "at the same cost they would not lower the promise";
-    case OmissionReason::BetterWithout:
-        return "without them the promise costs less, or is lower by " + leastGain() + " at least";
-    case OmissionReason::OneSliceSuffices:
+    case SkipReason::BetterWithout:
+        return "without them the promise costs less, or is lower by " + minGain() + " at least";
+    case SkipReason::OneSliceSuffices:
         return "a single slice is best at this promise";
-    case OmissionReason::NoCasterBeforeMaps:
+    case SkipReason::NoCasterBeforeMaps:
         return "no caster is nearer to the light than its map begins";
-    case OmissionReason::MapsComeFirst:
+    case SkipReason::MapsComeFirst:
         return onlySoftware(&plan::Capabilities::imageFirst);
-    case OmissionReason::MapsAreKept:
+    case SkipReason::MapsAreKept:
         return "stabilised maps are kept for views with other receivers";
-    case OmissionReason::FewCasters:
+    case SkipReason::FewCasters:
         return "there are few casters beside the pixels that would have to be asked";
-    case OmissionReason::BackendDrawsAll:
+    case SkipReason::BackendDrawsAll:
         return onlySoftware(&plan::Capabilities::occlusionCulling);
-    case OmissionReason::FewLayers:
+    case SkipReason::FewLayers:
         return "few clusters lie behind one another, so little is hidden";
-    case OmissionReason::ParallelSight:
+    case SkipReason::ParallelSight:
         return "lines of sight are parallel: pixels are alike at every depth, and so are texels without it";
-    case OmissionReason::AllAreDark:
+    case SkipReason::AllAreDark:
         return "all that is seen and faces the light was dark before they were looked at";
-    case OmissionReason::NarrowPenumbrae:
-    case OmissionReason::NoShadows:
-    case OmissionReason::NoSun:
-    case OmissionReason::BackendHasEvenRows:
-    case OmissionReason::SlicesGiven:
-    case OmissionReason::NothingHidesTheSky:
-    case OmissionReason::FacesOfCube:
+    case SkipReason::NarrowPenumbrae:
+    case SkipReason::NoShadows:
+    case SkipReason::NoSun:
+    case SkipReason::BackendHasEvenRows:
+    case SkipReason::SlicesGiven:
+    case SkipReason::NothingHidesTheSky:
+    case SkipReason::FacesOfCube:
         break; // no default case: the compiler then warns of a new reason without words
     }
-    return otherReason(omission);
+    return otherReason(skipped);
 }
 
 std::string reasonInWords(plan::ShadowReason reason) {
@@ -206,7 +204,7 @@ std::string lightInWords(const plan::FramePlan& plan) {
                 "\n";
     if (const auto& soft = plan.penumbra.tiles)
         text += "in " + std::to_string(soft->count()) + " of " + std::to_string(soft->wanted.size()) +
-                " tiles of 32 pixels; in the others none is wider than " + decimal(plan.penumbra.leastPixels, 2) +
+                " tiles of 32 pixels; in the others none is wider than " + decimal(plan.penumbra.minPixels, 2) +
                 " pixels, and frames beyond those of --samples are not drawn\n";
     if (plan.sky.directions > 0)
         text += "the sky's light from " + std::to_string(plan.sky.directions) + " directions, " +

@@ -9,10 +9,10 @@
 namespace gnomon::settings {
 
 /// Returns the name of the skipped effect: "warp", "map of slice 2".
-std::string effectInWords(const plan::Omission& omission);
+std::string effectInWords(const plan::SkippedEffect& skipped);
 
 /// Returns the reason for the skipped effect, as half a sentence: "switched off".
-std::string reasonInWords(const plan::Omission& omission);
+std::string reasonInWords(const plan::SkippedEffect& skipped);
 
 /// Returns the reason for the choice of shadow maps, exact shadows or others, as half a sentence.
 std::string reasonInWords(plan::ShadowReason reason);

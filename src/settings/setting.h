@@ -27,8 +27,8 @@ enum class Kind : std::uint8_t { Words, Switch, Whole, WholeOrAuto, Number, Size
 /// The control of a setting in the window.
 struct Offer {
     std::string title{};      // empty: the window has no control for it
-    double least = 0;         // min of a number, and of each side of a size
-    double most = 0;          // max of the same
+    double min = 0;           // min of a number, and of each side of a size
+    double max = 0;           // max of the same
     std::vector<int> steps{}; // the values of a whole number that its key steps through; empty: all numbers
 };
 

@@ -28,9 +28,9 @@ Setting quality(T plan::Quality::*member, Description description, const Codec<T
         [member](auto& settings) -> auto& { return settings.quality.*member; }, std::move(description), codec);
 }
 
-/// Returns a setting whose value is a member of Look.
+/// Returns a setting whose value is a member of ShadingSettings.
 template <class T>
-Setting look(T plan::Look::*member, Description description, const Codec<T>& codec) {
+Setting look(T plan::ShadingSettings::*member, Description description, const Codec<T>& codec) {
     return at(
         [member](auto& settings) -> auto& { return settings.quality.look.*member; }, std::move(description), codec);
 }

@@ -48,7 +48,7 @@ struct Section {
 };
 
 /// The max number of sections of a picture.
-inline constexpr std::size_t kMostSections = 6;
+inline constexpr std::size_t kMaxSections = 6;
 
 /// Cut: the geometry that sections remove casts no shadow. Keep: it casts shadows.
 enum class SectionCasters : std::uint8_t { Cut, Keep };

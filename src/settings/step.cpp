@@ -21,7 +21,7 @@ T around(const std::vector<T>& all, const T& current, int steps) {
 }
 
 int clamped(const Offer& offer, int value) {
-    return std::clamp(value, static_cast<int>(offer.least), static_cast<int>(offer.most));
+    return std::clamp(value, static_cast<int>(offer.min), static_cast<int>(offer.max));
 }
 
 int stepped(const Offer& offer, int value, int steps) {
@@ -58,7 +58,7 @@ void step(const Setting& setting, Settings& settings, int steps) {
         return setting.set(settings, stepped(setting, std::any_cast<std::optional<int>>(value), steps));
     case Kind::Number: {
         const double factor = std::exp2(0.5 * steps);
-        return setting.set(settings, std::clamp(std::any_cast<double>(value) * factor, offer.least, offer.most));
+        return setting.set(settings, std::clamp(std::any_cast<double>(value) * factor, offer.min, offer.max));
     }
     case Kind::Size:
         return setting.set(settings, stepped(offer, std::any_cast<std::array<int, 2>>(value), steps));

@@ -78,11 +78,11 @@ Codec<SunTime> sunTime() {
 }
 
 Codec<plan::SkyLight> skyLight() {
-    constexpr int kMost = 4096;
+    constexpr int kMaxDirections = 4096;
     return {
         [](const std::string& text) -> std::optional<plan::SkyLight> {
             const std::size_t comma = text.find(',');
-            const auto directions = whole(0, kMost).read(text.substr(0, comma));
+            const auto directions = whole(0, kMaxDirections).read(text.substr(0, comma));
             if (!directions) return std::nullopt;
             if (comma == std::string::npos) return plan::SkyLight{*directions};
             const auto model = valueOf(plan::kSkyModels, text.substr(comma + 1));
@@ -93,7 +93,8 @@ Codec<plan::SkyLight> skyLight() {
                                                            ? ""
                                                            : "," + std::string(wordOf(plan::kSkyModels, value.model)));
         },
-        "a whole number of directions from 0 to " + std::to_string(kMost) + ", with ,uniform or ,overcast behind it"};
+        "a whole number of directions from 0 to " + std::to_string(kMaxDirections) +
+            ", with ,uniform or ,overcast behind it"};
 }
 
 std::vector<Setting> sunSettings() {
@@ -159,10 +160,10 @@ namespace {
 
 /// Returns the grid point nearest to `at`, in world space. Throws UsageError if it is too far away.
 glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
-    constexpr double kMostCells = 0x1p51; // half the range of exact shadows, whose origin is near the eye
+    constexpr double kMaxCells = 0x1p51; // half the range of exact shadows, whose origin is near the eye
     const glm::dvec3 cell = glm::round((at - grid.origin) / grid.step());
     for (int axis = 0; axis < 3; ++axis)
-        if (!(std::abs(cell[axis]) < kMostCells))
+        if (!(std::abs(cell[axis]) < kMaxCells))
             throw UsageError{
                 "--light-at",
                 "--light-at: the lamp is too far from the model; use --light " + direction().write(at) +

@@ -252,7 +252,7 @@ Setting shadowTexelsSetting() {
          .isSwept = true,
          .isOfMaps = true,
          .limit = Limit::ShadowTexels,
-         .offer = {.title = "shadow texels", .least = kLeastOfferedTexels, .most = kMostOfferedTexels}},
+         .offer = {.title = "shadow texels", .min = kMinOfferedTexels, .max = kMaxOfferedTexels}},
         textureSize(),
         [](const Settings& settings) {
             return Size{settings.quality.shadowTexelsWidth, settings.quality.shadowTexelsHeight};
@@ -273,7 +273,7 @@ std::vector<Setting> sweptSettings() {
              .form = "T",
              .help = "Max geometric error on the screen in pixels",
              .isSwept = true,
-             .offer = {.title = "error pixels", .least = kLeastOfferedErrorPixels, .most = kMostOfferedErrorPixels}},
+             .offer = {.title = "error pixels", .min = kMinOfferedErrorPixels, .max = kMaxOfferedErrorPixels}},
             positiveNumber()),
         shadowsSetting(),
         warpSetting(),
@@ -284,7 +284,7 @@ std::vector<Setting> sweptSettings() {
              .help = "Number of slices along the view, each with its own shadow maps",
              .isSwept = true,
              .isOfMaps = true,
-             .offer = {.title = "slices", .least = 1, .most = kMaxSlices}},
+             .offer = {.title = "slices", .min = 1, .max = kMaxSlices}},
             orAuto(whole(1, kMaxSlices))),
         quality(
             &Quality::facePartitions,
@@ -309,7 +309,7 @@ std::vector<Setting> moreSweptSettings() {
              .help = "Width of the filter (PCF) of shadow maps in texels; 0 is no filter",
              .isSwept = true,
              .isOfMaps = true,
-             .offer = {.title = "filter texels", .least = 0, .most = 9, .steps = {0, 2, 3, 5}}},
+             .offer = {.title = "filter texels", .min = 0, .max = 9, .steps = {0, 2, 3, 5}}},
             whole(0, kMaxFilter)),
         quality(
             &Quality::cullCasters,

@@ -68,10 +68,10 @@ struct SweepSide {
 SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
     const double length = std::hypot(b.x - a.x, b.z - a.z);
     SweepSide side{-(b.z - a.z) / length, (b.x - a.x) / length, 0};
-    double least = std::numeric_limits<double>::infinity();
+    double minDistance = std::numeric_limits<double>::infinity();
     for (const Seen& point : all)
-        least = std::min(least, side.normalX * point.x + side.normalZ * point.z);
-    side.offset = -least;
+        minDistance = std::min(minDistance, side.normalX * point.x + side.normalZ * point.z);
+    side.offset = -minDistance;
     return side;
 }
 
@@ -139,10 +139,10 @@ namespace {
 /// Returns the plane with `normal` that contains all of `points` on its inner side and touches one of them. Offsets are
 /// computed relative to `origin`.
 Plane touchingPlane(std::span<const glm::dvec3> points, const glm::dvec3& normal, const glm::dvec3& origin) {
-    double least = std::numeric_limits<double>::infinity();
+    double minDistance = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points)
-        least = std::min(least, glm::dot(normal, point - origin));
-    return {normal, -least - glm::dot(normal, origin)};
+        minDistance = std::min(minDistance, glm::dot(normal, point - origin));
+    return {normal, -minDistance - glm::dot(normal, origin)};
 }
 
 /// Adds the plane through three of `points` to `volume`, once per orientation that has all points on its inner side.

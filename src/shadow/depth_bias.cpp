@@ -13,8 +13,8 @@ double largestRawBias(const LightFit& fit, double kappa, const Resolution& texel
     // On the steepest plane, y = -(a x + b z) with a^2 + b^2 = (1 - c^2)/c^2. A step of one texel in s moves x by W w.
     // A step in t moves zeta by d w^2/(1 + kappa d), and x by kappa u times that plus the lean of the frame. rawDepth
     // is -y / w. Each factor is taken at its max over the region. Below the smallest cosine, the slope times cosine /
-    // kLeastCosine is at most 1 / kLeastCosine.
-    constexpr double kSteepest = 1 / kLeastCosine;
+    // kMinCosine is at most 1 / kMinCosine.
+    constexpr double kSteepest = 1 / kMinCosine;
     const WarpedExtent extent = warpedExtent(fit, kappa);
     const double u = std::max(std::abs(extent.min), std::abs(extent.max));
     const double shear = kappa * u + std::abs(lean(fit.frame));

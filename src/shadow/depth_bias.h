@@ -15,7 +15,7 @@ inline constexpr double kUnevenSlope = 3.4;
 
 /// The smallest cosine between receiver normal and light that gets the full bias of the receiver's plane. Below this
 /// value the slope term is scaled by the cosine, because the bias would otherwise grow without limit.
-inline constexpr double kLeastCosine = 0.1;
+inline constexpr double kMinCosine = 0.1;
 
 /// Ten units in the last place of a float depth just below 1: the rounding error of rasterisation and lookup.
 inline constexpr double kDepthRounding = 6e-7;

@@ -78,16 +78,16 @@ Number receiverBias(
     const glm::vec<3, Number, glm::defaultp>& normal,
     Number cosine) {
     using Vec4 = typename MapImage<Number>::Vec4;
-    constexpr auto kLeastDivisor = static_cast<Number>(1e-30);
+    constexpr auto kMinDivisor = static_cast<Number>(1e-30);
     const auto offset = p - image.origin;
     const Vec4 plane(normal, -glm::dot(normal, offset));
-    const Number across = std::max(std::abs(glm::dot(plane, image.byDepth)), kLeastDivisor);
+    const Number across = std::max(std::abs(glm::dot(plane, image.byDepth)), kMinDivisor);
     const Vec4 clip = image.clipFromOffset * Vec4(offset, 1);
     const Number w = clip.w;
     const bool isEven = image.logRows == 0;
     const Number byRow = std::abs(glm::dot(plane, image.byRow)) / (isEven ? Number{1} : w);
     const Number steep = std::abs(glm::dot(plane, image.byColumn)) + byRow;
-    const Number slope = steep / across * std::min(Number{1}, cosine / static_cast<Number>(kLeastCosine));
+    const Number slope = steep / across * std::min(Number{1}, cosine / static_cast<Number>(kMinCosine));
     const Number alongZ = image.unevenZ * (isEven ? w : Number{1});
     const Number uneven =
         image.fromPoint == 0 ? std::hypot(image.unevenX, alongZ) : std::hypot(image.unevenX, image.unevenZ) / w;

@@ -15,8 +15,8 @@ double quantizeNear(double depth) {
     return above <= depth * (1 + 1e-12) ? std::min(above, depth) : std::min(step, depth);
 }
 
-NearState nextNear(const NearState& previous, double leastDepth, double floor, int framesBeforeRise) {
-    const double wanted = std::max(quantizeNear(std::max(leastDepth, floor)), floor);
+NearState nextNear(const NearState& previous, double minDepth, double floor, int framesBeforeRise) {
+    const double wanted = std::max(quantizeNear(std::max(minDepth, floor)), floor);
     if (!(previous.near > 0) || wanted <= previous.near) return {wanted, 0};
     if (previous.framesAbove + 1 < framesBeforeRise) return {previous.near, previous.framesAbove + 1};
     return {wanted, 0};

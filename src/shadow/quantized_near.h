@@ -13,9 +13,9 @@ struct NearState {
 /// Returns the highest quantised step not above `depth` (> 0). Steps are powers of 2^(1/4), in world units.
 double quantizeNear(double depth);
 
-/// Returns the near depth of this frame: the highest step not above `leastDepth`, and not below `floor`. `leastDepth`
+/// Returns the near depth of this frame: the highest step not above `minDepth`, and not below `floor`. `minDepth`
 /// is the smallest view depth of the drawn surfaces. The near depth falls at once. It rises only after
 /// `framesBeforeRise` consecutive frames that permit a higher step.
-NearState nextNear(const NearState& previous, double leastDepth, double floor, int framesBeforeRise = 15);
+NearState nextNear(const NearState& previous, double minDepth, double floor, int framesBeforeRise = 15);
 
 } // namespace gnomon::shadow

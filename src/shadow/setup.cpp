@@ -15,14 +15,14 @@ namespace {
 /// Returns the steepest warp whose float matrix still achieves the aliasing bound to a thousandth. The derivatives of
 /// the matrix are differences of numbers that are kappa d times larger. Only two warps exceed this limit: a TSM with
 /// its focus at the near side, and a PSM of a larger depth ratio.
-double mostKappa(const LightFit& fit) {
+double maxKappaOf(const LightFit& fit) {
     // Logarithmic rows are computed relative to the vanishing line and lose less precision.
-    const double kMostWarp = fit.rows == RowSpacing::Logarithmic ? 1e6 : 1e4; // of kappa d
-    return fit.length > 0 ? kMostWarp / fit.length : std::numeric_limits<double>::infinity();
+    const double kMaxWarp = fit.rows == RowSpacing::Logarithmic ? 1e6 : 1e4; // of kappa d
+    return fit.length > 0 ? kMaxWarp / fit.length : std::numeric_limits<double>::infinity();
 }
 
 /// An unsized map: one map before the distribution of the budget.
-struct Draft {
+struct UnsizedMap {
     Region region;
     LightFit fit;
     double kappa = 0;
@@ -57,76 +57,79 @@ LightFrame frameOf(const Region& region, const glm::dvec3& towardsLight, const S
     return faceFrame(region.frustum, towardsLight, region.face, bisector);
 }
 
-Draft draftOf(const ShadowView& view, const ShadowOptions& options, Region region, const LightFrame& sliceFrame) {
-    Draft draft;
+UnsizedMap unsizedMap(
+    const ShadowView& view, const ShadowOptions& options, Region region, const LightFrame& sliceFrame) {
+    UnsizedMap unsized;
     const LightFrame frame =
         region.face == Face::Whole ? sliceFrame : frameOf(region, view.towardsLight, options.scheme);
-    draft.fit = fitRegion(frame, region.frustum, region.vertices);
+    unsized.fit = fitRegion(frame, region.frustum, region.vertices);
     const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
-    draft.fit.rows = rowsOf(warp.rule);
-    draft.kappa = std::min(kappaOfMap(warp, draft.fit, region.face), mostKappa(draft.fit));
+    unsized.fit.rows = rowsOf(warp.rule);
+    unsized.kappa = std::min(kappaOfMap(warp, unsized.fit, region.face), maxKappaOf(unsized.fit));
     // Rows that are almost even are drawn as even rows. Their vanishing line is so far away that floats distinguish few
     // of them.
-    constexpr double kLeastLogWarp = 0.05; // of kappa d
-    if (draft.fit.rows == RowSpacing::Logarithmic && draft.kappa * draft.fit.length < kLeastLogWarp) draft.kappa = 0;
-    draft.unit = worstAliasing(draft.fit, draft.kappa);
-    draft.sheared = worstShearedAliasing(draft.fit, draft.kappa);
+    constexpr double kMinLogWarp = 0.05; // of kappa d
+    if (unsized.fit.rows == RowSpacing::Logarithmic && unsized.kappa * unsized.fit.length < kMinLogWarp)
+        unsized.kappa = 0;
+    unsized.unit = worstAliasing(unsized.fit, unsized.kappa);
+    unsized.sheared = worstShearedAliasing(unsized.fit, unsized.kappa);
     // A face at a grazing angle to the light has sheared texels, far longer than along the t axis alone. The sheared
     // length therefore determines the demand in t.
-    if (draft.fit.rows == RowSpacing::Logarithmic) draft.unit.z = draft.sheared;
-    draft.region = std::move(region);
-    return draft;
+    if (unsized.fit.rows == RowSpacing::Logarithmic) unsized.unit.z = unsized.sheared;
+    unsized.region = std::move(region);
+    return unsized;
 }
 
-Draft stableDraftOf(Region region, const LightFrame& frame) {
-    Draft draft;
-    draft.fit = fitRegion(frame, region.frustum, region.vertices);
+UnsizedMap stableDraftOf(Region region, const LightFrame& frame) {
+    UnsizedMap unsized;
+    unsized.fit = fitRegion(frame, region.frustum, region.vertices);
     const double twoTan = 2 * tanHalfY(region.frustum);
     const double unit = stableExtent(region.covered) / (twoTan * region.frustum.near);
-    draft.unit = {unit, unit};
-    draft.sheared = unit;
-    draft.region = std::move(region);
-    return draft;
+    unsized.unit = {unit, unit};
+    unsized.sheared = unit;
+    unsized.region = std::move(region);
+    return unsized;
 }
 
 StablePlace placeOf(
-    const ShadowView& view, const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
+    const ShadowView& view, const ShadowOptions& options, const UnsizedMap& unsized, int texelsS, int texelsT) {
     const int texels = std::min(texelsS, texelsT);
-    const double texel = stableExtent(draft.region.covered) / (texels - 1);
+    const double texel = stableExtent(unsized.region.covered) / (texels - 1);
     // This is the slope at the smallest cosine, along both axes, for each orientation.
-    const double steepest = 1 / kLeastCosine + kUnevenSlope;
+    const double steepest = 1 / kMinCosine + kUnevenSlope;
     const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
-    return stablePlace(view.anchor, draft.fit.frame, draft.region.covered, texels, bias);
+    return stablePlace(view.anchor, unsized.fit.frame, unsized.region.covered, texels, bias);
 }
 
-bool isLogFace(const Draft& draft) {
-    return draft.fit.rows == RowSpacing::Logarithmic && draft.kappa > 0;
+bool isLogFace(const UnsizedMap& unsized) {
+    return unsized.fit.rows == RowSpacing::Logarithmic && unsized.kappa > 0;
 }
 
-WarpedMap regionMap(const ShadowOptions& options, const Draft& draft, int texelsS, int texelsT) {
+WarpedMap regionMap(const ShadowOptions& options, const UnsizedMap& unsized, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
     // A wider filter models the missed rows: it reaches so far on each side.
     const double missed =
-        isLogFace(draft) ? 2 * rowsMissed(draft.region.frustum, draft.region.face, draft.fit.frame.y, texelsT) : 0;
+        isLogFace(unsized) ? 2 * rowsMissed(unsized.region.frustum, unsized.region.face, unsized.fit.frame.y, texelsT)
+                           : 0;
     const double width = std::max(1.0, options.filterTexels) + missed;
-    const double bias = largestRawBias(draft.fit, draft.kappa, texels, missed > 0 ? width : options.filterTexels);
-    return warpedMap(draft.fit, draft.kappa, bias);
+    const double bias = largestRawBias(unsized.fit, unsized.kappa, texels, missed > 0 ? width : options.filterTexels);
+    return warpedMap(unsized.fit, unsized.kappa, bias);
 }
 
-PromisedAliasing promiseOf(
+AliasingBound aliasingBoundOf(
     const ShadowView& view,
     const ShadowOptions& options,
-    const Draft& draft,
+    const UnsizedMap& unsized,
     const WarpedMap& map,
     double s,
     double t) {
     const double pixels = view.imageHeight * filterWidth(options);
     if (options.stabilized) {
-        const double twoTan = 2 * tanHalfY(draft.region.frustum);
-        const double m = map.width / s / (twoTan * draft.region.frustum.near) * pixels;
+        const double twoTan = 2 * tanHalfY(unsized.region.frustum);
+        const double m = map.width / s / (twoTan * unsized.region.frustum.near) * pixels;
         return {m, m, m};
     }
-    return {draft.unit.x / s * pixels, draft.unit.z / t * pixels, draft.sheared / t * pixels};
+    return {unsized.unit.x / s * pixels, unsized.unit.z / t * pixels, unsized.sheared / t * pixels};
 }
 
 /// Returns the origin of float positions in a thin slice: the mean of its vertices.
@@ -151,7 +154,11 @@ std::vector<glm::dvec3> receiversOf(const ShadowView& view, const Region& region
 }
 
 ShadowMap finished(
-    const ShadowView& view, const ShadowOptions& options, Draft draft, const TexelLayout& layout, std::size_t index) {
+    const ShadowView& view,
+    const ShadowOptions& options,
+    UnsizedMap unsized,
+    const TexelLayout& layout,
+    std::size_t index) {
     ShadowMap result;
     const int texelsS = layout.texelsS(index);
     const int texelsT = layout.texelsT(index);
@@ -159,22 +166,22 @@ ShadowMap finished(
     result.gutter = layout.gutter;
     result.filterTexels = options.filterTexels;
     if (options.stabilized) {
-        result.stable = placeOf(view, options, draft, texelsS, texelsT);
-        const LightFrame& frame = draft.fit.frame;
+        result.stable = placeOf(view, options, unsized, texelsS, texelsT);
+        const LightFrame& frame = unsized.fit.frame;
         result.warped =
             stableMap(*result.stable, frame, toLight(frame, gnomon::toCamera(view.anchor.basis, view.anchor.eye)));
     } else {
-        result.warped = regionMap(options, draft, texelsS, texelsT);
+        result.warped = regionMap(options, unsized, texelsS, texelsT);
     }
     const double reach = layout.gutter;
     // A stabilised map is reused while its casters stay the same. The visible slabs must therefore not influence its
     // casters.
     const std::vector<glm::dvec3> receivers =
-        options.stabilized ? cornersOf(draft.region) : receiversOf(view, draft.region);
+        options.stabilized ? cornersOf(unsized.region) : receiversOf(view, unsized.region);
     result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach / texelsT);
-    result.promised = promiseOf(view, options, draft, result.warped, texelsS, texelsT);
-    if (isThin(view.frustum)) result.origin = originOf(draft.region);
-    result.region = std::move(draft.region);
+    result.aliasingBound = aliasingBoundOf(view, options, unsized, result.warped, texelsS, texelsT);
+    if (isThin(view.frustum)) result.origin = originOf(unsized.region);
+    result.region = std::move(unsized.region);
     return result;
 }
 
@@ -195,12 +202,12 @@ TexelLimits limitsOf(const ShadowOptions& options) {
     return {options.texels, gutter, options.minSide, options.maxSide, options.stabilized ? 1 : 0, !hasRows};
 }
 
-PromisedAliasing ShadowMapSetup::worst() const {
-    PromisedAliasing result;
+AliasingBound ShadowMapSetup::worst() const {
+    AliasingBound result;
     for (const ShadowMap& map : maps) {
-        result.x = std::max(result.x, map.promised.x);
-        result.z = std::max(result.z, map.promised.z);
-        result.sheared = std::max(result.sheared, map.promised.sheared);
+        result.x = std::max(result.x, map.aliasingBound.x);
+        result.z = std::max(result.z, map.aliasingBound.z);
+        result.sheared = std::max(result.sheared, map.aliasingBound.sheared);
     }
     return result;
 }
@@ -218,7 +225,7 @@ ShadowMapSetup shadowMapSetup(
         view.towardsLight,
         practicalSplits(view.frustum.near, view.frustum.far, scheme.slices, scheme.splitLambda),
         faceMaps,
-        leastGrazing(view.frustum, rowsOf(scheme.warp.rule)));
+        minGrazing(view.frustum, rowsOf(scheme.warp.rule)));
     LightFrame frame = lightFrame(view.towardsLight);
     if (options.stabilized)
         frame = stableFrame(view.anchor, view.towardsLight);
@@ -227,32 +234,32 @@ ShadowMapSetup shadowMapSetup(
         frame = chosenFrame(leading, view.towardsLight, warpOfSlice(scheme.warp, view.frustum, leading), previous);
     }
     setup.orientation = {view.towardsLight, frame.z};
-    std::vector<Draft> drafts;
+    std::vector<UnsizedMap> unsizedMaps;
     setup.mapOfPartition.assign(setup.selector.partitionCount(), ShadowMapSetup::kNoMap);
     for (std::size_t i = 0; i < setup.selector.partitionCount(); ++i) {
         const std::size_t sliceIndex = i / setup.selector.facesPerSlice();
         if ((options.emptySlices >> sliceIndex & 1U) != 0) continue;
-        setup.mapOfPartition[i] = drafts.size();
+        setup.mapOfPartition[i] = unsizedMaps.size();
         Region region = partitionRegion(view.frustum, setup.selector, i, view.shown);
-        drafts.push_back(
+        unsizedMaps.push_back(
             options.stabilized ? stableDraftOf(std::move(region), frame)
-                               : draftOf(view, options, std::move(region), frame));
+                               : unsizedMap(view, options, std::move(region), frame));
     }
-    if (drafts.empty()) return setup;
+    if (unsizedMaps.empty()) return setup;
     const double pixels = view.imageHeight * filterWidth(options);
-    for (const Draft& draft : drafts)
-        setup.demands.push_back({draft.unit.x * pixels, draft.unit.z * pixels});
+    for (const UnsizedMap& unsized : unsizedMaps)
+        setup.demands.push_back({unsized.unit.x * pixels, unsized.unit.z * pixels});
     const TexelLayout layout = splitTexels(setup.demands, limitsOf(options));
     setup.textureWidth = layout.packing.width;
     setup.textureHeight = layout.packing.height;
-    for (std::size_t i = 0; i < drafts.size(); ++i)
-        setup.maps.push_back(finished(view, options, std::move(drafts[i]), layout, i));
+    for (std::size_t i = 0; i < unsizedMaps.size(); ++i)
+        setup.maps.push_back(finished(view, options, std::move(unsizedMaps[i]), layout, i));
     return setup;
 }
 
-std::uint64_t texelsThatWouldDo(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing) {
+std::uint64_t requiredTexels(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing) {
     if (setup.demands.empty()) return 0;
-    return texelsThatWouldDo(setup.demands, aliasing, limitsOf(options));
+    return requiredTexels(setup.demands, aliasing, limitsOf(options));
 }
 
 } // namespace gnomon::shadow

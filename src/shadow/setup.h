@@ -21,7 +21,7 @@ struct ShadowView {
     glm::dvec3 towardsLight{0, 1, 0}; // unit length
     int imageHeight = 800;            // pixels of the real viewport
     WorldAnchor anchor;               // world position and axes of the camera, for stabilised slices and `seen`
-    std::vector<SeenPart> seen;       // the visible slabs, by depth; empty: surfaces can be anywhere
+    std::vector<VisibleSlab> seen;    // the visible slabs, by depth; empty: surfaces can be anywhere
 };
 
 /// The settings of the shadow maps.
@@ -42,18 +42,18 @@ struct ShadowMapSetup {
 
     std::vector<ShadowMap> maps;
     PartitionSelector selector;
-    /// By the result of ownerOf: an index into maps, or kNoMap for an empty slice.
+    /// By the result of partitionIndex: an index into maps, or kNoMap for an empty slice.
     std::vector<std::size_t> mapOfPartition;
     int textureWidth = 0;
     int textureHeight = 0;
     OrientationState orientation;     // for the next frame
-    std::vector<TexelDemand> demands; // by map; texelsThatWouldDo uses them
+    std::vector<TexelDemand> demands; // by map; requiredTexels uses them
 
     /// Returns the index of the map that a lookup at `p` (camera space) reads, or kNoMap.
-    std::size_t mapOf(const glm::dvec3& p) const { return mapOfPartition[ownerOf(selector, p)]; }
+    std::size_t mapOf(const glm::dvec3& p) const { return mapOfPartition[partitionIndex(selector, p)]; }
 
     /// Returns the largest aliasing bound of all maps, separately per axis.
-    PromisedAliasing worst() const;
+    AliasingBound worst() const;
 };
 
 /// Returns the shadow maps of `view` with `options`. This is a pure function: `previous`, the orientation from the
@@ -69,6 +69,6 @@ TexelLimits limitsOf(const ShadowOptions& options);
 
 /// Returns the number of texels that `setup` requires for an aliasing bound of `aliasing`. Returns 0 if no number
 /// suffices or if the setup has no maps.
-std::uint64_t texelsThatWouldDo(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing);
+std::uint64_t requiredTexels(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing);
 
 } // namespace gnomon::shadow

@@ -11,7 +11,7 @@
 namespace gnomon::shadow {
 
 /// The aliasing bound of a map over its region: perspective aliasing for the actual map size, viewport and filter.
-struct PromisedAliasing {
+struct AliasingBound {
     double x = 0;       // along s
     double z = 0;       // along t, as in Lloyd et al. 2006
     double sheared = 0; // along t, with the shear of the texel
@@ -27,7 +27,7 @@ struct ShadowMap {
     int gutter = 1;            // texels on each side
     double filterTexels = 0;   // width of the filter; 0 is a single lookup
     ConvexVolume casterVolume; // volume of all casters, extended by the reach of the lookup
-    PromisedAliasing promised;
+    AliasingBound aliasingBound;
     std::optional<StablePlace> stable; // only for a stabilised slice
     /// The projection for a point light. It replaces `warped`; only warped.frame is then valid.
     std::optional<CubeFaceProjection> cubeFace;

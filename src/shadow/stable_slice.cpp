@@ -21,9 +21,9 @@ LightFrame stableFrame(const WorldAnchor& anchor, const glm::dvec3& towardsLight
     // angles.
     constexpr double kAsFar = 1e-9;
     const glm::dvec3 a = glm::abs(toWorld(anchor.basis, towardsLight));
-    const bool zLeast = a.z <= a.x + kAsFar && a.z <= a.y + kAsFar;
-    const bool xLeast = a.x <= a.y + kAsFar;
-    const glm::dvec3 axis = zLeast ? glm::dvec3(0, 0, 1) : xLeast ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const bool isZMin = a.z <= a.x + kAsFar && a.z <= a.y + kAsFar;
+    const bool isXMin = a.x <= a.y + kAsFar;
+    const glm::dvec3 axis = isZMin ? glm::dvec3(0, 0, 1) : isXMin ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return lightFrameAlong(towardsLight, gnomon::toCamera(anchor.basis, axis));
 }
 

@@ -49,7 +49,7 @@ PointReceivers::PointReceivers(
         addCasters(cut);
     else
         addCasters(sectionedCut(cut, sections));
-    addHolders();
+    addReceiverOnlyClusters();
 }
 
 void PointReceivers::addCasters(const exporter::UniformCut& cut) {
@@ -71,15 +71,15 @@ void PointReceivers::addCasters(const exporter::UniformCut& cut) {
         hierarchy::GridBox box;
         for (std::uint32_t v = cluster.firstVertex; v < cluster.firstVertex + cluster.vertexCount; ++v)
             box.add(cut.mesh.vertices[v].position);
-        caster.least = glm::i64vec3(box.min.x, box.min.y, box.min.z) - origin_;
-        caster.most = glm::i64vec3(box.max.x, box.max.y, box.max.z) - origin_;
+        caster.min = glm::i64vec3(box.min.x, box.min.y, box.min.z) - origin_;
+        caster.max = glm::i64vec3(box.max.x, box.max.y, box.max.z) - origin_;
         casters_.push_back(caster);
     }
     castersOfCut_ = casters_.size();
 }
 
 /// Adds receiver-only clusters. Their triangles have no extent and cast no shadow; the samples refer to their corners.
-void PointReceivers::addHolders() {
+void PointReceivers::addReceiverOnlyClusters() {
     static const std::array<hierarchy::Triangle, kHeld> kPoints = [] {
         std::array<hierarchy::Triangle, kHeld> result{};
         for (std::size_t i = 0; i < kHeld; ++i)
@@ -103,10 +103,10 @@ void PointReceivers::addHolders() {
             static_cast<std::uint32_t>(held),
             std::span(kPoints).first(held),
             static_cast<std::uint32_t>(casters_.size()) << kTriangleBits};
-        caster.least = caster.most = points_[i];
+        caster.min = caster.max = points_[i];
         for (std::size_t k = i; k < i + held; ++k) {
-            caster.least = glm::min(caster.least, points_[k]);
-            caster.most = glm::max(caster.most, points_[k]);
+            caster.min = glm::min(caster.min, points_[k]);
+            caster.max = glm::max(caster.max, points_[k]);
         }
         casters_.push_back(caster);
     }
@@ -142,20 +142,21 @@ glm::uvec3 PointReceivers::originCell() const {
         static_cast<std::uint32_t>(origin_.z)};
 }
 
-void PointReceivers::decidePlainly(
-    const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit) {
+void PointReceivers::resolvePlainly(
+    const IntegerLight& light, std::span<const std::uint8_t> isRequested, std::span<std::uint8_t> isLit) {
     collect(light);
-    const std::vector<std::uint8_t> statuses = exact::plainStatuses(exact_.samples(), casters_, originCell(), isAsked);
+    const std::vector<std::uint8_t> statuses =
+        exact::plainStatuses(exact_.samples(), casters_, originCell(), isRequested);
     for (std::size_t i = 0; i < points_.size(); ++i)
-        isLit[i] = isAsked[i] != 0 && !exact::isDark(statuses[i]) ? 1 : 0;
+        isLit[i] = isRequested[i] != 0 && !exact::isDark(statuses[i]) ? 1 : 0;
 }
 
-exact::ExactStatistics PointReceivers::decide(const IntegerLight& light, std::span<std::uint8_t> isLit) {
+exact::ExactStatistics PointReceivers::resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) {
     collect(light);
     constexpr int kSide = 512;
     const std::array planes = {glm::dmat3(1)}; // the light plane without a warp, because there is no near viewer
     const exact::ExactStatistics statistics =
-        exact_.decide({casters_, originCell(), planes, kSide, casters_.size() - castersOfCut_});
+        exact_.resolve({casters_, originCell(), planes, kSide, casters_.size() - castersOfCut_});
     const std::span<const std::uint8_t> statuses = exact_.statuses();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), kGrain), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)

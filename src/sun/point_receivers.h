@@ -24,16 +24,17 @@ public:
 
     std::size_t count() const override { return points_.size(); }
 
-    exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
+    exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
 
-    /// Computes the same result as `decide` with the plain integer loops, as ground truth for tests. Only points with a
-    /// non-zero entry in `isAsked` are tested; the others get 0.
-    void decidePlainly(const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit);
+    /// Computes the same result as `resolve` with the plain integer loops, as ground truth for tests. Only points with
+    /// a non-zero entry in `isRequested` are tested; the others get 0.
+    void resolvePlainly(
+        const IntegerLight& light, std::span<const std::uint8_t> isRequested, std::span<std::uint8_t> isLit);
 
 private:
     glm::uvec3 originCell() const;
     void addCasters(const exporter::UniformCut& cut);
-    void addHolders();
+    void addReceiverOnlyClusters();
     void collect(const IntegerLight& light);
 
     using Position = std::array<std::uint32_t, 3>;

@@ -22,7 +22,7 @@ public:
 
     /// Sets each element of `isLit` (`count()` elements) to 1 if `light` reaches the receiver, else to 0. The result
     /// does not depend on threads or earlier lights. Runs in the caller's TBB arena.
-    virtual exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) = 0;
+    virtual exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) = 0;
 };
 
 } // namespace gnomon::sun

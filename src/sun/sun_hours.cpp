@@ -56,9 +56,9 @@ LitSteps litSteps(
     for (std::size_t light = 0; light < stepOf.size(); ++light) {
         if (!share.owns(light)) continue;
         if (!logs.read(light, isLit)) {
-            const exact::ExactStatistics statistics = receivers.decide(steps[stepOf[light]].light, isLit);
+            const exact::ExactStatistics statistics = receivers.resolve(steps[stepOf[light]].light, isLit);
             result.samples += statistics.samples;
-            result.touching += statistics.touching;
+            result.withinTolerance += statistics.withinTolerance;
             logs.put(light, isLit);
         }
         add(isLit, stepOf[light], result);

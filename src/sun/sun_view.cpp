@@ -93,7 +93,7 @@ void SunView::prepare(frame::Renderer& renderer, std::span<const IntegerLight> l
     std::vector<lod::DepthCandidate> scratch;
     do {
         frame_ = {};
-        frame_.space = render::drawSpace(view_, model.grid, model.bounds);
+        frame_.space = render::cameraRelativeSpace(view_, model.grid, model.bounds);
         frame_.errorPixels = quality_.errorPixels;
         frame::cutImage(frame_, {view_, 0}, quality_, std::nullopt, residency, model.grid);
         frame_.facts = frame::sceneFacts(
@@ -103,8 +103,8 @@ void SunView::prepare(frame::Renderer& renderer, std::span<const IntegerLight> l
     } while (frame_.residency.hasChanged);
 }
 
-render::FrameDrawing SunView::collect(const plan::FramePlan& plan) {
-    render::FrameDrawing drawing = drawing_;
+render::DrawInputs SunView::collect(const plan::FramePlan& plan) {
+    render::DrawInputs drawing = drawing_;
     drawing.plan = &plan;
     const exact::SampleSpace space = render::sampleSpace(drawing);
     exact_.samples().reset(space, points_.size());
@@ -112,15 +112,15 @@ render::FrameDrawing SunView::collect(const plan::FramePlan& plan) {
     return drawing;
 }
 
-exact::ExactStatistics SunView::decide(const IntegerLight& light, std::span<std::uint8_t> isLit) {
+exact::ExactStatistics SunView::resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) {
     std::fill(isLit.begin(), isLit.end(), std::uint8_t{0});
     const plan::FramePlan plan = planFor(light);
-    if (plan.cellMaps.empty()) return {}; // no surface is visible
-    const render::FrameDrawing drawing = collect(plan);
+    if (plan.sampleGridMaps.empty()) return {}; // no surface is visible
+    const render::DrawInputs drawing = collect(plan);
     const exact::SampleList& samples = exact_.samples();
     const std::vector<glm::dmat3> planes = render::cellPlanes(drawing, samples.space().shear);
     const exact::ExactStatistics statistics =
-        exact_.decide({casters_, cellOf(frame_.space.originCell), planes, plan::cellSide(plan)});
+        exact_.resolve({casters_, cellOf(frame_.space.originCell), planes, plan::cellSide(plan)});
     constexpr std::size_t kGrain = 16384;
     const std::span<const std::uint8_t> statuses = exact_.statuses();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), kGrain), [&](const auto& range) {
@@ -130,17 +130,17 @@ exact::ExactStatistics SunView::decide(const IntegerLight& light, std::span<std:
     return statistics;
 }
 
-void SunView::decidePlainly(
-    const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit) {
+void SunView::resolvePlainly(
+    const IntegerLight& light, std::span<const std::uint8_t> isRequested, std::span<std::uint8_t> isLit) {
     std::fill(isLit.begin(), isLit.end(), std::uint8_t{0});
     const plan::FramePlan plan = planFor(light);
-    if (plan.cellMaps.empty()) return;
+    if (plan.sampleGridMaps.empty()) return;
     collect(plan);
     const exact::SampleList& samples = exact_.samples();
     const std::vector<std::uint8_t> isMeant = [&] {
         std::vector<std::uint8_t> result(samples.size());
         for (std::size_t i = 0; i < result.size(); ++i)
-            result[i] = isAsked[samples.pixel[i]];
+            result[i] = isRequested[samples.pixel[i]];
         return result;
     }();
     const std::vector<std::uint8_t> statuses =

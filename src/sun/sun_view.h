@@ -29,11 +29,12 @@ public:
     /// Returns the number of pixels. Rows are from top to bottom.
     std::size_t count() const override { return picture_.pixels.size(); }
 
-    exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
+    exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
 
-    /// Computes the same result as `decide` with the plain integer loops of exact::plainStatuses: the ground truth.
-    /// Only pixels with a non-zero entry in `isAsked` (`count()` elements) are tested.
-    void decidePlainly(const IntegerLight& light, std::span<const std::uint8_t> isAsked, std::span<std::uint8_t> isLit);
+    /// Computes the same result as `resolve` with the plain integer loops of exact::plainStatuses: the ground truth.
+    /// Only pixels with a non-zero entry in `isRequested` (`count()` elements) are tested.
+    void resolvePlainly(
+        const IntegerLight& light, std::span<const std::uint8_t> isRequested, std::span<std::uint8_t> isLit);
 
     /// Returns the visible points, in undefined order.
     const exact::VisiblePoints& points() const { return points_; }
@@ -55,12 +56,12 @@ private:
     void cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights);
     plan::FramePlan planFor(const IntegerLight& light) const;
     /// Collects the samples for a light.
-    render::FrameDrawing collect(const plan::FramePlan& plan);
+    render::DrawInputs collect(const plan::FramePlan& plan);
 
     plan::View view_;
     plan::Quality quality_;
     frame::PreparedFrame frame_;
-    render::FrameDrawing drawing_;
+    render::DrawInputs drawing_;
     render::Picture picture_;
     render::SoftwarePass pass_;
     exact::VisiblePoints points_;

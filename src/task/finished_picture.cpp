@@ -83,7 +83,7 @@ plan::Shading shadingOf(Session& session, PictureRequest request, const std::vec
         request.history.maps = frame.history.maps;
         litPixels += session.backend().litPixels().value_or(0);
         const bool isAnythingSeen = frame.facts.visible && frame.facts.visible->anything;
-        isDark = isAnythingSeen && !frame.hasGround && frame::Renderer::isNextToNothing(litPixels, request.view);
+        isDark = isAnythingSeen && !frame.hasGround && frame::Renderer::isNegligible(litPixels, request.view);
     }
     return isDark ? plan::Shading::Headlight : plan::Shading::Lit;
 }

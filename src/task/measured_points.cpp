@@ -16,7 +16,7 @@ namespace {
 inspect::Point givenPoint(const glm::dvec3& point, const hierarchy::Grid& grid) {
     const glm::i64vec3 cell = inspect::cellOf(grid, point);
     for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(cell[axis]) > inspect::kMostSteps / 2)
+        if (std::abs(cell[axis]) > inspect::kMaxSteps / 2)
             throw Error(
                 formatted("point %g,%g,%g", point.x, point.y, point.z),
                 "too far from the model",

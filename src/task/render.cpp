@@ -10,7 +10,7 @@
 #include "settings/table.h"
 #include "task/finished_picture.h"
 #include "telemetry/process_clock.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -53,13 +53,13 @@ plan::Shading commonShading(
     view.width = std::max(view.width / kReduction, 1);
     view.height = std::max(view.height / kReduction, 1);
     const std::size_t looks = std::min(cameras.size(), kMaxLooks);
-    std::size_t sunless = 0;
+    std::size_t headlit = 0;
     for (std::size_t i = 0; i < looks; ++i) {
         view.camera = cameras[i * cameras.size() / looks];
-        sunless += session.renderer().render(view, quality, {}).isSunless ? 1 : 0;
+        headlit += session.renderer().render(view, quality, {}).usesHeadlight ? 1 : 0;
     }
     session.renderer().takeShortfall();
-    return 2 * sunless > looks ? plan::Shading::Headlight : plan::Shading::Lit;
+    return 2 * headlit > looks ? plan::Shading::Headlight : plan::Shading::Lit;
 }
 
 std::vector<Camera> camerasOf(const std::optional<path::CameraPath>& path, const plan::View& first, int frames) {
@@ -119,18 +119,19 @@ void drawStill(const RenderTask& task, const plan::View& view, Session& session,
     options.overlay = output.overlay;
     options.wantsSurfaces = hasValues;
     options.wantsWholeMaps = !output.shadowDepth.empty();
-    options.wantsWholeImage = !(output.depth + output.statistics).empty() || output.oracle != validation::Oracle::None;
-    validation::ProofOptions proofs;
-    proofs.measuresAliasing = !output.statistics.empty();
-    proofs.oracle = output.oracle;
-    proofs.comparesWithFinest = output.oracle != validation::Oracle::None;
+    options.wantsWholeImage =
+        !(output.depth + output.statistics).empty() || output.groundTruth != validation::GroundTruth::None;
+    validation::ValidationOptions validations;
+    validations.measuresAliasing = !output.statistics.empty();
+    validations.groundTruth = output.groundTruth;
+    validations.comparesWithFinest = output.groundTruth != validation::GroundTruth::None;
     progress.stage("render", task.samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(task.samples));
     FinishedPicture drawn = drawFinished(session, {view, task.quality, options, task.samples}, progress);
     session.tellShortfall();
     const std::vector<render::NamedDepths> depths = depthsOf(output, drawn.frame.plan, session.backend());
     if (hasValues) inspect::colorByValues(output.colors, session.renderer(), drawn.frame, drawn.picture);
     if (task.samples == 1)
-        validation::setAccuracy(validation::prove(session.renderer(), drawn.frame, proofs), drawn.frame.row);
+        validation::setAccuracy(validation::validate(session.renderer(), drawn.frame, validations), drawn.frame.row);
     render::writePng(output.picture, drawn.picture, drawn.coverage);
     for (const auto& [path, picture] : depths)
         render::writePfm(path, picture);

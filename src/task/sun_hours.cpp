@@ -84,7 +84,7 @@ std::string summaryText(const SunHoursSummary& summary, double stepSeconds) {
         summary.receivers,
         summary.stepsUp,
         summary.steps,
-        static_cast<unsigned long long>(summary.touching),
+        static_cast<unsigned long long>(summary.withinTolerance),
         static_cast<unsigned long long>(summary.samples),
         summary.detail.c_str(),
         stepSeconds);
@@ -96,7 +96,7 @@ std::string summaryJson(const SunHoursSummary& summary) {
         {"steps", summary.steps},
         {"steps_up", summary.stepsUp},
         {"verdicts", summary.samples},
-        {"touching", summary.touching},
+        {"touching", summary.withinTolerance},
         {"detail", summary.detail}};
     return telemetry::jsonText(json, 1);
 }

@@ -72,7 +72,7 @@ void SunHoursFiles::writePicture(const std::string& path) const {
 
 void SunHoursFiles::writePage(
     const std::string& folder, const std::string& model, const std::vector<std::string>& errors) const {
-    constexpr std::size_t kMostSteps = 400;
+    constexpr std::size_t kMaxSteps = 400;
     constexpr int kColors = 17;
     const render::Picture picture = coloured();
     report::SunPage page;
@@ -94,7 +94,7 @@ void SunHoursFiles::writePage(
     for (const render::ColorScale::Tick& tick : shown.ticks)
         page.figures.push_back({tick.place, tick.text});
     std::vector<std::uint8_t> isLit;
-    const std::size_t stride = (lit_->stepsUp + kMostSteps - 1) / kMostSteps;
+    const std::size_t stride = (lit_->stepsUp + kMaxSteps - 1) / kMaxSteps;
     std::size_t light = 0;
     for (const sun::SunStep& step : run_->steps()) {
         if (!step.isUp || light++ % stride != 0) continue;

@@ -20,7 +20,7 @@ namespace gnomon::task {
 
 namespace {
 
-constexpr Bytes kMostPointBytes{std::uint64_t{1} << 28U};
+constexpr Bytes kMaxPointBytes{std::uint64_t{1} << 28U};
 
 /// Returns the first three numbers of a CSV line, or nullopt if the line does not begin with three numbers.
 std::optional<glm::dvec3> pointOf(std::string_view line) {
@@ -43,7 +43,7 @@ std::optional<glm::dvec3> pointOf(std::string_view line) {
 /// Reads the points of a CSV file whose lines begin with x,y,z. The first line can be a header. Throws Error for
 /// another line without three numbers.
 std::vector<glm::dvec3> readPoints(const std::string& path) {
-    const std::string text = readTextFile(path, kMostPointBytes);
+    const std::string text = readTextFile(path, kMaxPointBytes);
     std::vector<glm::dvec3> points;
     std::uint64_t number = 0;
     for (std::size_t begin = 0; begin < text.size();) {

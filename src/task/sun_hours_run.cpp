@@ -120,7 +120,7 @@ std::string SunHoursRun::row(std::size_t receiver) const {
 
 SunHoursSummary SunHoursRun::finish(std::size_t receivers, std::string detail) {
     logs_->remove();
-    return {receivers, steps_.size(), lit_.stepsUp, lit_.samples, lit_.touching, std::move(detail)};
+    return {receivers, steps_.size(), lit_.stepsUp, lit_.samples, lit_.withinTolerance, std::move(detail)};
 }
 
 } // namespace gnomon::task

@@ -34,10 +34,10 @@ struct SunHoursTask {
 struct SunHoursSummary {
     std::size_t receivers = 0; // pixels that show the model, points, or vertices
     std::size_t steps = 0;
-    std::uint32_t stepsUp = 0;  // steps in which the Sun is up
-    std::uint64_t samples = 0;  // receivers that faced the Sun, summed over the steps that were computed now
-    std::uint64_t touching = 0; // samples whose result depends on the tolerance or on the rule for ties
-    std::string detail;         // error of the level of detail, with its unit
+    std::uint32_t stepsUp = 0;         // steps in which the Sun is up
+    std::uint64_t samples = 0;         // receivers that faced the Sun, summed over the steps that were computed now
+    std::uint64_t withinTolerance = 0; // samples whose result depends on the tolerance or on the rule for ties
+    std::string detail;                // error of the level of detail, with its unit
 };
 
 } // namespace gnomon::task

@@ -62,10 +62,10 @@ struct FrameRow {
     std::optional<double> depthRatio;
     std::optional<double> lightAngle; // between view and light, in degrees
     std::optional<double> storageFactor;
-    std::optional<double> promisedAliasingX;
-    std::optional<double> promisedAliasingZ;
+    std::optional<double> aliasingBoundX;
+    std::optional<double> aliasingBoundZ;
     std::optional<double> measuredAliasing;
-    std::optional<bool> promiseKept;
+    std::optional<bool> isBoundKept;
     std::optional<double> wrongShadowFraction;
     std::optional<double> shadowEdgeP99Px;
     std::optional<double> imageDifference;
@@ -79,12 +79,12 @@ struct FrameRow {
     std::optional<double> unexplainedShadowFraction;
 
     // The following columns about shadows and light were appended later. They are empty if they do not apply.
-    std::string shadows;                        // shadow method: off, maps, exact or rays
-    std::optional<std::int64_t> shadowSamples;  // visible points that face the light
-    std::optional<std::int64_t> shadowCells;    // that they are sorted into
-    std::optional<std::int64_t> sampleTests;    // pairs of a caster's triangle and a sample in its cells
-    std::optional<std::int64_t> exactDecisions; // of those whose verdict doubles left open
-    std::optional<std::int64_t> touchingPixels; // whose verdict hangs on the tolerance, or on the rule for ties
+    std::string shadows;                               // shadow method: off, maps, exact or rays
+    std::optional<std::int64_t> shadowSamples;         // visible points that face the light
+    std::optional<std::int64_t> shadowCells;           // that they are sorted into
+    std::optional<std::int64_t> sampleTests;           // pairs of a caster's triangle and a sample in its cells
+    std::optional<std::int64_t> exactDecisions;        // of those whose verdict doubles left open
+    std::optional<std::int64_t> pixelsWithinTolerance; // whose verdict hangs on the tolerance, or on the rule for ties
     std::optional<std::string> occlusion;
     std::optional<std::int64_t> clustersHidden;
     // Share of all pixels whose lit or dark result differs from the ground truth.

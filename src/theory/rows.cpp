@@ -98,7 +98,7 @@ struct Row {
             {"none", WarpRule::None},
             {"w04", WarpRule::Lspsm},
             {"lspsm", WarpRule::Lspsm},
-            {"sopt", WarpRule::LeastStorage},
+            {"sopt", WarpRule::MinStorage},
             {"auto", WarpRule::Auto},
             {"psm", WarpRule::Psm},
             {"tsm", WarpRule::Tsm},

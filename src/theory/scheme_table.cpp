@@ -73,12 +73,12 @@ std::array<SchemeRow, 2> sliceRows(const ViewFrustum& frustum, const glm::dvec3&
 
 std::vector<SchemeRow> schemeTable(const ViewFrustum& frustum, const glm::dvec3& towardsLight) {
     std::vector<SchemeRow> table;
-    constexpr int kMostSlices = 8;
+    constexpr int kMaxSlices = 8;
     for (const NamedScheme& named : kSchemes)
-        for (int k = 1; k <= kMostSlices; ++k)
+        for (int k = 1; k <= kMaxSlices; ++k)
             table.push_back(schemeRow(frustum, towardsLight, named, k));
     for (const std::size_t kind : {std::size_t{0}, std::size_t{1}})
-        for (int k = 1; k <= kMostSlices; ++k)
+        for (int k = 1; k <= kMaxSlices; ++k)
             table.push_back(sliceRows(frustum, towardsLight, k)[kind]);
     return table;
 }

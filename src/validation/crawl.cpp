@@ -14,7 +14,7 @@ namespace {
 /// About one level of the picture. Smaller changes come from rounding, which moves the weights of a filter kernel.
 constexpr float kSeenChange = 1.0F / 128;
 
-bool isInView(const render::FrameDrawing& frame, const glm::dvec3& position) {
+bool isInView(const render::DrawInputs& frame, const glm::dvec3& position) {
     const plan::View& view = frame.plan->view;
     const glm::dvec3 p(frame.space.cameraFromDraw * glm::dvec4(position, 1));
     return p.z > 0 && std::abs(p.x) <= p.z * view.tanHalfX() && std::abs(p.y) <= p.z * view.tanHalfY();
@@ -45,7 +45,7 @@ public:
                 points.position[static_cast<std::size_t>(axis)][points.count] = surface.position[axis];
                 points.normal[static_cast<std::size_t>(axis)][points.count] = surface.normal[axis];
             }
-            if (++points.count == render::PixelBatch::kMost) compare(points, found);
+            if (++points.count == render::PixelBatch::kMaxPixels) compare(points, found);
         }
         compare(points, found);
     }
@@ -72,11 +72,11 @@ private:
         points.count = 0;
     }
 
-    const render::FrameDrawing* before_;
-    const render::FrameDrawing* now_;
+    const render::DrawInputs* before_;
+    const render::DrawInputs* now_;
     render::Shading then_;
     render::Shading later_;
-    glm::dvec3 nowFromBefore_{0}; // offset of a position from the earlier to the later draw space
+    glm::dvec3 nowFromBefore_{0}; // offset of a position from the earlier to the later camera-relative space
 };
 
 } // namespace

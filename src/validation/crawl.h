@@ -8,7 +8,7 @@ namespace gnomon::validation {
 
 /// A frame and the depth texture of its maps. Both must outlive this object.
 struct DrawnMaps {
-    const render::FrameDrawing* frame = nullptr;
+    const render::DrawInputs* frame = nullptr;
     const render::FloatPicture* depth = nullptr;
 };
 

@@ -13,17 +13,17 @@ namespace {
 void keepLarger(MeasuredAliasing& all, const MeasuredAliasing& part) {
     all.x = std::max(all.x, part.x);
     all.z = std::max(all.z, part.z);
-    all.overPromise = std::max(all.overPromise, part.overPromise);
+    all.overBound = std::max(all.overBound, part.overBound);
     all.pixelsMeasured += part.pixelsMeasured;
-    all.pixelsUnpromised += part.pixelsUnpromised;
+    all.pixelsWithoutBound += part.pixelsWithoutBound;
 }
 
 } // namespace
 
 MeasuredAliasing measuredAliasing(
-    const render::FrameDrawing& frame, const render::Raster<render::SurfaceSample>& surfaces) {
+    const render::DrawInputs& frame, const render::Raster<render::SurfaceSample>& surfaces) {
     const plan::FramePlan& plan = *frame.plan;
-    const render::DrawSpace& space = frame.space;
+    const render::CameraRelativeSpace& space = frame.space;
     std::vector<TexelProbe> probes;
     for (const plan::ShadowPass& pass : plan.passes)
         probes.emplace_back(frame, pass.map);
@@ -37,15 +37,15 @@ MeasuredAliasing measuredAliasing(
             const glm::dvec3 p(surface.position);
             const double depth = glm::dot(plan.basis.view, p - space.eye);
             if (!(depth >= plan.near && depth <= plan.far)) {
-                ++row.pixelsUnpromised;
+                ++row.pixelsWithoutBound;
                 continue;
             }
             const auto partition = static_cast<std::size_t>(surface.partition());
             const double pixel = render::pixelWidth(plan, space, p);
             const TexelWidths texel = probes[partition].widths(p, kStepOverPixel * pixel);
-            const shadow::PromisedAliasing& promised = plan.passes[partition].map.promised;
+            const shadow::AliasingBound& aliasingBound = plan.passes[partition].map.aliasingBound;
             MeasuredAliasing one{texel.x / pixel * kernel, texel.z / pixel * kernel, 0, 1, 0};
-            one.overPromise = std::max(one.x / promised.x, one.z / promised.z);
+            one.overBound = std::max(one.x / aliasingBound.x, one.z / aliasingBound.z);
             keepLarger(row, one);
         }
     });

@@ -11,9 +11,9 @@ struct MeasuredAliasing {
     double x = 0;
     double z = 0;
     // Max ratio of measured aliasing to the bound of its map, over both axes. It is at most 1 if the bound is valid.
-    double overPromise = 0;
-    std::uint64_t pixelsMeasured = 0;   // pixels with a lookup, within [near, far]
-    std::uint64_t pixelsUnpromised = 0; // pixels with a lookup outside [near, far], where no bound applies
+    double overBound = 0;
+    std::uint64_t pixelsMeasured = 0;     // pixels with a lookup, within [near, far]
+    std::uint64_t pixelsWithoutBound = 0; // pixels with a lookup outside [near, far], where no bound applies
 
     double worst() const { return x > z ? x : z; }
 };
@@ -21,6 +21,6 @@ struct MeasuredAliasing {
 /// Measures the picture of `frame` that shows `surfaces`, on all cores. A filter kernel multiplies the width of a texel
 /// by its own width.
 MeasuredAliasing measuredAliasing(
-    const render::FrameDrawing& frame, const render::Raster<render::SurfaceSample>& surfaces);
+    const render::DrawInputs& frame, const render::Raster<render::SurfaceSample>& surfaces);
 
 } // namespace gnomon::validation

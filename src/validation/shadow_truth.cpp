@@ -14,7 +14,7 @@ namespace {
 
 using raytrace::Light;
 
-constexpr double kLeastCosine = 0.1; // limit of N.L below which the bias of a lookup no longer grows
+constexpr double kMinCosine = 0.1; // limit of N.L below which the bias of a lookup no longer grows
 constexpr double kContactFootprints = 1.5;
 
 /// An offset from a point in its neighbourhood, in texels along columns and rows.
@@ -43,7 +43,7 @@ class Judge {
 public:
     Judge(
         const raytrace::Scene& scene,
-        const render::FrameDrawing& frame,
+        const render::DrawInputs& frame,
         const render::Raster<render::SurfaceSample>& surfaces)
         : scene_(&scene),
           plan_(frame.plan),
@@ -96,7 +96,7 @@ private:
         const double pixel = render::pixelWidth(*plan_, *space_, p);
         const TexelFootprint texel = probes_[partition].footprint(p, kStepOverPixel * pixel);
         const glm::vec3 light = source_.from(surface.position);
-        const float cosine = std::max(glm::dot(surface.normal, light), static_cast<float>(kLeastCosine));
+        const float cosine = std::max(glm::dot(surface.normal, light), static_cast<float>(kMinCosine));
         const auto onPlane = [&](const glm::dvec3& across) {
             const glm::vec3 a(kernel * across);
             return a - light * (glm::dot(surface.normal, a) / cosine);
@@ -107,7 +107,7 @@ private:
             onPlane(texel.column),
             onPlane(texel.row),
             light,
-            static_cast<float>(render::kTouchingPixels * pixel)};
+            static_cast<float>(render::kContactTolerancePixels * pixel)};
     }
 
     /// Returns the ray-traced result for the surface at `offset` on the receiver's plane, or Nothing if there is no
@@ -158,7 +158,7 @@ private:
 
     const raytrace::Scene* scene_;
     const plan::FramePlan* plan_;
-    const render::DrawSpace* space_;
+    const render::CameraRelativeSpace* space_;
     const render::Raster<render::SurfaceSample>* surfaces_;
     raytrace::LightSource source_;
     std::vector<Offset> offsets_;
@@ -173,7 +173,7 @@ void countVerdicts(
         if (verdict == ShadowVerdict::Unasked) continue;
         if (verdict == ShadowVerdict::Missed) ++truth.missedPixels;
         const render::SurfaceSample& surface = surfaces.pixels[i];
-        if (!(glm::dot(surface.normal, source.from(surface.position)) > static_cast<float>(kLeastCosine))) continue;
+        if (!(glm::dot(surface.normal, source.from(surface.position)) > static_cast<float>(kMinCosine))) continue;
         ++truth.judgedPixels;
         const bool isUnexplained = verdict == ShadowVerdict::FalseShadow || verdict == ShadowVerdict::Leak;
         truth.unexplainedPixels += isUnexplained ? 1U : 0U;
@@ -196,7 +196,7 @@ double ShadowTruth::unexplainedFraction() const {
 
 ShadowTruth shadowTruth(
     const raytrace::Scene& scene,
-    const render::FrameDrawing& frame,
+    const render::DrawInputs& frame,
     const render::Raster<render::SurfaceSample>& surfaces,
     std::span<const Light> light) {
     const auto width = static_cast<std::size_t>(surfaces.width);

@@ -1,7 +1,7 @@
 // Comparison of a picture's shadows with ray-traced shadows, pixel by pixel, with a cause for each difference.
 #pragma once
 
-#include "raytrace/shadow_oracle.h"
+#include "raytrace/ground_truth.h"
 #include "render/backend.h"
 
 namespace gnomon::validation {
@@ -38,7 +38,7 @@ struct ShadowTruth {
 /// Compares the shadows of the picture of `frame` that shows `surfaces` with `light`, the ray-traced result in `scene`.
 ShadowTruth shadowTruth(
     const raytrace::Scene& scene,
-    const render::FrameDrawing& frame,
+    const render::DrawInputs& frame,
     const render::Raster<render::SurfaceSample>& surfaces,
     std::span<const raytrace::Light> light);
 

@@ -6,7 +6,7 @@
 
 namespace gnomon::validation {
 
-TexelProbe::TexelProbe(const render::FrameDrawing& frame, const shadow::ShadowMap& map)
+TexelProbe::TexelProbe(const render::DrawInputs& frame, const shadow::ShadowMap& map)
     : image_(render::mapDrawing(frame, map).image),
       x_(toWorld(frame.plan->basis, shadow::alongX(map.warped.frame))),
       z_(toWorld(frame.plan->basis, map.warped.frame.z)) {}

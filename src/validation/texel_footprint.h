@@ -17,7 +17,8 @@ struct TexelWidths {
     double z = 0; // along its z axis, without shear
 };
 
-/// The footprint of a texel at a point, as two displacements perpendicular to the light in draw space, including shear.
+/// The footprint of a texel at a point, as two displacements perpendicular to the light in camera-relative space,
+/// including shear.
 struct TexelFootprint {
     glm::dvec3 column{0}; // displacement to the same position in the next column
     glm::dvec3 row{0};
@@ -26,10 +27,10 @@ struct TexelFootprint {
 /// Measures the texels of one map of a frame.
 class TexelProbe {
 public:
-    TexelProbe(const render::FrameDrawing& frame, const shadow::ShadowMap& map);
+    TexelProbe(const render::DrawInputs& frame, const shadow::ShadowMap& map);
 
-    /// Returns the widths at `p` (draw space). `step` is the world length of the finite differences, and must be much
-    /// smaller than a texel.
+    /// Returns the widths at `p` (camera-relative space). `step` is the world length of the finite differences, and
+    /// must be much smaller than a texel.
     TexelWidths widths(const glm::dvec3& p, double step) const;
 
     TexelFootprint footprint(const glm::dvec3& p, double step) const;
@@ -44,7 +45,7 @@ private:
     Derivatives derivatives(const glm::dvec3& p, double step) const;
 
     shadow::FloatMapImage image_; // the uploaded floats
-    glm::dvec3 x_;                // axes of the light frame in draw space
+    glm::dvec3 x_;                // axes of the light frame in camera-relative space
     glm::dvec3 z_;
 };
 

@@ -77,7 +77,7 @@ nlohmann::ordered_json factsOf(const fs::path& path) {
 
 /// Returns the names of libraries or textures in the folder of the mesh and its subfolders. The mesh may name a file
 /// that was missing when the cache was built.
-std::set<std::string> namesBeside(const fs::path& mesh) {
+std::set<std::string> namesInFolder(const fs::path& mesh) {
     constexpr std::size_t kMaxEntries = 10'000;
     const std::string format = read::loweredSuffix(mesh.string());
     const std::set<std::string> suffixes = format == ".obj"    ? std::set<std::string>{".mtl"}
@@ -115,7 +115,7 @@ nlohmann::ordered_json recordOf(
         {"options", pipeline::keyOf(buildOptionsOf(meshPath, options))},
         {"source_root", options.sourceRoot},
         {"files", nlohmann::ordered_json::array()},
-        {"beside", namesBeside(meshPath)}};
+        {"beside", namesInFolder(meshPath)}};
     for (const std::string& name : files)
         record["files"].push_back({{"name", name}, {"facts", factsOf(fs::path(meshPath).parent_path() / name)}});
     return record;
@@ -160,7 +160,7 @@ void CacheBuild::run(const CacheOptions& options) {
         pipeline::askForUpOfSources(build, {meshPath_});
         const auto source =
             read::openMeshSources({meshPath_}, options.memory, {}, read::Textures::Bake, options.sourceRoot);
-        for (const std::string& path : source->summary().filesBesides)
+        for (const std::string& path : source->summary().additionalFiles)
             files.push_back(fs::path(path).lexically_proximate(folder).string());
         nlohmann::ordered_json record = recordOf(meshPath_, files, options);
         pipeline::buildModel(*source, build, watch);

@@ -6,7 +6,7 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kLeastInterval = 1.0 / 30; // seconds
+constexpr double kMinInterval = 1.0 / 30; // seconds
 
 bool isSame(const Camera& a, const Camera& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fovYRadians == b.fovYRadians &&
@@ -27,7 +27,7 @@ void PathRecorder::add(double seconds, const Camera& camera) {
     // A camera that rested until now must not drift towards this keyframe, so its last moment becomes a keyframe too.
     if (last_ && stood && !stands) kept.push_back(*last_);
     last_ = now;
-    if (!stands && seconds - kept.back().time >= kLeastInterval) {
+    if (!stands && seconds - kept.back().time >= kMinInterval) {
         kept.push_back(now);
         last_.reset();
     }

@@ -6,7 +6,7 @@
 #include "render/light/eye_dome.h"
 #include "render/software_backend.h"
 #include "settings/backend_choice.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 #include "viewer/input/picking.h"
 
 #include <chrono>
@@ -22,7 +22,7 @@ constexpr int kPickReach = 6; // pixels around the cursor
 /// page store tries again.
 std::unique_ptr<hierarchy::Source> sourceOf(const std::string& path) {
     hierarchy::Access access = hierarchy::commonAccess();
-    access.patience = std::chrono::seconds(1);
+    access.retryTime = std::chrono::seconds(1);
     return hierarchy::openSource(path, access);
 }
 
@@ -81,9 +81,9 @@ const frame::Frame& Scene::draw(const Shot& shot) {
     }
     if (shot.options.isAccumulated) accumulation_.begin(renderer_, *frame_, shot.samples);
     if (shot.measuresAliasing) {
-        validation::ProofOptions options;
+        validation::ValidationOptions options;
         options.measuresAliasing = true;
-        validation::setAccuracy(validation::prove(renderer_, *frame_, options), frame_->row);
+        validation::setAccuracy(validation::validate(renderer_, *frame_, options), frame_->row);
     }
     seenBy_ = shot.seenBy();
     isUploaded_ = false;
@@ -105,10 +105,10 @@ render::Picture Scene::picture() const {
     return samples() > 1 ? accumulation_.picture() : backend_->picture();
 }
 
-ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
+ShownPicture Scene::shown(const glm::ivec2& size, bool usesEyeDome) {
     if (!frame_) return {};
     if (const std::uint32_t texture = backend_->texture();
-        texture != 0 && samples() <= 1 && !darkensHollows && !colored_) {
+        texture != 0 && samples() <= 1 && !usesEyeDome && !colored_) {
         // Software OpenGL would take longer for that than for all the rest of the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
         context_->api().textureParameteri(texture, GL_TEXTURE_MAG_FILTER, filter);
@@ -116,9 +116,9 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool darkensHollows) {
     }
     if (!isUploaded_) {
         render::Picture picture = this->picture();
-        if (darkensHollows) {
+        if (usesEyeDome) {
             const double distance = seenBy_.isParallel() ? glm::length(seenBy_.target - seenBy_.eye) : 0;
-            render::darkenHollows(picture, backend_->viewDepth(), distance);
+            render::applyEyeDome(picture, backend_->viewDepth(), distance);
         }
         render::takePicture(picture, words_);
         if (uploaded_.width() != words_.width || uploaded_.height() != words_.height)

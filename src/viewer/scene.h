@@ -82,8 +82,8 @@ public:
     /// Returns the last image or the mean, as `gnomon render` would write it.
     render::Picture picture() const;
 
-    /// Returns the image as a texture for `size` pixels. If `darkensHollows` is true, applies eye-dome lighting.
-    ShownPicture shown(const glm::ivec2& size, bool darkensHollows);
+    /// Returns the image as a texture for `size` pixels. If `usesEyeDome` is true, applies eye-dome lighting.
+    ShownPicture shown(const glm::ivec2& size, bool usesEyeDome);
 
     /// Returns true if the last frame had visible geometry.
     bool isAnythingInView() const { return !frame_ || !frame_->facts.visible || frame_->facts.visible->anything; }

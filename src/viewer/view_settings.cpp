@@ -72,7 +72,7 @@ std::array<double, 2> widestEnds(
         return {
             model.levels.front().maxError, std::max(model.levels.back().maxError, 2 * model.levels.front().maxError)};
     for (const hierarchy::Field& field : model.fields)
-        if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.least, field.greatest};
+        if (colors.by == settings::ColorBy::Field && field.name == colors.field) return {field.min, field.max};
     return {0, 90};
 }
 

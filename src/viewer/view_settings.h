@@ -36,7 +36,7 @@ struct ViewSettings {
     settings::ValueColors colors; // in images without an overlay
     double targetMs = 0;          // 0: no target
     bool showsFacts = false;      // all statistics; otherwise one line
-    bool darkensHollows = false;
+    bool usesEyeDome = false;
     bool showsPanel = false;
     bool showsHelp = false;
 };

@@ -40,7 +40,7 @@ FrameLoad loadOf(const frame::Frame& frame, double milliseconds, double targetMs
     load.shadowMs = row.shadowMs.value_or(0);
     load.triangles = static_cast<double>(row.imageTriangles.value_or(0));
     load.pixels = static_cast<double>(frame.plan.view.width) * frame.plan.view.height;
-    load.decidesPoints = frame.hasOneCasterList();
+    load.resolvesPoints = frame.hasOneCasterList();
     load.errors = shadowErrors(frame.plan, frame.facts, milliseconds > targetMs);
     return load;
 }
@@ -103,7 +103,7 @@ void WindowSession::run(Progress& interrupt) {
         if (isScripted() && file_.build() == nullptr && !walk_.isPlaying())
             throw Error(options_.path, "the path was not played to its end");
         if (!hasDrawn || walk_.advance(now() - lastFrame_)) continue;
-        pace_.wakeScene();
+        scheduler_.requestScene();
         if (isScripted()) break; // all requested images are written
     }
     keepViews();
@@ -115,7 +115,7 @@ void WindowSession::run(Progress& interrupt) {
 void WindowSession::open(const std::string& file) {
     keepViews();
     file_.open(file);
-    pace_.wakeScene();
+    scheduler_.requestScene();
 }
 
 void WindowSession::enter(const Scene& scene) {
@@ -132,35 +132,35 @@ void WindowSession::enter(const Scene& scene) {
     pictureDue_.reset(); // the pending image was of another model
     measuring_ = Measuring(inspect::surveyedOf(model.path(), model.summary(), framed_->up()));
     glfwSetWindowTitle(window_.handle(), ("Gnomon - " + printable(model.path())).c_str());
-    pace_.wakeScene();
+    scheduler_.requestScene();
     if (!options_.path.empty() && frameCount_ == 0) walk_.togglePlaying(saved_);
 }
 
 void WindowSession::watch() {
-    if (file_.build() != nullptr) pace_.wakeWindow();
+    if (file_.build() != nullptr) scheduler_.requestOverlay();
     file_.watchBuild();
-    if (file_.watchFile()) pace_.keepScene();
-    if (messages_.expire()) pace_.wakeWindow();
+    if (file_.watchFile()) scheduler_.keepScene();
+    if (messages_.expire()) scheduler_.requestOverlay();
 }
 
 void WindowSession::waitForEvents() {
     input_.beginFrame();
     input_.setMouseTaken(imgui_.wantsMouse());
-    if (isIdle() && !pace_.isWindowAwake() && !isRefining()) {
+    if (isIdle() && !scheduler_.needsOverlay() && !isRefining()) {
         glfwWaitEventsTimeout(kIdleSeconds);
         // Idle time must not advance the animation.
         lastFrame_ = std::max(lastFrame_, now() - 1.0 / 60);
     } else {
         glfwPollEvents();
     }
-    if (input_.hasHappened()) pace_.wakeWindow();
+    if (input_.hasHappened()) scheduler_.requestOverlay();
 }
 
 /// Returns true if the next frame is the last one before the window waits for input. This frame may take longer.
 bool WindowSession::comesToRest() const {
     const frame::Frame* frame = file_.scene()->frame();
     const bool isMissing = frame == nullptr || frame->row.pagesMissing.value_or(0) > 0;
-    return pace_.isLastOfScene() && !isMissing && !walk_.isUnderWay();
+    return scheduler_.isLastOfScene() && !isMissing && !walk_.isUnderWay();
 }
 
 /// Returns true if the image of a resting view still needs more frames for its mean.
@@ -181,19 +181,19 @@ void WindowSession::refine() {
         while (isRefining() && now() < end);
     });
     if (isRefining() && now() < lastShown_ + kBetweenShown) return;
-    pace_.keepWindow();
+    scheduler_.keepOverlay();
 }
 
-Effort WindowSession::wantedEffort() const {
+QualityLevel WindowSession::wantedQuality() const {
     const plan::Quality& quality = settings_.asked.quality;
-    Effort effort{quality.errorPixels, quality.zPartitions, quality.shadowTexelsWidth, quality.shadowTexelsHeight};
-    effort.mayBeExact = quality.shadows == plan::ShadowMode::Auto && !quality.mapsBecause;
-    return effort;
+    QualityLevel level{quality.errorPixels, quality.zPartitions, quality.shadowTexelsWidth, quality.shadowTexelsHeight};
+    level.mayBeExact = quality.shadows == plan::ShadowMode::Auto && !quality.mapsBecause;
+    return level;
 }
 
 /// Returns true if frames must respect the time target: the view is moving, and no path with fixed frames is playing.
 bool WindowSession::isHurried() const {
-    const bool rests = !walk_.isUnderWay() && pace_.isSettled(true);
+    const bool rests = !walk_.isUnderWay() && scheduler_.isSettled(true);
     return settings_.targetMs > 0 && !walk_.playsFixed() && !rests;
 }
 
@@ -207,14 +207,14 @@ Shot WindowSession::shot(const glm::ivec2& size, bool isStill) const {
     settings::setSections(settings_.asked, shot.view);
     shot.view.camera = walk_.culledBy();
     shot.quality = settings_.asked.quality;
-    const Effort effort = isHurried() && !isStill ? budget_.effort(wantedEffort()) : wantedEffort();
-    shot.view.width = drawnSide(size.x, effort.resolution);
-    shot.view.height = drawnSide(size.y, effort.resolution);
-    shot.quality.errorPixels = effort.errorPixels * effort.resolution;
-    shot.quality.zPartitions = effort.slices;
-    shot.quality.shadowTexelsWidth = effort.texelsWidth;
-    shot.quality.shadowTexelsHeight = effort.texelsHeight;
-    if (!effort.mayBeExact && !shot.quality.mapsBecause) shot.quality.mapsBecause = plan::ShadowReason::FrameTime;
+    const QualityLevel level = isHurried() && !isStill ? governor_.level(wantedQuality()) : wantedQuality();
+    shot.view.width = drawnSide(size.x, level.resolution);
+    shot.view.height = drawnSide(size.y, level.resolution);
+    shot.quality.errorPixels = level.errorPixels * level.resolution;
+    shot.quality.zPartitions = level.slices;
+    shot.quality.shadowTexelsWidth = level.texelsWidth;
+    shot.quality.shadowTexelsHeight = level.texelsHeight;
+    if (!level.mayBeExact && !shot.quality.mapsBecause) shot.quality.mapsBecause = plan::ShadowReason::FrameTime;
     shot.options.overlay = settings_.overlay;
     if (settings_.overlay == render::Overlay::None) shot.colors = settings_.colors;
     const bool isColored = shot.colors.by != settings::ColorBy::None;
@@ -236,36 +236,36 @@ bool WindowSession::drawFrame() {
     }
     const Scene* scene = file_.scene();
     const frame::Frame* frame = scene != nullptr ? scene->frame() : nullptr;
-    if (frame != nullptr && drawnFor_ != size) pace_.wakeScene();
+    if (frame != nullptr && drawnFor_ != size) scheduler_.requestScene();
     const bool drawsScene = scene != nullptr && !isIdle();
-    if (pictureDue_ && pictureDue_->changes != pace_.changes()) savePictureOf(pictureDue_->shot);
+    if (pictureDue_ && pictureDue_->changes != scheduler_.changes()) savePictureOf(pictureDue_->shot);
     if (drawsScene)
         drawScene(size);
     else if (isRefining())
         refine();
     if (scene != nullptr) savePictureOnceDone();
-    const bool drawsWindow = drawsScene || pace_.isWindowAwake();
-    pace_.countWindow(); // before drawing, which may request another frame
+    const bool drawsWindow = drawsScene || scheduler_.needsOverlay();
+    scheduler_.countOverlay(); // before drawing, which may request another frame
     if (drawsWindow) drawWindow(size);
     return drawsScene;
 }
 
 void WindowSession::drawScene(const glm::ivec2& size) {
-    if (settings_.targetMs > 0 && !walk_.isUnderWay() && pace_.isSettled(true)) pace_.settle();
+    if (settings_.targetMs > 0 && !walk_.isUnderWay() && scheduler_.isSettled(true)) scheduler_.settle();
     const bool isMeasured = isHurried();
     const bool rests = comesToRest();
     if (rests) file_.scene()->forget(); // so that the resting image is identical to the output of `gnomon render`
     const Shot shot = this->shot(size, rests);
     drawnFor_ = size;
-    pace_.countScene();
+    scheduler_.countScene();
     if (messages_.attempt([&] { file_.scene()->draw(shot); })) {
         afterScene(shot, isMeasured);
         // The last missing page may have arrived in this frame, so that the resting image needs another frame.
-        if (!rests && file_.scene()->frame()->row.pagesMissing.value_or(0) == 0) pace_.keepScene();
+        if (!rests && file_.scene()->frame()->row.pagesMissing.value_or(0) == 0) scheduler_.keepScene();
         return;
     }
-    pace_.stopScene();
-    pace_.wakeWindow();
+    scheduler_.stopScene();
+    scheduler_.requestOverlay();
     walk_.stop();
 }
 
@@ -276,11 +276,12 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
     history_.add(stageTimes(row, lastWindowMs_));
     const double milliseconds = row.totalMs.value_or(0) + lastWindowMs_;
     if (isMeasured)
-        budget_.measure(loadOf(*scene.frame(), milliseconds, settings_.targetMs), settings_.targetMs, wantedEffort());
+        governor_.measure(
+            loadOf(*scene.frame(), milliseconds, settings_.targetMs), settings_.targetMs, wantedQuality());
     const double distance = walk_.control().distance(); // parallel projection has no other distance
     const bool isParallel = plan.view.camera.isParallel();
     walk_.control().see(isParallel ? SceneDepths{distance, distance} : SceneDepths{plan.near, plan.far}, 1.0 / 30);
-    pace_.see(row);
+    scheduler_.update(row);
     row.run = "view";
     row.width = drawnFor_.x;
     row.height = drawnFor_.y;
@@ -303,7 +304,7 @@ void WindowSession::takePicture() {
     if (walk_.isUnderWay())
         savePictureOf(still);
     else
-        pictureDue_ = {still, pace_.changes()};
+        pictureDue_ = {still, scheduler_.changes()};
 }
 
 void WindowSession::savePictureOnceDone() {
@@ -330,7 +331,7 @@ void WindowSession::savePictureOf(Shot still) {
             scene.addSample();
         messages_.note("saved " + saved_.savePicture(scene.picture()));
     });
-    pace_.wakeScene();
+    scheduler_.requestScene();
     lastFrame_ = now();
 }
 
@@ -342,10 +343,10 @@ OverlayContent WindowSession::content() const {
         content.flyingSpeed = walk_.control().speed();
     }
     content.history = &history_;
-    content.givenUp = isHurried() ? budget_.givenUp(wantedEffort()) : "";
-    content.isExhausted = budget_.isExhausted();
+    content.reductions = isHurried() ? governor_.reductions(wantedQuality()) : "";
+    content.isExhausted = governor_.isExhausted();
     content.caps = caps_;
-    content.mostSamples = content.scene != nullptr ? content.scene->wantedSamples() : 1;
+    content.maxSamples = content.scene != nullptr ? content.scene->wantedSamples() : 1;
     content.measuring = measuring_.isOn() ? &measuring_ : nullptr;
     content.isFrozen = walk_.isFrozen();
     content.isRecording = walk_.isRecording();
@@ -364,7 +365,7 @@ void WindowSession::drawWindow(const glm::ivec2& size) {
     gl.bindFramebuffer(GL_FRAMEBUFFER, 0);
     gl.viewport(0, 0, size.x, size.y);
     const ShownPicture picture =
-        file_.scene() != nullptr ? file_.scene()->shown(size, settings_.darkensHollows) : ShownPicture();
+        file_.scene() != nullptr ? file_.scene()->shown(size, settings_.usesEyeDome) : ShownPicture();
     const std::array<float, 4> background = {0.13F, 0.14F, 0.16F, 1};
     if (picture.isOpaque)
         fill_.draw(picture.texture);
@@ -382,8 +383,8 @@ void WindowSession::drawWindow(const glm::ivec2& size) {
     messages_.attempt([&] { window_.context().check("window"); });
     lastShown_ = now();
     lastWindowMs_ = (lastShown_ - start) * 1000;
-    if (answer.hasChanged) pace_.wakeScene();
-    if (answer.isUnfinished) pace_.keepWindow();
+    if (answer.hasChanged) scheduler_.requestScene();
+    if (answer.isUnfinished) scheduler_.keepOverlay();
     for (const Action action : answer.actions)
         act({.action = action});
 }

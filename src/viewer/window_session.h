@@ -4,7 +4,6 @@
 #include "core/progress.h"
 #include "gl/picture_fill.h"
 #include "gl/window.h"
-#include "viewer/detail_budget.h"
 #include "viewer/frame_log.h"
 #include "viewer/framed_model.h"
 #include "viewer/input/input.h"
@@ -12,11 +11,12 @@
 #include "viewer/input/steering.h"
 #include "viewer/measuring.h"
 #include "viewer/open_file.h"
-#include "viewer/pace.h"
 #include "viewer/panel/imgui_layer.h"
 #include "viewer/panel/overlay.h"
+#include "viewer/quality_governor.h"
 #include "viewer/recent/kept_views.h"
 #include "viewer/recent/recent_views.h"
+#include "viewer/redraw_scheduler.h"
 #include "viewer/viewer_options.h"
 #include "viewer/walk.h"
 
@@ -64,7 +64,7 @@ private:
     /// played.
     bool isScripted() const { return !options_.path.empty() && !options_.images.empty(); }
 
-    bool isIdle() const { return !pace_.isSceneAwake() && !walk_.isUnderWay(); }
+    bool isIdle() const { return !scheduler_.needsScene() && !walk_.isUnderWay(); }
 
     bool comesToRest() const;
     bool isRefining() const;
@@ -72,7 +72,7 @@ private:
     void savePictureOnceDone();
     void saveShownPicture();
     void savePictureOf(Shot still);
-    Effort wantedEffort() const;
+    QualityLevel wantedQuality() const;
     bool isHurried() const;
     Shot shot(const glm::ivec2& size, bool isStill) const;
     void takePicture();
@@ -100,10 +100,10 @@ private:
     Walk walk_;
     Steering steering_;
     SectionDrag sectionDrag_;
-    Pace pace_;
-    DetailBudget budget_;
+    RedrawScheduler scheduler_;
+    QualityGovernor governor_;
     FrameHistory history_;
-    StoragePad pad_;
+    TexelPlot pad_;
     SavedFiles saved_;
     Measuring measuring_;
     std::map<std::string, RecentViews> recent_; // by the model's file

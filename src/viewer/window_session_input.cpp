@@ -27,13 +27,13 @@ void WindowSession::takeInput(double seconds) {
     if (input_.wheel() != 0) {
         const std::string said = turnWheel(input_.wheel(), input_.isHeldControl(), underCursor(), control);
         if (!said.empty()) messages_.show(said);
-        pace_.wakeScene();
+        scheduler_.requestScene();
     }
     if (input_.hasDoubleClicked() && !measuring_.isOn()) focus();
     const Flight flight = imgui_.wantsKeys() ? Flight{} : heldFlight([this](int key) { return input_.isHeld(key); });
     if (flight.direction != glm::dvec3(0) || control.isMoving()) {
         control.advance(flight, seconds);
-        pace_.wakeScene();
+        scheduler_.requestScene();
     }
 }
 
@@ -57,7 +57,7 @@ void WindowSession::takeDrag(const Drag& drag) {
     if (useOf(drag) == DragUse::Section) return dragSection(drag);
     const bool turnsLight = useOf(drag) == DragUse::Light;
     if (walk_.isPlaying() && !turnsLight) return;
-    if (drag.moved != glm::dvec2(0)) pace_.wakeScene(); // a press alone does not change the image
+    if (drag.moved != glm::dvec2(0)) scheduler_.requestScene(); // a press alone does not change the image
     if (turnsLight)
         turnLight(settings_.asked, walk_.control().camera(), drag.moved);
     else
@@ -71,7 +71,7 @@ void WindowSession::dragSection(const Drag& drag) {
         return messages_.show(settings::onlySoftware(&plan::Capabilities::sections));
     sectionDrag_.drag(drag, underCursor(), walk_.control().camera(), framebufferSize(), framed_->bounds(), sections);
     messages_.show(sectionInWords(sections[sectionDrag_.held()], framed_->bounds()));
-    pace_.wakeScene();
+    scheduler_.requestScene();
 }
 
 /// Converts a pixel of the window to a pixel of the last frame. The frame has fewer pixels if the quality governor
@@ -161,14 +161,14 @@ void WindowSession::focus() {
 void WindowSession::toggleTarget() {
     const double wanted = options_.targetMs > 0 ? options_.targetMs : kDefaultTargetMs;
     settings_.targetMs = settings_.targetMs > 0 ? 0 : wanted;
-    budget_.relax();
+    governor_.relax();
     messages_.show(settings_.targetMs > 0 ? "time target: on" : "time target: none");
 }
 
 void WindowSession::act(const Binding& binding) {
     if (binding.action == Action::Leave) return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
-    if (file_.scene() != nullptr && actOnMeasures(binding)) return pace_.wakeWindow();
-    if (binding.action != Action::Screenshot) pace_.wakeScene();
+    if (file_.scene() != nullptr && actOnMeasures(binding)) return scheduler_.requestOverlay();
+    if (binding.action != Action::Screenshot) scheduler_.requestScene();
     if (changeShown(binding, settings_)) return;
     if (binding.action == Action::ToggleTarget) return toggleTarget();
     if (file_.scene() != nullptr) actOnModel(binding);

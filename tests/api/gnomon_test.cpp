@@ -153,13 +153,13 @@ TEST_F(Library, APageThatIsDamagedIsTold) {
 TEST(Schemes, LogarithmicMapsOnFacesNeedLeast) {
     const std::vector<ShadowScheme> schemes = shadowSchemes(1, 1000, 60, 1, {0.4, 0.8, 0.2});
     ASSERT_GT(schemes.size(), 20U);
-    double least = 1e300;
+    double min = 1e300;
     std::string warp;
     for (const ShadowScheme& scheme : schemes) {
         EXPECT_GE(scheme.maps, 1);
         EXPECT_GT(scheme.storageFactor, 0);
-        if (scheme.storageFactor < least && scheme.scheme != "ZP stable") {
-            least = scheme.storageFactor;
+        if (scheme.storageFactor < min && scheme.scheme != "ZP stable") {
+            min = scheme.storageFactor;
             warp = scheme.warp;
         }
     }

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using settings::NamedFile;
-using settings::requireApart;
+using settings::requireDistinctFiles;
 using settings::requireExtension;
 
 /// A folder of its own, in which the test stands.
@@ -67,7 +67,7 @@ private:
 /// What is said against reading and writing these files; empty if nothing is.
 std::string objection(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
     try {
-        requireApart(inputs, outputs);
+        requireDistinctFiles(inputs, outputs);
         return {};
     } catch (const settings::UsageError& error) {
         return error.message;

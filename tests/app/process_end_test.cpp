@@ -217,16 +217,16 @@ TEST(OracleOption, IsAFlagOrNamesHowFarItGoes) {
         CLI::App command;
         std::string model;
         command.add_option("MODEL", model);
-        validation::Oracle oracle = validation::Oracle::None;
-        addOracleOption(command, oracle);
+        validation::GroundTruth groundTruth = validation::GroundTruth::None;
+        addOracleOption(command, groundTruth);
         std::reverse(words.begin(), words.end()); // as CLI11 takes a vector
         command.parse(words);
-        return oracle;
+        return groundTruth;
     };
-    EXPECT_EQ(parsed({"m.gnm"}), validation::Oracle::None);
-    EXPECT_EQ(parsed({"m.gnm", "--oracle"}), validation::Oracle::SameDetail);
-    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), validation::Oracle::SameDetail);
-    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), validation::Oracle::None);
+    EXPECT_EQ(parsed({"m.gnm"}), validation::GroundTruth::None);
+    EXPECT_EQ(parsed({"m.gnm", "--oracle"}), validation::GroundTruth::SameDetail);
+    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), validation::GroundTruth::SameDetail);
+    EXPECT_NE(parsed({"m.gnm", "--oracle", "full"}), validation::GroundTruth::None);
     EXPECT_THROW(parsed({"--oracle", "m.gnm"}), CLI::ValidationError) << "the model is no mode";
 }
 

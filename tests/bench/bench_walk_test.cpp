@@ -63,7 +63,7 @@ TEST(BenchWalk, TellsPicturesAndProvesFramesOfTheFirstRepetition) {
     const path::CameraPath path = flight();
     WalkOptions options = frames(3);
     options.repetitions = 2;
-    options.oracle = validation::Oracle::SameDetail;
+    options.groundTruth = validation::GroundTruth::SameDetail;
     options.provenFrames = 2;
     std::set<std::pair<std::size_t, int>> told;
     options.onPicture = [&](std::size_t run, int frame, std::span<const std::uint8_t> png) {
@@ -83,7 +83,7 @@ TEST(BenchWalk, TellsPicturesAndProvesFramesOfTheFirstRepetition) {
         EXPECT_GT(result.firstFrameMs, 0);
     }
     told.clear();
-    options.oracle = validation::Oracle::None;
+    options.groundTruth = validation::GroundTruth::None;
     const RunResult again = walkAgain({session, path, runs, options}, 1, progress);
     EXPECT_EQ(again.run.name, runs[1].name);
     EXPECT_EQ(again.rows.size(), 6U);
@@ -282,8 +282,8 @@ TEST(QuickFrames, AreFewerTheMoreThereIsToDraw) {
     settings::Settings large = smallSettings();
     large.imageSize = {1000, 1000};
     task::Session session(model(), large, [](const std::string&) {});
-    const auto quick = [&](const settings::Settings& settings, std::size_t runs, int repetitions, int most) {
-        WalkOptions options = frames(most);
+    const auto quick = [&](const settings::Settings& settings, std::size_t runs, int repetitions, int max) {
+        WalkOptions options = frames(max);
         options.repetitions = repetitions;
         return quickFrames(session, flight(), runsOf(std::vector(runs, settings)), options);
     };

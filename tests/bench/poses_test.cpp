@@ -128,7 +128,7 @@ private:
             nans += std::isnan(depth) || depth < 0 || depth > 1 ? 1 : 0;
         EXPECT_EQ(nans, 0U);
         for (const plan::ShadowPass& pass : frame.plan.passes) {
-            EXPECT_TRUE(std::isfinite(pass.map.promised.x) && std::isfinite(pass.map.promised.z));
+            EXPECT_TRUE(std::isfinite(pass.map.aliasingBound.x) && std::isfinite(pass.map.aliasingBound.z));
             EXPECT_GT(pass.map.innerRectangle().width, 0);
             EXPECT_GT(pass.map.innerRectangle().height, 0);
         }

@@ -19,8 +19,8 @@ namespace {
 
 using telemetry::FrameRow;
 
-std::optional<double> maybe(Random& random, double most) {
-    return random.below(4) == 0 ? std::nullopt : std::optional(random.uniform(0, most));
+std::optional<double> maybe(Random& random, double max) {
+    return random.below(4) == 0 ? std::nullopt : std::optional(random.uniform(0, max));
 }
 
 RunResult anyResult(Random& random) {
@@ -40,8 +40,8 @@ RunResult anyResult(Random& random) {
             row.shadowMaps = static_cast<int>(random.below(6));
             row.imageTriangles = static_cast<std::int64_t>(random.below(1000));
             if (random.below(2) == 0) row.shadowTriangles = static_cast<std::int64_t>(random.below(1000));
-            row.promisedAliasingX = maybe(random, 4);
-            row.promisedAliasingZ = maybe(random, 4);
+            row.aliasingBoundX = maybe(random, 4);
+            row.aliasingBoundZ = maybe(random, 4);
             row.measuredAliasing = maybe(random, 4);
             row.wrongShadowFraction = maybe(random, 0.1);
             row.missedShadowFraction = maybe(random, 0.1);
@@ -49,7 +49,7 @@ RunResult anyResult(Random& random) {
             row.imageDifference = maybe(random, 0.1);
             row.crawl = maybe(random, 0.1);
             row.storageFactor = maybe(random, 99);
-            if (random.below(3) != 0) row.promiseKept = random.below(8) != 0;
+            if (random.below(3) != 0) row.isBoundKept = random.below(8) != 0;
             row.pagesDamaged = static_cast<std::int64_t>(random.below(3));
             row.pagesMissing = static_cast<std::int64_t>(random.below(9));
             result.rows.push_back(row);
@@ -100,14 +100,14 @@ TEST(RandomSummary, HasMediansMeansAndWorstOfItsRows) {
             images += static_cast<double>(*row.imageTriangles) / static_cast<double>(result.rows.size());
             shadows += static_cast<double>(row.shadowTriangles.value_or(0)) / static_cast<double>(result.rows.size());
             maps = std::max(maps, static_cast<int>(row.shadowMaps));
-            isKept = isKept && row.promiseKept.value_or(true);
+            isKept = isKept && row.isBoundKept.value_or(true);
             damaged = std::max(damaged, static_cast<std::uint64_t>(*row.pagesDamaged));
             missing = std::max(missing, static_cast<std::uint64_t>(*row.pagesMissing));
         }
         EXPECT_NEAR(told.imageTriangles, images, 1e-9);
         EXPECT_NEAR(told.shadowTriangles, shadows, 1e-9);
         EXPECT_EQ(told.shadowMaps, maps);
-        EXPECT_EQ(told.promiseKept, isKept);
+        EXPECT_EQ(told.isBoundKept, isKept);
         EXPECT_EQ(told.pagesDamaged, damaged);
         EXPECT_EQ(told.pagesMissing, missing);
     }
@@ -135,9 +135,9 @@ TEST(RandomSummary, KnowsTheErrorsThatSomeFrameWasMeasuredFor) {
         const std::vector<double> wrong = known(result, &FrameRow::wrongShadowFraction);
         const std::vector<double> edges = known(result, &FrameRow::shadowEdgeP99Px);
         const std::vector<double> pictures = known(result, &FrameRow::imageDifference);
-        const double promised = std::max(
-            largest(known(result, &FrameRow::promisedAliasingX)), largest(known(result, &FrameRow::promisedAliasingZ)));
-        expect(ErrorKind::PromisedAliasing, promised > 0, promised);
+        const double aliasingBound = std::max(
+            largest(known(result, &FrameRow::aliasingBoundX)), largest(known(result, &FrameRow::aliasingBoundZ)));
+        expect(ErrorKind::AliasingBound, aliasingBound > 0, aliasingBound);
         expect(ErrorKind::MeasuredAliasing, !measured.empty(), largest(measured));
         const double missed = meanOf(known(result, &FrameRow::missedShadowFraction));
         expect(ErrorKind::WrongShadow, !wrong.empty(), meanOf(wrong) + missed);
@@ -167,9 +167,9 @@ TEST(RandomSummary, HasTheNoiseOfItsRepetitionsAndTimesAlongThePath) {
             medians.push_back(middleTime(result, &FrameRow::repetition, repetition));
         const report::RunSummary told = summarize(result);
         ASSERT_EQ(told.noise.has_value(), repetitions > 1);
-        const auto [least, most] = std::minmax_element(medians.begin(), medians.end());
+        const auto [min, max] = std::minmax_element(medians.begin(), medians.end());
         if (told.noise) {
-            EXPECT_NEAR(*told.noise, (*most - *least) / 2 / ((*most + *least) / 2), 1e-12);
+            EXPECT_NEAR(*told.noise, (*max - *min) / 2 / ((*max + *min) / 2), 1e-12);
         }
         ASSERT_EQ(told.frameMs.size(), static_cast<std::size_t>(frames));
         for (std::int64_t frame = 0; frame < frames; ++frame)

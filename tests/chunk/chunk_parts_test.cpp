@@ -25,7 +25,7 @@ TEST(ChunkStreams, AVertexComesBackWithWhatItsFormatHas) {
         std::vector<ChunkVertex> vertices(20);
         std::vector<std::byte> records;
         for (ChunkVertex& vertex : vertices) {
-            vertex.index = format.isWide ? random.bits() : random.below(kMostNarrow);
+            vertex.index = format.isWide ? random.bits() : random.below(kMaxNarrowIndex);
             vertex.position = {random.uniform(-1e6, 1e6), random.unit(), -random.unit()};
             vertex.normal = static_cast<std::uint32_t>(random.bits());
             vertex.color = static_cast<std::uint32_t>(random.bits());
@@ -158,19 +158,19 @@ TEST(SharedPlaces, AreThoseWhereOtherChunksMayHaveTriangles) {
         << "a vertex at its place counts";
 }
 
-/// Raises `most` to `now` if that is more.
-void raise(std::atomic<int>& most, int now) {
-    int before = most;
-    while (before < now && !most.compare_exchange_weak(before, now)) {
+/// Raises `max` to `now` if that is more.
+void raise(std::atomic<int>& max, int now) {
+    int before = max;
+    while (before < now && !max.compare_exchange_weak(before, now)) {
     }
 }
 
 TEST(MakeInOrder, TakesInOrderHoweverLongEachTakes) {
     std::vector<std::size_t> taken;
     std::atomic<int> held{0};
-    std::atomic<int> most{0};
+    std::atomic<int> max{0};
     const auto make = [&](std::size_t i) {
-        raise(most, ++held);
+        raise(max, ++held);
         if (i % 5 == 0) std::this_thread::sleep_for(std::chrono::microseconds(300));
         return i * i;
     };
@@ -183,7 +183,7 @@ TEST(MakeInOrder, TakesInOrderHoweverLongEachTakes) {
     ASSERT_EQ(taken.size(), 57U);
     for (std::size_t i = 0; i < taken.size(); ++i)
         EXPECT_EQ(taken[i], i + 3);
-    EXPECT_LE(most, 4) << "never more results than were asked for";
+    EXPECT_LE(max, 4) << "never more results than were asked for";
     makeInOrder(5, 5, 2, make, [](std::size_t, std::size_t) { FAIL() << "there is nothing to do"; });
 }
 

@@ -115,7 +115,7 @@ void addInThreeParts(const Weights& weights, const GridPoint& furthest, int root
 // As processes do that know a part of the points each.
 TEST(CellCounts, OfPartsAddUpToTheTreeOfAll) {
     Random random(9);
-    for (const int rootBits : {2, 5, CellCounts::kMostRootBits}) {
+    for (const int rootBits : {2, 5, CellCounts::kMaxRootBits}) {
         const Weights weights = randomWeights(random, 5000, 3000);
         const GridPoint furthest{5000, 5000, 5000};
         constexpr std::uint64_t kLimit = 200;

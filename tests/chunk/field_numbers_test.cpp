@@ -63,8 +63,8 @@ TEST(FieldNumbers, AreHalfAStepOffAtMost) {
             const std::uint32_t word = packedFields(own, fields);
             for (std::size_t i = 0; i < count; ++i) {
                 EXPECT_EQ(fields[i].bits, layout.bits[i]);
-                const double range = fields[i].greatest - fields[i].least;
-                const double back = fields[i].least + layout.number(word, i) * range / layout.greatest(i);
+                const double range = fields[i].max - fields[i].min;
+                const double back = fields[i].min + layout.number(word, i) * range / layout.maxNumber(i);
                 EXPECT_LE(std::abs(back - own[i]), fields[i].error() * (1 + 1e-9));
             }
         }

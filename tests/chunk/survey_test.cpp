@@ -62,8 +62,8 @@ TEST(Grid, TheStepIsTheLargestThatTheRulesAllow) {
         const Box box{{0, 0, 0}, {extent, extent * random.unit(), extent * random.unit()}};
         const hierarchy::Grid grid = chooseGrid(box, box, lengthsOf({median, median, median}));
         const double rule = largestStep(extent, median, median);
-        const double least = std::exp2(std::floor(std::log2(extent)) - 29); // of thirty bits
-        EXPECT_EQ(grid.step(), std::max(rule, least)) << extent << ' ' << median;
+        const double min = std::exp2(std::floor(std::log2(extent)) - 29); // of thirty bits
+        EXPECT_EQ(grid.step(), std::max(rule, min)) << extent << ' ' << median;
         EXPECT_LE(extent / grid.step(), static_cast<double>(hierarchy::kMaxGridCoordinate));
     }
 }

@@ -88,10 +88,10 @@ TEST(Chunks, HaveEachColourAtAPlaceOnceAndTrianglesKeepTheirs) {
         EXPECT_EQ(placeOf.try_emplace(vertex.position, mesh.positionOf[v]).first->second, mesh.positionOf[v]);
     }
     EXPECT_EQ(mesh.positionCount, kCount + 1);
-    const auto most = std::max_element(colorsAt.begin(), colorsAt.end(), [](const auto& a, const auto& b) {
+    const auto max = std::max_element(colorsAt.begin(), colorsAt.end(), [](const auto& a, const auto& b) {
         return a.second.size() < b.second.size();
     });
-    EXPECT_EQ(most->second.size(), 5U) << "all meet in the middle";
+    EXPECT_EQ(max->second.size(), 5U) << "all meet in the middle";
 }
 
 } // namespace

@@ -52,9 +52,9 @@ class Fuzz(unittest.TestCase):
             self.assertTrue(lines[0].startswith("gnomon: "), told)
         return result.returncode
 
-    def some(self, table, most):
+    def some(self, table, max_count):
         words = []
-        for option in self.random.sample(sorted(table), self.random.randint(0, most)):
+        for option in self.random.sample(sorted(table), self.random.randint(0, max_count)):
             words += [option, self.random.choice(table[option])]
         return words
 

@@ -18,7 +18,7 @@ IS_SANITIZED = any(name in pathlib.Path(GNOMON).read_bytes() for name in (b"__as
 PATH = DATA / "paths/sundial_orbit.json"
 SMALL = ("--size", "32x32", "--shadow-texels", "128x128")
 WALK = (*SMALL, "--frames", "2", "--warmup", "0")
-MOST_BYTES = 256 << 20  # of a run on a small model: far below what the files below once took
+MAX_BYTES = 256 << 20  # of a run on a small model: far below what the files below once took
 
 
 def rows_of(model):
@@ -47,7 +47,7 @@ class Hostile(ProgramTest):
         self.assertEqual(said.count("\n"), 1, told)
         self.assertTrue(said.startswith("gnomon: "), told)
         if not IS_SANITIZED:
-            self.assertLess(peak, MOST_BYTES, told)
+            self.assertLess(peak, MAX_BYTES, told)
         return said
 
     def commands(self, model):

@@ -57,17 +57,17 @@ class MemoryTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.place = pathlib.Path(folder.name)
 
-    def expect_kept(self, mesh, chunk_triangles="400k", most_times=1.6):
+    def expect_kept(self, mesh, chunk_triangles="400k", max_ratio=1.6):
         model = self.place / "m.gnm"
         refused = run("build", mesh, "-o", model, "--memory", "1M", "--chunk-triangles", chunk_triangles)
         self.assertEqual(refused.returncode, 1)
-        least = re.search(r"expected --memory (\d+)M or more", refused.stderr)
-        self.assertTrue(least, refused.stderr)
+        minimum = re.search(r"expected --memory (\d+)M or more", refused.stderr)
+        self.assertTrue(minimum, refused.stderr)
         built = run("build", mesh, "-o", model, "--memory", f"{least[1]}M", "--chunk-triangles", chunk_triangles, "--error", "estimated", "--json")
         self.assertEqual(built.returncode, 0, built.stderr)
         peak = json.loads(built.stdout)["peak_rss_bytes"]
-        self.assertLessEqual(peak, int(least[1]) << 20)
-        self.assertLessEqual(int(least[1]) << 20, most_times * peak)
+        self.assertLessEqual(peak, int(minimum[1]) << 20)
+        self.assertLessEqual(int(minimum[1]) << 20, max_ratio * peak)
 
     def test_loose_triangles(self):
         write_parts(self.place / "loose.ply", 700_000, 3, "double")
@@ -94,11 +94,11 @@ class MemoryTest(unittest.TestCase):
     def test_a_welded_surface(self):
         made = run("make", "statue", "--triangles", "300k", "-o", self.place / "statue.ply")
         self.assertEqual(made.returncode, 0, made.stderr)
-        self.expect_kept(self.place / "statue.ply", most_times=1.25)
+        self.expect_kept(self.place / "statue.ply", max_ratio=1.25)
 
     def test_a_small_model_needs_little(self):
         for name in ("sundial.ply", "colonnade.obj"):
-            self.expect_kept(DATA / "models" / name, most_times=1.25)
+            self.expect_kept(DATA / "models" / name, max_ratio=1.25)
 
     def test_exports_and_checks_stay_below_their_limit_or_name_one(self):
         mesh, model, out = self.place / "plant.ply", self.place / "plant.gnm", self.place / "out"
@@ -120,8 +120,8 @@ class MemoryTest(unittest.TestCase):
                 if done.code == 0:
                     self.assertLessEqual(done.mebibytes, int(limit[:-1]), words)
                     continue
-                least = re.search(r"too little memory for .*: expected --memory (\d+)M or more", said)
-                self.assertTrue(least, said)
+                minimum = re.search(r"too little memory for .*: expected --memory (\d+)M or more", said)
+                self.assertTrue(minimum, said)
                 self.assertEqual((done.code, said.count("\n")), (1, 1), said)
                 self.assertEqual(list(out.iterdir()), [])
                 if limit == "1M":

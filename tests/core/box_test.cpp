@@ -30,23 +30,23 @@ TEST(Box, HoldsWhatWasAddedAndNoMore) {
     for (int trial = 0; trial < 200; ++trial) {
         Box box;
         Box united;
-        glm::dvec3 least(9);
-        glm::dvec3 most(-9);
+        glm::dvec3 min(9);
+        glm::dvec3 max(-9);
         for (int i = 0; i < 5; ++i) {
             const glm::dvec3 a = randomPoint(random, 2);
             const glm::dvec3 b = randomPoint(random, 2);
             box.add(a);
             box.add(b);
             united.add(Box{glm::min(a, b), glm::max(a, b)});
-            least = glm::min(least, glm::min(a, b));
-            most = glm::max(most, glm::max(a, b));
+            min = glm::min(min, glm::min(a, b));
+            max = glm::max(max, glm::max(a, b));
         }
-        EXPECT_EQ(box.min, least);
-        EXPECT_EQ(box.max, most);
-        EXPECT_EQ(united.min, least);
-        EXPECT_EQ(united.max, most);
-        EXPECT_EQ(box.extent(), most - least);
-        EXPECT_LE(glm::distance(box.center(), (least + most) / 2.0), 1e-15);
+        EXPECT_EQ(box.min, min);
+        EXPECT_EQ(box.max, max);
+        EXPECT_EQ(united.min, min);
+        EXPECT_EQ(united.max, max);
+        EXPECT_EQ(box.extent(), max - min);
+        EXPECT_LE(glm::distance(box.center(), (min + max) / 2.0), 1e-15);
     }
 }
 

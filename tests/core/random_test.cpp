@@ -25,18 +25,18 @@ TEST(Random, IsTheSplitMix64OfThePaper) {
 TEST(Random, UnitsLieInTheHalfOpenIntervalAndFillIt) {
     Random random(1);
     std::array<int, 16> bins{};
-    double least = 1;
-    double most = 0;
+    double min = 1;
+    double max = 0;
     for (int i = 0; i < 160000; ++i) {
         const double unit = random.unit();
         ASSERT_GE(unit, 0);
         ASSERT_LT(unit, 1);
-        least = std::min(least, unit);
-        most = std::max(most, unit);
+        min = std::min(min, unit);
+        max = std::max(max, unit);
         ++bins.at(static_cast<std::size_t>(unit * 16));
     }
-    EXPECT_LT(least, 1e-4);
-    EXPECT_GT(most, 1 - 1e-4);
+    EXPECT_LT(min, 1e-4);
+    EXPECT_GT(max, 1 - 1e-4);
     for (const int count : bins)
         EXPECT_NEAR(count, 10000, 500) << "five standard deviations";
 }

@@ -18,18 +18,18 @@ class Together {
 public:
     void enter() {
         const int together = ++now_;
-        int before = most_;
-        while (before < together && !most_.compare_exchange_weak(before, together)) {
+        int before = max_;
+        while (before < together && !max_.compare_exchange_weak(before, together)) {
         }
     }
 
     void leave() { --now_; }
 
-    int most() const { return most_; }
+    int max() const { return max_; }
 
 private:
     std::atomic<int> now_{0};
-    std::atomic<int> most_{0};
+    std::atomic<int> max_{0};
 };
 
 void expectAllOnce(TaskPool& pool, std::size_t tasks, int expectedToFail) {
@@ -62,7 +62,7 @@ TEST(TaskPool, RunsAllAndHasNoMoreThreadsThanItSays) {
             });
         EXPECT_EQ(pool.running(), 40U);
         expectAllOnce(pool, 40, 4);
-        EXPECT_LE(together.most(), static_cast<int>(threads));
+        EXPECT_LE(together.max(), static_cast<int>(threads));
     }
 }
 

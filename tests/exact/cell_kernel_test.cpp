@@ -40,10 +40,10 @@ Extent plainExtent(const glm::dmat4x3& plane, std::size_t map, const SampleRun& 
         const glm::dvec3 p = plane * glm::dvec4(run.samples->u[i], run.samples->v[i], run.samples->h[i], 1);
         const glm::dvec2 place = glm::dvec2(p) / p.z;
         ++extent.samples;
-        extent.leastW = std::min(extent.leastW, p.z);
-        extent.mostW = std::max(extent.mostW, p.z);
-        extent.least = glm::min(extent.least, place);
-        extent.most = glm::max(extent.most, place);
+        extent.minW = std::min(extent.minW, p.z);
+        extent.maxW = std::max(extent.maxW, p.z);
+        extent.min = glm::min(extent.min, place);
+        extent.max = glm::max(extent.max, place);
     }
     return extent;
 }
@@ -65,10 +65,10 @@ TEST(CellKernel, FindsWhatALookAtEachFinds) {
             SCOPED_TRACE(target);
             const Extent extent = extentOn(plane, map, run);
             EXPECT_EQ(extent.samples, plain.samples);
-            EXPECT_EQ(extent.leastW, plain.leastW);
-            EXPECT_EQ(extent.mostW, plain.mostW);
-            EXPECT_EQ(extent.least, plain.least);
-            EXPECT_EQ(extent.most, plain.most);
+            EXPECT_EQ(extent.minW, plain.minW);
+            EXPECT_EQ(extent.maxW, plain.maxW);
+            EXPECT_EQ(extent.min, plain.min);
+            EXPECT_EQ(extent.max, plain.max);
             std::vector<std::uint32_t> cells(count + 16, 12345678);
             findCells(plane, map, side, run, cells);
             for (std::size_t i = run.begin; i < count; ++i) {
@@ -83,18 +83,18 @@ TEST(CellKernel, FindsWhatALookAtEachFinds) {
 TEST(FrameArray, KeepsWhatItHasRoomFor) {
     FrameArray<int> values;
     EXPECT_EQ(values.begin(), values.end());
-    values.makeRoom(3);
+    values.ensureCapacity(3);
     for (std::size_t i = 0; i < 3; ++i)
         values[i] = static_cast<int>(i);
-    values.makeRoom(2);
+    values.ensureCapacity(2);
     EXPECT_EQ(values.size(), 3U);
     EXPECT_TRUE(std::equal(values.begin(), values.end(), std::vector{0, 1, 2}.begin()));
     FrameArray<int> others;
-    others.makeRoom(7);
+    others.ensureCapacity(7);
     others.swap(values);
     EXPECT_EQ(values.size(), 7U);
     EXPECT_EQ(others[2], 2);
-    others.makeRoom(4);
+    others.ensureCapacity(4);
     EXPECT_EQ(others.size(), 4U);
 }
 

@@ -1,6 +1,6 @@
 // Exact shadows against the loop over all samples and triangles: the same verdicts from every grid, warp, instruction
 // set and number of threads.
-#include "exact/cast_context.h"
+#include "exact/caster_context.h"
 #include "exact/caster_kernel.h"
 #include "exact/exact_shadows.h"
 #include "tests/exact/scenes.h"
@@ -75,7 +75,7 @@ IntegerLight someTieLight(RandomWholes& random) {
 }
 
 TEST(ExactShadows, EqualThePlainLoopWhereTiesAbound) {
-    std::uint64_t touching = 0;
+    std::uint64_t withinTolerance = 0;
     std::uint64_t dark = 0;
     std::uint64_t lit = 0;
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -89,11 +89,11 @@ TEST(ExactShadows, EqualThePlainLoopWhereTiesAbound) {
         const SampleSpace space = spaceOf(someTieLight(random), glm::dvec3(random.point(-20, 20)) + 0.5, maps);
         const int side = static_cast<int>(random.whole(4, 64));
         const auto found = expectSameAsPlain(scene, space, somePlanes(random, static_cast<std::size_t>(maps), 6), side);
-        touching += found.touching;
+        withinTolerance += found.withinTolerance;
         dark += found.dark;
         lit += found.samples - found.dark;
     }
-    EXPECT_GT(touching, 100U);
+    EXPECT_GT(withinTolerance, 100U);
     EXPECT_GT(dark, 1000U);
     EXPECT_GT(lit, 1000U);
 }
@@ -120,14 +120,14 @@ TEST(ExactShadows, EqualThePlainLoopAtAnyLightAndSize) {
         SCOPED_TRACE(seed);
         RandomWholes random(seed + 1000);
         Scene scene;
-        const std::int64_t most = std::int64_t{1} << random.whole(3, 30);
+        const std::int64_t max = std::int64_t{1} << random.whole(3, 30);
         for (int clusters = 0; clusters < 3; ++clusters)
-            scene.add(someTriangles(random, 20, most));
+            scene.add(someTriangles(random, 20, max));
         const int maps = static_cast<int>(random.whole(1, 3));
         addPoints(random, scene, 200, maps, false);
         const glm::dvec3 towards(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
-        const SampleSpace space = spaceOf(roundedLight(towards), glm::dvec3(random.point(-most, most)), maps);
-        const auto reach = static_cast<double>(most);
+        const SampleSpace space = spaceOf(roundedLight(towards), glm::dvec3(random.point(-max, max)), maps);
+        const auto reach = static_cast<double>(max);
         expectSameAsPlain(
             scene,
             space,
@@ -139,14 +139,14 @@ TEST(ExactShadows, EqualThePlainLoopAtAnyLightAndSize) {
 /// A warp whose w falls to 2^-18 at the first of the samples, and is 1 some cells on: around there a rounding of (u, v)
 /// spans cells.
 glm::dmat3 planeThroughSamples(const SampleList& samples) {
-    const double least = *std::min_element(samples.u.begin(), samples.u.begin() + static_cast<int>(samples.size()));
-    return {{1, 0, 1.0 / 32}, {0, 1, 0}, {0, 0, 0x1p-18 - least / 32}};
+    const double min = *std::min_element(samples.u.begin(), samples.u.begin() + static_cast<int>(samples.size()));
+    return {{1, 0, 1.0 / 32}, {0, 1, 0}, {0, 0, 0x1p-18 - min / 32}};
 }
 
 /// Points on whole cells of one small triangle, and casters each of which has a corner straight before one of them.
-Scene sceneOfCornersOnRays(RandomWholes& random, const IntegerLight& light, std::int64_t most) {
+Scene sceneOfCornersOnRays(RandomWholes& random, const IntegerLight& light, std::int64_t max) {
     Scene scene;
-    const glm::i64vec3 at = random.point(-most, most) / random.whole(1, most);
+    const glm::i64vec3 at = random.point(-max, max) / random.whole(1, max);
     const glm::i64vec3 b = random.point(-9, 9) * 4L;
     const glm::i64vec3 c = random.point(-9, 9) * 4L;
     std::vector<Corners> triangles{{at, at + b, at + c}};
@@ -156,7 +156,7 @@ Scene sceneOfCornersOnRays(RandomWholes& random, const IntegerLight& light, std:
                                               : glm::i64vec3(1, 2, 0);
         scene.points.push_back({0, static_cast<float>(weights.x) / 4, static_cast<float>(weights.y) / 4, 0, 0});
         const glm::i64vec3 corner = at + (b * weights.x + c * weights.y) / 4L + light.direction * random.whole(1, 32);
-        triangles.push_back({corner, corner + random.point(-most, most), corner + random.point(-most, most)});
+        triangles.push_back({corner, corner + random.point(-max, max), corner + random.point(-max, max)});
     }
     scene.add(triangles);
     scene.points.resize(static_cast<std::size_t>(random.whole(1, 4)));
@@ -165,7 +165,7 @@ Scene sceneOfCornersOnRays(RandomWholes& random, const IntegerLight& light, std:
 
 TEST(ExactShadows, CellsAreNeverSmallerThanARounding) {
     GNOMON_TOO_LONG_FOR_SANITIZERS();
-    std::uint64_t touching = 0;
+    std::uint64_t withinTolerance = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         SCOPED_TRACE(seed);
         RandomWholes random(seed + 2000);
@@ -176,9 +176,9 @@ TEST(ExactShadows, CellsAreNeverSmallerThanARounding) {
         fill(samples, scene, space);
         if (samples.size() == 0) continue;
         for (const glm::dmat3& plane : {glm::dmat3(1), planeThroughSamples(samples)})
-            touching += expectSameAsPlain(scene, space, {plane}, 64).touching;
+            withinTolerance += expectSameAsPlain(scene, space, {plane}, 64).withinTolerance;
     }
-    EXPECT_GT(touching, 100U);
+    EXPECT_GT(withinTolerance, 100U);
 }
 
 TEST(ExactShadows, AsFarAsTheToleranceStillTouches) {
@@ -219,8 +219,8 @@ TEST(ExactShadows, SmallGenericScenesNeedFewIntegers) {
         const IntegerLight light = roundedLight({random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
         const ExactStatistics found =
             expectSameAsPlain(scene, spaceOf(light, glm::dvec3(random.point(0, 5000))), {glm::dmat3(1)}, 8);
-        tests += found.cast.sampleTests;
-        decisions += found.cast.exactDecisions;
+        tests += found.counts.sampleTests;
+        decisions += found.counts.exactDecisions;
     }
     EXPECT_GT(tests, 20000U);
     EXPECT_LT(decisions, tests / 10000);
@@ -232,7 +232,7 @@ TEST(ExactShadows, OfNoSampleAskNoTriangle) {
     const ExactStatistics none = expectSameAsPlain(scene, spaceOf({}, {1, 9, 1}), {glm::dmat3(1)}, 4);
     EXPECT_EQ(none.samples, 0U);
     EXPECT_EQ(none.cells, 16U);
-    EXPECT_EQ(none.cast.clustersTested, 0U);
+    EXPECT_EQ(none.counts.clustersTested, 0U);
 }
 
 TEST(ExactShadows, CountsAddUp) {
@@ -246,19 +246,19 @@ TEST(ExactShadows, CountsAddUp) {
     const ExactStatistics found = expectSameAsPlain(scene, space, {glm::dmat3(1)}, 4);
     EXPECT_EQ(found.samples, 1U);
     EXPECT_EQ(found.dark, 1U);
-    EXPECT_EQ(found.touching, 0U);
-    EXPECT_EQ(found.cast.clustersTested, 1U); // the first decides the last sample: the other is not asked
-    EXPECT_EQ(found.cast.triangles, 2U);
-    EXPECT_EQ(found.cast.trianglesCast, 2U);
-    EXPECT_EQ(found.cast.sampleTests, 2U);
-    EXPECT_EQ(found.cast.exactDecisions, 0U);
+    EXPECT_EQ(found.withinTolerance, 0U);
+    EXPECT_EQ(found.counts.clustersTested, 1U); // the first decides the last sample: the other is not asked
+    EXPECT_EQ(found.counts.triangles, 2U);
+    EXPECT_EQ(found.counts.trianglesRasterized, 2U);
+    EXPECT_EQ(found.counts.sampleTests, 2U);
+    EXPECT_EQ(found.counts.exactDecisions, 0U);
 }
 
 TEST(ExactShadows, CoplanarTrianglesOfAnySizeCastNothing) {
     RandomWholes random(5);
     for (int i = 0; i < 200; ++i) {
-        const std::int64_t most = std::int64_t{1} << random.whole(3, 27);
-        const Corners corners{random.point(-most, most), random.point(-most, most), random.point(-most, most)};
+        const std::int64_t max = std::int64_t{1} << random.whole(3, 27);
+        const Corners corners{random.point(-max, max), random.point(-max, max), random.point(-max, max)};
         Scene scene;
         scene.add(std::vector<Corners>{
             corners,
@@ -324,7 +324,7 @@ TEST(ExactShadows, SamplesOnTheBordersOfCells) {
     }
     const ExactStatistics found = expectSameAsPlain(scene, spaceOf(light, {0, 0, 1e6}), {glm::dmat3(1)}, 1000);
     EXPECT_EQ(found.samples, 300U);
-    EXPECT_GT(found.touching, 200U);
+    EXPECT_GT(found.withinTolerance, 200U);
 }
 
 } // namespace

@@ -62,7 +62,7 @@ ExactStatistics under(const std::vector<Corners>& casters) {
 void samplesUnderAnEdge() {
     // The diagonal of the sheet runs over samples; so do its sides, which belong to one of two sheets that share one.
     EXPECT_EQ(under(sheet(-1, -1, 9, 9, 5)).dark, 21U);
-    EXPECT_GT(under(sheet(-1, -1, 9, 9, 5)).touching, 0U);
+    EXPECT_GT(under(sheet(-1, -1, 9, 9, 5)).withinTolerance, 0U);
     const std::uint64_t left = under(sheet(-1, -1, 3, 9, 5)).dark;
     const std::uint64_t right = under(sheet(3, -1, 9, 9, 5)).dark;
     EXPECT_EQ(left + right, 21U);
@@ -172,8 +172,8 @@ void lightInThePlaneOfAFace() {
     const auto with = expectSameAsPlain(withWalls, space, kNoWarp, 8);
     EXPECT_GT(without.dark, 5U);
     EXPECT_EQ(with.dark, without.dark);
-    EXPECT_EQ(with.touching, without.touching);
-    EXPECT_EQ(with.cast.exactDecisions, without.cast.exactDecisions);
+    EXPECT_EQ(with.withinTolerance, without.withinTolerance);
+    EXPECT_EQ(with.counts.exactDecisions, without.counts.exactDecisions);
 }
 
 void trianglesThroughTheWarpsCentre() {
@@ -204,7 +204,7 @@ void aThousandSamplesInOneCell() {
     const auto found = expectSameAsPlain(scene, spaceOf(kUpright, {1, 1, 99}), kNoWarp, 64);
     EXPECT_GT(found.dark, 300U);
     EXPECT_LT(found.dark, 1000U);
-    EXPECT_EQ(found.cast.sampleTests, 2002U); // of the floor with all, of the caster with those of its cell
+    EXPECT_EQ(found.counts.sampleTests, 2002U); // of the floor with all, of the caster with those of its cell
 }
 
 void aSampleThatChangesItsMap() {

@@ -68,7 +68,7 @@ bool plainMayShadow(std::span<const Lookup> lookups, const raster::PixelBox& box
 
 TEST(LookupMask, NamesEveryCasterThatALookupMeets) {
     Random random(3);
-    std::size_t met = 0;
+    std::size_t hit = 0;
     std::size_t ruledOut = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const std::vector<Lookup> lookups = randomLookups(random, 1 + random.below(60));
@@ -76,17 +76,17 @@ TEST(LookupMask, NamesEveryCasterThatALookupMeets) {
         for (int i = 0; i < 100; ++i) {
             const CasterBound bound = {randomBox(random), static_cast<float>(random.unit())};
             const bool may = mask.mayShadow(bound);
-            const bool isMet = plainMayShadow(lookups, bound.texels, bound.nearest, 0);
-            met += isMet ? 1U : 0U;
+            const bool isHit = plainMayShadow(lookups, bound.texels, bound.nearest, 0);
+            hit += isHit ? 1U : 0U;
             ruledOut += may ? 0U : 1U;
-            EXPECT_TRUE(may || !isMet);
+            EXPECT_TRUE(may || !isHit);
             // No more than the blocks of the level of the pyramid that the box is looked up at lie around it.
             const int side = std::max(bound.texels.width(), bound.texels.height());
             EXPECT_TRUE(!may || plainMayShadow(lookups, bound.texels, bound.nearest, side + 16));
-            EXPECT_FALSE(isMet && mask.isEmpty(bound.texels));
+            EXPECT_FALSE(isHit && mask.isEmpty(bound.texels));
         }
     }
-    EXPECT_GT(met, 300U);
+    EXPECT_GT(hit, 300U);
     EXPECT_GT(ruledOut, 300U);
 }
 

@@ -2,7 +2,7 @@
 // against the loop over all samples and triangles, and where the light lies on what it shines on.
 #include "exact/point_predicate.h"
 #include "exact/pyramid_clip.h"
-#include "tests/exact/plain_meeting.h"
+#include "tests/exact/plain_intersection.h"
 #include "tests/exact/scenes.h"
 
 #include <glm/geometric.hpp>
@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::int64_t kPointScale = std::int64_t{1} << kWeightBits;
 
-bool isSameMeeting(const RayMeeting& a, const RayMeeting& b) {
-    return a.meeting == b.meeting && a.isOnEdge == b.isOnEdge;
+bool isSameHit(const RayHit& a, const RayHit& b) {
+    return a.kind == b.kind && a.isOnEdge == b.isOnEdge;
 }
 
 TEST(PointLight, PredicateEqualsCramersRuleWhereTiesAbound) {
     RandomWholes random(1);
-    std::array<int, 3> meetings{};
+    std::array<int, 3> hits{};
     int ties = 0;
     for (int i = 0; i < 40000; ++i) {
         const Corners caster{random.point(0, 6), random.point(0, 6), random.point(0, 6)};
@@ -30,39 +30,39 @@ TEST(PointLight, PredicateEqualsCramersRuleWhereTiesAbound) {
         const glm::i64vec3 point =
             random.whole(0, 1) == 0 ? random.point(0, 24) * (kPointScale / 4) : random.point(0, 6) * kPointScale;
         if (point == light * kPointScale) continue;
-        const RayMeeting met = meetTowards(caster, light, point);
-        ASSERT_TRUE(isSameMeeting(met, plainPointMeeting(caster, light, point))) << i;
-        ++meetings[static_cast<std::size_t>(met.meeting)];
-        ties += met.isOnEdge ? 1 : 0;
+        const RayHit hit = intersectTowards(caster, light, point);
+        ASSERT_TRUE(isSameHit(hit, plainPointHit(caster, light, point))) << i;
+        ++hits[static_cast<std::size_t>(hit.kind)];
+        ties += hit.isOnEdge ? 1 : 0;
     }
-    EXPECT_GT(meetings[1], 300);
-    EXPECT_GT(meetings[2], 100);
+    EXPECT_GT(hits[1], 300);
+    EXPECT_GT(hits[2], 100);
     EXPECT_GT(ties, 60);
 }
 
 TEST(PointLight, PredicateHoldsTheLargestCoordinates) {
     RandomWholes random(2);
-    constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
-    constexpr std::int64_t kMostLight = (std::int64_t{1} << kPointLightBits) - 1;
+    constexpr std::int64_t kMaxCoordinate = (std::int64_t{1} << 31) - 1;
+    constexpr std::int64_t kMaxLight = (std::int64_t{1} << kPointLightBits) - 1;
     // Corners of the cube of all coordinates, or anything within.
-    const auto somewhere = [&](std::int64_t most) {
+    const auto somewhere = [&](std::int64_t max) {
         glm::i64vec3 p;
         for (int axis = 0; axis < 3; ++axis)
-            p[axis] = random.whole(0, 2) == 0 ? random.whole(-most, most) : random.whole(0, 1) * 2 * most - most;
+            p[axis] = random.whole(0, 2) == 0 ? random.whole(-max, max) : random.whole(0, 1) * 2 * max - max;
         return p;
     };
-    int met = 0;
+    int hit = 0;
     for (int i = 0; i < 10000; ++i) {
-        const Corners caster{somewhere(kMost), somewhere(kMost), somewhere(kMost)};
-        const glm::i64vec3 light = somewhere(random.whole(0, 1) == 0 ? kMost : kMostLight);
-        const glm::i64vec3 place = somewhere(kMost);
+        const Corners caster{somewhere(kMaxCoordinate), somewhere(kMaxCoordinate), somewhere(kMaxCoordinate)};
+        const glm::i64vec3 light = somewhere(random.whole(0, 1) == 0 ? kMaxCoordinate : kMaxLight);
+        const glm::i64vec3 place = somewhere(kMaxCoordinate);
         const glm::i64vec3 point = place * kPointScale;
         if (place == light) continue; // which, scaled, 64 bits need not hold
-        const RayMeeting found = meetTowards(caster, light, point);
-        ASSERT_TRUE(isSameMeeting(found, plainPointMeeting(caster, light, point))) << i;
-        met += found.meeting != Meeting::None ? 1 : 0;
+        const RayHit found = intersectTowards(caster, light, point);
+        ASSERT_TRUE(isSameHit(found, plainPointHit(caster, light, point))) << i;
+        hit += found.kind != Hit::None ? 1 : 0;
     }
-    EXPECT_GT(met, 200);
+    EXPECT_GT(hit, 200);
 }
 
 /// The faces of an octahedron about `middle`.
@@ -89,7 +89,7 @@ TEST(PointLight, NothingLeaksOutOfAClosedShell) {
         const std::int64_t reach = size.x + size.y + size.z;
         if ((reach > 36 && reach < 48) || point == light) continue;
         const auto casts = std::count_if(shell.begin(), shell.end(), [&](const Corners& face) {
-            return meetTowards(face, light, point * kPointScale).meeting == Meeting::Ahead;
+            return intersectTowards(face, light, point * kPointScale).kind == Hit::Ahead;
         });
         EXPECT_EQ(casts, reach < 40 ? 0 : 1) << i;
         within += reach < 40 ? 1 : 0;
@@ -100,27 +100,27 @@ TEST(PointLight, NothingLeaksOutOfAClosedShell) {
 TEST(PointLight, WhatHoldsTheLightCastsNothing) {
     const Corners level{glm::i64vec3(0, 0, 8), glm::i64vec3(9, 0, 8), glm::i64vec3(0, 9, 8)};
     const glm::i64vec3 below(2 * kPointScale + 5, 2 * kPointScale + 3, 0);
-    EXPECT_EQ(meetTowards(level, {2, 2, 20}, below).meeting, Meeting::Ahead);
-    EXPECT_EQ(meetTowards(level, {2, 2, 9}, below).meeting, Meeting::Ahead);
-    EXPECT_EQ(meetTowards(level, {2, 2, 8}, below).meeting, Meeting::None) << "within it";
-    EXPECT_EQ(meetTowards(level, {0, 0, 8}, below).meeting, Meeting::None) << "at a corner of it";
-    EXPECT_EQ(meetTowards(level, {90, 2, 8}, below).meeting, Meeting::None) << "in its plane";
-    EXPECT_EQ(meetTowards(level, {2, 2, 7}, below).meeting, Meeting::None) << "it lies beyond the light";
-    EXPECT_EQ(meetTowards(level, {2, 2, -20}, below).meeting, Meeting::None) << "it lies behind the point";
+    EXPECT_EQ(intersectTowards(level, {2, 2, 20}, below).kind, Hit::Ahead);
+    EXPECT_EQ(intersectTowards(level, {2, 2, 9}, below).kind, Hit::Ahead);
+    EXPECT_EQ(intersectTowards(level, {2, 2, 8}, below).kind, Hit::None) << "within it";
+    EXPECT_EQ(intersectTowards(level, {0, 0, 8}, below).kind, Hit::None) << "at a corner of it";
+    EXPECT_EQ(intersectTowards(level, {90, 2, 8}, below).kind, Hit::None) << "in its plane";
+    EXPECT_EQ(intersectTowards(level, {2, 2, 7}, below).kind, Hit::None) << "it lies beyond the light";
+    EXPECT_EQ(intersectTowards(level, {2, 2, -20}, below).kind, Hit::None) << "it lies behind the point";
 }
 
-/// Triangles of all shapes on whole cells within `most` of `middle`; some have a corner at `light`, or its plane.
-std::vector<Corners> trianglesAbout(RandomWholes& random, int count, const glm::i64vec3& light, std::int64_t most) {
+/// Triangles of all shapes on whole cells within `max` of `middle`; some have a corner at `light`, or its plane.
+std::vector<Corners> trianglesAbout(RandomWholes& random, int count, const glm::i64vec3& light, std::int64_t max) {
     std::vector<Corners> triangles;
     while (static_cast<int>(triangles.size()) < count) {
-        Corners corners{random.point(-most, most), random.point(-most, most), random.point(-most, most)};
+        Corners corners{random.point(-max, max), random.point(-max, max), random.point(-max, max)};
         const std::int64_t kind = random.whole(0, 9);
         if (kind == 0) corners[0] = light;
         if (kind == 1) corners[2] = corners[0] + corners[1] - light;
         if (kind == 2 && !triangles.empty()) corners = {triangles.back()[1], triangles.back()[0], corners[2]};
         if (kind == 3 && !triangles.empty()) corners = triangles.back();
         const auto isFar = [&](const glm::i64vec3& p) {
-            return glm::any(glm::greaterThan(glm::abs(p), glm::i64vec3(most)));
+            return glm::any(glm::greaterThan(glm::abs(p), glm::i64vec3(max)));
         };
         if (!std::any_of(corners.begin(), corners.end(), isFar)) triangles.push_back(corners);
     }
@@ -145,41 +145,41 @@ TEST(PyramidClip, HoldsAllThatIsSeenOfATriangleAndNotMuchMore) {
     int whole = 0;
     for (int trial = 0; trial < 2000; ++trial) {
         constexpr double kSide = 16;
-        constexpr double kLeastW = 1e-3;
+        constexpr double kMinW = 1e-3;
         std::array<glm::dvec3, 3> corners{};
         for (glm::dvec3& corner : corners)
             corner = glm::dvec3(random.real(-40, 40), random.real(-40, 40), random.real(-3, 3));
-        const std::optional<CellReach> reach = reachOfPyramid(corners, kSide, 0.01, kLeastW);
-        glm::dvec2 least(kSide);
-        glm::dvec2 most(0);
+        const std::optional<CellReach> reach = reachOfPyramid(corners, kSide, 0.01, kMinW);
+        glm::dvec2 min(kSide);
+        glm::dvec2 max(0);
         bool isSeen = false;
         for (int i = 0; i < 3000; ++i) {
             const double second = std::sqrt(random.real(0, 1));
             const double third = random.real(0, second);
             const glm::dvec3 p = corners[0] + second * (corners[1] - corners[0]) + third * (corners[2] - corners[1]);
-            if (p.z <= kLeastW || p.x < 0 || p.y < 0 || p.x > kSide * p.z || p.y > kSide * p.z) continue;
+            if (p.z <= kMinW || p.x < 0 || p.y < 0 || p.x > kSide * p.z || p.y > kSide * p.z) continue;
             isSeen = true;
-            least = glm::min(least, glm::dvec2(p) / p.z);
-            most = glm::max(most, glm::dvec2(p) / p.z);
+            min = glm::min(min, glm::dvec2(p) / p.z);
+            max = glm::max(max, glm::dvec2(p) / p.z);
         }
         unseen += reach ? 0 : 1;
         if (!isSeen) continue;
         ++seen;
         ASSERT_TRUE(reach) << trial;
-        EXPECT_TRUE(reach->leastX <= least.x && reach->leastY <= least.y) << trial;
-        EXPECT_TRUE(reach->mostX >= most.x && reach->mostY >= most.y) << trial;
-        whole += reach->leastX <= 0 && reach->mostX >= kSide && reach->leastY <= 0 && reach->mostY >= kSide ? 1 : 0;
+        EXPECT_TRUE(reach->minX <= min.x && reach->minY <= min.y) << trial;
+        EXPECT_TRUE(reach->maxX >= max.x && reach->maxY >= max.y) << trial;
+        whole += reach->minX <= 0 && reach->maxX >= kSide && reach->minY <= 0 && reach->maxY >= kSide ? 1 : 0;
     }
     EXPECT_GT(seen, 300);
     EXPECT_GT(unseen, 300);
     EXPECT_LT(whole, seen / 4);
     // Through the light itself: who knows.
     const std::array<glm::dvec3, 3> through{glm::dvec3(-1, -1, -1), glm::dvec3(1, 1, 1), glm::dvec3(-1, 1, 0)};
-    EXPECT_EQ(reachOfPyramid(through, 16, 0.01, 1e-3)->mostX, 16);
+    EXPECT_EQ(reachOfPyramid(through, 16, 0.01, 1e-3)->maxX, 16);
 }
 
 TEST(PointLight, EqualsThePlainLoop) {
-    std::uint64_t touching = 0;
+    std::uint64_t withinTolerance = 0;
     std::uint64_t dark = 0;
     std::uint64_t lit = 0;
     for (std::uint64_t seed = 0; seed < 120; ++seed) {
@@ -187,22 +187,22 @@ TEST(PointLight, EqualsThePlainLoop) {
         RandomWholes random(seed);
         // Small ones tie; large ones are far from the light or hold it among them.
         const bool isSmall = seed % 2 == 0;
-        const std::int64_t most = isSmall ? random.whole(4, 40) : std::int64_t{1} << random.whole(6, 30);
-        glm::i64vec3 light = random.point(-most, most);
+        const std::int64_t max = isSmall ? random.whole(4, 40) : std::int64_t{1} << random.whole(6, 30);
+        glm::i64vec3 light = random.point(-max, max);
         if (seed % 5 == 0) light *= std::int64_t{1} << random.whole(1, 21);
         Scene scene;
         scene.originCell = glm::uvec3(0x80000000U);
         for (std::int64_t clusters = random.whole(1, 4); clusters > 0; --clusters)
             scene.add(trianglesAbout(
-                random, static_cast<int>(random.whole(1, 20)), seed % 5 == 0 ? glm::i64vec3(0) : light, most));
+                random, static_cast<int>(random.whole(1, 20)), seed % 5 == 0 ? glm::i64vec3(0) : light, max));
         addPointsOn(random, scene, 150, isSmall);
-        const SampleSpace space = pointSpace(light, glm::dvec3(random.point(-most, most)) + 0.5);
+        const SampleSpace space = pointSpace(light, glm::dvec3(random.point(-max, max)) + 0.5);
         const auto found = expectSameAsPlain(scene, space, {}, static_cast<int>(random.whole(4, 64)));
-        touching += found.touching;
+        withinTolerance += found.withinTolerance;
         dark += found.dark;
         lit += found.samples - found.dark;
     }
-    EXPECT_GT(touching, 100U);
+    EXPECT_GT(withinTolerance, 100U);
     EXPECT_GT(dark, 1000U);
     EXPECT_GT(lit, 1000U);
 }
@@ -212,8 +212,8 @@ TEST(PointLight, ManySamplesNearTheLightAndFewIntegers) {
     std::uint64_t decisions = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         RandomWholes random(seed + 500);
-        constexpr std::int64_t kMost = 100000;
-        const glm::i64vec3 light = random.point(-kMost / 2, kMost / 2);
+        constexpr std::int64_t kMaxCoordinate = 100000;
+        const glm::i64vec3 light = random.point(-kMaxCoordinate / 2, kMaxCoordinate / 2);
         Scene scene;
         for (int clusters = 0; clusters < 3; ++clusters) {
             std::vector<Corners> triangles;
@@ -225,9 +225,10 @@ TEST(PointLight, ManySamplesNearTheLightAndFewIntegers) {
             scene.add(triangles);
         }
         addPointsOn(random, scene, 400, false);
-        const auto found = expectSameAsPlain(scene, pointSpace(light, glm::dvec3(random.point(-kMost, kMost))), {}, 32);
-        tests += found.cast.sampleTests;
-        decisions += found.cast.exactDecisions;
+        const auto found = expectSameAsPlain(
+            scene, pointSpace(light, glm::dvec3(random.point(-kMaxCoordinate, kMaxCoordinate))), {}, 32);
+        tests += found.counts.sampleTests;
+        decisions += found.counts.exactDecisions;
     }
     EXPECT_GT(tests, 8000U);
     EXPECT_LT(decisions, tests / 100);
@@ -239,7 +240,7 @@ TEST(PointLight, WhatSharesAPlaneNeedsNoIntegers) {
     std::uint64_t tests = 0;
     std::uint64_t decisions = 0;
     std::uint64_t dark = 0;
-    std::uint64_t touching = 0;
+    std::uint64_t withinTolerance = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         RandomWholes random(seed + 900);
         const std::int64_t reach = seed % 4 == 3 ? std::int64_t{1} << 28 : 30000; // the last are too large for doubles
@@ -268,14 +269,14 @@ TEST(PointLight, WhatSharesAPlaneNeedsNoIntegers) {
         const auto found =
             expectSameAsPlain(scene, pointSpace(light, glm::dvec3(random.point(-reach, reach)) + 0.5), {}, 32);
         dark += found.dark;
-        touching += found.touching;
+        withinTolerance += found.withinTolerance;
         if (seed % 4 >= 2) continue;
-        tests += found.cast.sampleTests;
-        decisions += found.cast.exactDecisions;
+        tests += found.counts.sampleTests;
+        decisions += found.counts.exactDecisions;
     }
     EXPECT_GT(tests, 10000U);
     EXPECT_GT(dark, 100U);
-    EXPECT_GT(touching, 5U);
+    EXPECT_GT(withinTolerance, 5U);
     EXPECT_LE(decisions, tests / 1000);
 }
 
@@ -285,14 +286,14 @@ TEST(PointLight, FarAwayIsADirection) {
     std::size_t same = 0;
     std::size_t all = 0;
     for (int trial = 0; trial < 20; ++trial) {
-        constexpr std::int64_t kMost = 1 << 20;
+        constexpr std::int64_t kMaxCoordinate = 1 << 20;
         Scene scene;
         scene.originCell = glm::uvec3(0x80000000U);
-        scene.add(trianglesAbout(random, 20, glm::i64vec3(0), kMost));
+        scene.add(trianglesAbout(random, 20, glm::i64vec3(0), kMaxCoordinate));
         addPointsOn(random, scene, 300, false);
         const IntegerLight direction =
             roundedLight(glm::dvec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)));
-        const glm::dvec3 eye(random.point(-kMost, kMost));
+        const glm::dvec3 eye(random.point(-kMaxCoordinate, kMaxCoordinate));
         const auto verdicts = [&](const SampleSpace& space) {
             SampleList samples;
             fill(samples, scene, space);

@@ -1,7 +1,7 @@
 // The predicate against a second one that shares no formula with it, on coordinates small enough to tie often and on
 // the largest; and what it promises of meshes.
 #include "exact/predicate.h"
-#include "tests/exact/plain_meeting.h"
+#include "tests/exact/plain_intersection.h"
 #include "tests/exact/random.h"
 
 #include <glm/geometric.hpp>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::int64_t kScale = std::int64_t{1} << kWeightBits;
 
-bool operator==(const RayMeeting& a, const RayMeeting& b) {
-    return a.meeting == b.meeting && a.isOnEdge == b.isOnEdge;
+bool operator==(const RayHit& a, const RayHit& b) {
+    return a.kind == b.kind && a.isOnEdge == b.isOnEdge;
 }
 
 int signOf(std::int64_t value) {
@@ -25,7 +25,7 @@ int signOf(std::int64_t value) {
 
 TEST(Predicate, EqualsCramersRuleWhereTiesAbound) {
     RandomWholes random(1);
-    std::array<int, 3> meetings{};
+    std::array<int, 3> hits{};
     int ties = 0;
     for (int i = 0; i < 20000; ++i) {
         const Corners caster{random.point(0, 6), random.point(0, 6), random.point(0, 6)};
@@ -33,41 +33,42 @@ TEST(Predicate, EqualsCramersRuleWhereTiesAbound) {
         const glm::i64vec3 point =
             random.whole(0, 1) == 0 ? random.point(0, 24) * (kScale / 4) : random.point(0, 6) * kScale;
         const auto tolerance = static_cast<std::uint32_t>(random.whole(0, 3));
-        const RayMeeting met = meet(caster, light, point, tolerance);
-        ASSERT_TRUE(met == plainMeeting(caster, light, point, tolerance)) << i;
-        ++meetings[static_cast<std::size_t>(met.meeting)];
-        ties += met.isOnEdge ? 1 : 0;
+        const RayHit hit = intersect(caster, light, point, tolerance);
+        ASSERT_TRUE(hit == plainHit(caster, light, point, tolerance)) << i;
+        ++hits[static_cast<std::size_t>(hit.kind)];
+        ties += hit.isOnEdge ? 1 : 0;
     }
-    EXPECT_GT(meetings[1], 50);
-    EXPECT_GT(meetings[2], 300);
+    EXPECT_GT(hits[1], 50);
+    EXPECT_GT(hits[2], 300);
     EXPECT_GT(ties, 60);
 }
 
 TEST(Predicate, HoldsTheLargestCoordinates) {
     RandomWholes random(2);
-    constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
-    constexpr std::int64_t kMostLight = (std::int64_t{1} << kLightBits) - 1;
+    constexpr std::int64_t kMaxCoordinate = (std::int64_t{1} << 31) - 1;
+    constexpr std::int64_t kMaxLight = (std::int64_t{1} << kLightBits) - 1;
     // Corners of the cube of all coordinates, of points there, or anything between.
     const auto corner = [&] {
         glm::i64vec3 p;
         for (int axis = 0; axis < 3; ++axis)
-            p[axis] = random.whole(0, 2) == 0 ? random.whole(-kMost, kMost) : random.whole(0, 1) * 2 * kMost - kMost;
+            p[axis] = random.whole(0, 2) == 0 ? random.whole(-kMaxCoordinate, kMaxCoordinate)
+                                              : random.whole(0, 1) * 2 * kMaxCoordinate - kMaxCoordinate;
         return p;
     };
-    int met = 0;
+    int hit = 0;
     for (int i = 0; i < 10000; ++i) {
         const Corners caster{corner(), corner(), corner()};
-        IntegerLight light{random.point(-kMostLight, kMostLight)};
-        light.direction[static_cast<int>(random.whole(0, 2))] = random.whole(0, 1) == 0 ? kMostLight : -kMostLight;
+        IntegerLight light{random.point(-kMaxLight, kMaxLight)};
+        light.direction[static_cast<int>(random.whole(0, 2))] = random.whole(0, 1) == 0 ? kMaxLight : -kMaxLight;
         const auto second = static_cast<std::uint32_t>(random.whole(1, kScale - 2));
         const auto third = static_cast<std::uint32_t>(random.whole(1, kScale - 1 - second));
         const glm::i64vec3 point = scaledPoint({{corner(), corner(), corner()}, second, third});
         const std::uint32_t tolerance = random.whole(0, 1) == 0 ? 0 : 0x7FFFFFFFU;
-        const RayMeeting answer = meet(caster, light, point, tolerance);
-        ASSERT_TRUE(answer == plainMeeting(caster, light, point, tolerance)) << i;
-        met += answer.meeting != Meeting::None ? 1 : 0;
+        const RayHit answer = intersect(caster, light, point, tolerance);
+        ASSERT_TRUE(answer == plainHit(caster, light, point, tolerance)) << i;
+        hit += answer.kind != Hit::None ? 1 : 0;
     }
-    EXPECT_GT(met, 300);
+    EXPECT_GT(hit, 300);
 }
 
 TEST(Predicate, ARayThroughAFanMeetsOneOfItsTriangles) {
@@ -78,14 +79,14 @@ TEST(Predicate, ARayThroughAFanMeetsOneOfItsTriangles) {
         // Through the hub, points of the spokes, and points between them.
         for (const glm::i64vec3 through : {hub, {3, 0, 6}, {0, 3, 6}, {-3, 0, 6}, {0, -2, 6}, {2, 2, 6}, {1, 2, 6}}) {
             const glm::i64vec3 point = (through - direction) * kScale;
-            int meetings = 0;
+            int hits = 0;
             for (std::size_t i = 0; i < rim.size(); ++i) {
                 Corners triangle{hub, rim[i], rim[(i + 1) % rim.size()]};
                 std::rotate(triangle.begin(), triangle.begin() + static_cast<int>(i) % 3, triangle.end());
                 if (i % 2 == 0) std::swap(triangle[0], triangle[1]);
-                meetings += meet(triangle, light, point, 0).meeting == Meeting::Ahead ? 1 : 0;
+                hits += intersect(triangle, light, point, 0).kind == Hit::Ahead ? 1 : 0;
             }
-            EXPECT_EQ(meetings, 1);
+            EXPECT_EQ(hits, 1);
         }
     }
 }
@@ -108,10 +109,10 @@ TEST(Predicate, ARayEntersATetrahedronAsOftenAsItLeaves) {
         int crossings = 0;
         bool isTie = false;
         for (std::size_t k = 0; k < 4; ++k) {
-            sides[k] = seenSide(faces[k], point);
-            const RayMeeting met = meet(faces[k], light, point, 0);
-            if (met.meeting == Meeting::Ahead) crossings += facing(faces[k], light);
-            isTie = isTie || met.isOnEdge;
+            sides[k] = visibleSide(faces[k], point);
+            const RayHit hit = intersect(faces[k], light, point, 0);
+            if (hit.kind == Hit::Ahead) crossings += facing(faces[k], light);
+            isTie = isTie || hit.isOnEdge;
         }
         // A point in the plane of a face is on neither side of it.
         if (std::count(sides.begin(), sides.end(), 0) > 0 || light.direction == glm::i64vec3(0)) continue;
@@ -132,16 +133,16 @@ TEST(Predicate, ItsOwnPlaneAndTheLightsPlaneCastNothing) {
         const auto third = static_cast<std::uint32_t>(random.whole(1, kScale - 1 - second));
         const glm::i64vec3 point = scaledPoint({corners, second, third});
         const IntegerLight light{random.point(-kScale + 1, kScale - 1)};
-        EXPECT_EQ(meet(corners, light, point, 0).meeting, Meeting::None);
+        EXPECT_EQ(intersect(corners, light, point, 0).kind, Hit::None);
         // A larger triangle in the same plane that covers the point.
         const Corners coplanar{corners[0] * 3L - corners[1] - corners[2], corners[1], corners[2]};
-        EXPECT_EQ(meet(coplanar, light, point, 0).meeting, Meeting::None);
+        EXPECT_EQ(intersect(coplanar, light, point, 0).kind, Hit::None);
         // The light along an edge of it, or anywhere in its plane.
         const IntegerLight within{
             (corners[1] - corners[0]) * random.whole(-9, 9) + (corners[2] - corners[0]) * random.whole(-9, 9)};
         EXPECT_EQ(facing(corners, within), 0);
-        EXPECT_EQ(meet(corners, within, point - within.direction, 0).meeting, Meeting::None);
-        EXPECT_EQ(signOf(seenSide(corners, point)), 0);
+        EXPECT_EQ(intersect(corners, within, point - within.direction, 0).kind, Hit::None);
+        EXPECT_EQ(signOf(visibleSide(corners, point)), 0);
     }
 }
 
@@ -172,13 +173,13 @@ TEST(Predicate, AsFarAsTheToleranceStillTouches) {
     for (const std::uint32_t tolerance : {1U, 2U, 1000U, 0x7FFFFFFFU}) {
         const std::int64_t ahead = std::int64_t{tolerance} * light.direction.z;
         const glm::i64vec3 point(0, 0, 5 * kScale - ahead);
-        EXPECT_EQ(meet(caster, light, point, tolerance).meeting, Meeting::Touching);
-        EXPECT_EQ(meet(caster, light, point, tolerance - 1).meeting, Meeting::Ahead);
-        EXPECT_EQ(meet(caster, light, point - glm::i64vec3(0, 0, 1), tolerance).meeting, Meeting::Ahead);
+        EXPECT_EQ(intersect(caster, light, point, tolerance).kind, Hit::WithinTolerance);
+        EXPECT_EQ(intersect(caster, light, point, tolerance - 1).kind, Hit::Ahead);
+        EXPECT_EQ(intersect(caster, light, point - glm::i64vec3(0, 0, 1), tolerance).kind, Hit::Ahead);
     }
-    EXPECT_EQ(meet(caster, light, {0, 0, 5 * kScale}, 7).meeting, Meeting::None);
-    EXPECT_EQ(meet(caster, light, {0, 0, 5 * kScale + 1}, 7).meeting, Meeting::None);
-    EXPECT_EQ(meet(caster, light, {0, 0, 5 * kScale - 1}, 0).meeting, Meeting::Ahead);
+    EXPECT_EQ(intersect(caster, light, {0, 0, 5 * kScale}, 7).kind, Hit::None);
+    EXPECT_EQ(intersect(caster, light, {0, 0, 5 * kScale + 1}, 7).kind, Hit::None);
+    EXPECT_EQ(intersect(caster, light, {0, 0, 5 * kScale - 1}, 0).kind, Hit::Ahead);
 }
 
 } // namespace

@@ -12,20 +12,18 @@ class RandomWholes {
 public:
     explicit RandomWholes(std::uint64_t seed) : engine_(seed) {}
 
-    /// Returns an integer from `least` to `most`, both included.
-    std::int64_t whole(std::int64_t least, std::int64_t most) {
-        const auto count = static_cast<std::uint64_t>(most - least) + 1;
-        return least + static_cast<std::int64_t>(engine_() % count);
+    /// Returns an integer from `min` to `max`, both included.
+    std::int64_t whole(std::int64_t min, std::int64_t max) {
+        const auto count = static_cast<std::uint64_t>(max - min) + 1;
+        return min + static_cast<std::int64_t>(engine_() % count);
     }
 
-    double real(double least, double most) {
-        return least + (most - least) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
-    }
+    double real(double min, double max) { return min + (max - min) * static_cast<double>(engine_() >> 11U) * 0x1p-53; }
 
-    glm::i64vec3 point(std::int64_t least, std::int64_t most) {
-        const std::int64_t x = whole(least, most);
-        const std::int64_t y = whole(least, most);
-        return {x, y, whole(least, most)};
+    glm::i64vec3 point(std::int64_t min, std::int64_t max) {
+        const std::int64_t x = whole(min, max);
+        const std::int64_t y = whole(min, max);
+        return {x, y, whole(min, max)};
     }
 
 private:

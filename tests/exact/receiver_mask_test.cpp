@@ -13,11 +13,11 @@ constexpr int kBlock = 1 << ReceiverMask::kBlockBits;
 
 /// The least value of the blocks that the box meets.
 float plainLowest(const ReceiverMask& mask, const CellBox& box) {
-    float least = ReceiverMask::kNone;
+    float min = ReceiverMask::kNone;
     for (int y = box.y0 / kBlock; y <= box.y1 / kBlock; ++y)
         for (int x = box.x0 / kBlock; x <= box.x1 / kBlock; ++x)
-            least = std::min(least, mask.lowest(x, y));
-    return least;
+            min = std::min(min, mask.lowest(x, y));
+    return min;
 }
 
 TEST(ReceiverMask, NeverLosesWhatABoxHolds) {

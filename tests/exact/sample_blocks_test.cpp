@@ -33,15 +33,15 @@ void expectBoxed(const SampleBlocks& blocks, const FrameArray<double>& values, s
         const double middle = blocks.middle[axis][begin / SampleBlocks::kSamples];
         const double half = blocks.half[axis][begin / SampleBlocks::kSamples];
         double farthest = 0;
-        double least = values[begin];
-        double most = least;
+        double min = values[begin];
+        double max = min;
         for (std::size_t i = begin; i < end; ++i) {
             farthest = std::max(farthest, std::abs(values[i] - middle));
-            least = std::min(least, values[i]);
-            most = std::max(most, values[i]);
+            min = std::min(min, values[i]);
+            max = std::max(max, values[i]);
         }
         EXPECT_LE(farthest, half * (1 + 0x1p-50));
-        EXPECT_LE(half, (0.5 * (most - least) + 0x1p-23 * std::abs(middle)) * (1 + 0x1p-20));
+        EXPECT_LE(half, (0.5 * (max - min) + 0x1p-23 * std::abs(middle)) * (1 + 0x1p-20));
     }
 }
 

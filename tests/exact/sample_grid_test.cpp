@@ -55,9 +55,9 @@ struct Listed {
 
 /// The cell of sample `i` of the list, by the map's matrix.
 std::array<int, 2> cellOf(const SampleGrid& grid, const Listed& listed, std::size_t i) {
-    const CellMap& map = grid.maps()[listed.samples.mapOf(i)];
+    const GridMap& map = grid.maps()[listed.samples.mapOf(i)];
     const glm::dvec3 p = map.cellsFromLight * glm::dvec4(listed.places[i], 1);
-    EXPECT_GE(p.z, 2 * map.leastW);
+    EXPECT_GE(p.z, 2 * map.minW);
     EXPECT_TRUE(p.x / p.z >= 0 && p.x / p.z <= grid.side()) << p.x / p.z;
     EXPECT_TRUE(p.y / p.z >= 0 && p.y / p.z <= grid.side()) << p.y / p.z;
     return {static_cast<int>(p.x / p.z), static_cast<int>(p.y / p.z)};
@@ -79,12 +79,12 @@ void expectInCell(
 
 /// The least h of the samples in block (x, y).
 double plainLowest(const SampleGrid& grid, const SampleList& samples, std::size_t map, int x, int y) {
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (int row = 8 * y; row < std::min(grid.side(), 8 * y + 8); ++row)
         for (std::size_t at = grid.first(map, 8 * x, row); at < grid.first(map, std::min(grid.side(), 8 * x + 8), row);
              ++at)
-            least = std::min(least, samples.h[at]);
-    return least;
+            min = std::min(min, samples.h[at]);
+    return min;
 }
 
 /// Every sample once, in the cell that its place falls into, with its own values; and the least h of each block.
@@ -102,10 +102,10 @@ void expectSorted(const SampleGrid& grid, const Listed& listed) {
             }
         for (int y = 0; y < grid.mask(map).blocksHigh(); ++y)
             for (int x = 0; x < grid.mask(map).blocksWide(); ++x) {
-                const double least = plainLowest(grid, listed.samples, map, x, y);
+                const double min = plainLowest(grid, listed.samples, map, x, y);
                 const float low = grid.mask(map).lowest(x, y);
-                EXPECT_LE(low, least);
-                EXPECT_GE(std::nextafter(low, ReceiverMask::kNone), least);
+                EXPECT_LE(low, min);
+                EXPECT_GE(std::nextafter(low, ReceiverMask::kNone), min);
             }
     }
     EXPECT_EQ(last, samples.size());
@@ -221,7 +221,7 @@ TEST(SampleGrid, RemovesWhatLeavesAndKeepsTheOrder) {
         Places expected(grid, listed.samples);
         const std::vector<bool> leaves = someLeaving(random, grid.size(), kind);
         FrameArray<std::uint8_t> statuses;
-        statuses.makeRoom(grid.size());
+        statuses.ensureCapacity(grid.size());
         for (std::size_t i = 0; i < grid.size(); ++i)
             statuses[i] = static_cast<std::uint8_t>(grid.source[i]);
         std::vector<std::uint8_t> left(grid.size());
@@ -239,7 +239,7 @@ TEST(SampleGrid, RemovesWhatLeavesAndKeepsTheOrder) {
 }
 
 /// Whether the map's cells are those of a plane without a warp.
-bool isUnwarped(const CellMap& map) {
+bool isUnwarped(const GridMap& map) {
     const glm::dmat4x3& m = map.cellsFromLight;
     return m[0][2] == 0 && m[1][2] == 0 && m[3][2] == 1 && m[1][0] == 0 && m[0][1] == 0;
 }
@@ -248,20 +248,20 @@ TEST(SampleGrid, LeavesOutWarpsThatCannotBeTrusted) {
     RandomWholes random(2);
     const Scene scene = someScene(random, 200, 1);
     Listed listed(scene, 1);
-    double leastU = 0;
+    double minU = 0;
     for (const glm::dvec3& place : listed.places)
-        leastU = std::min(leastU, place.x);
+        minU = std::min(minU, place.x);
     const double nan = std::nan("");
     const std::vector<glm::dmat3> useless = {
-        {{1, 0, 0.1}, {0, 1, 0}, {0, 0, 1}},           // w below 0 at some samples
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}},            // and at all
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}},             // 0
-        {{1, 0, 1}, {0, 1, 0}, {0, 0, 1e-5 - leastU}}, // varies too much
-        {{nan, 0, 0}, {0, 1, 0}, {0, 0, 1}},           // no number
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, nan}},           //
-        {{0, 0, 0}, {0, 0, 0}, {0, 0, 1}},             // all samples in one place
-        {{1e-300, 0, 0}, {0, 1e-300, 0}, {1, 1, 1}},   // nearly so
-        {{1, 0, 0}, {0, 1, 0}, {0x1p60, 0, 1}},        // far off
+        {{1, 0, 0.1}, {0, 1, 0}, {0, 0, 1}},         // w below 0 at some samples
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}},          // and at all
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}},           // 0
+        {{1, 0, 1}, {0, 1, 0}, {0, 0, 1e-5 - minU}}, // varies too much
+        {{nan, 0, 0}, {0, 1, 0}, {0, 0, 1}},         // no number
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, nan}},         //
+        {{0, 0, 0}, {0, 0, 0}, {0, 0, 1}},           // all samples in one place
+        {{1e-300, 0, 0}, {0, 1e-300, 0}, {1, 1, 1}}, // nearly so
+        {{1, 0, 0}, {0, 1, 0}, {0x1p60, 0, 1}},      // far off
     };
     SampleGrid grid;
     for (const glm::dmat3& plane : useless) {

@@ -15,16 +15,15 @@ namespace {
 
 constexpr std::int64_t kScale = std::int64_t{1} << kWeightBits;
 
-/// Triangles of coordinates up to `most`, a third of them nearly or quite in the plane of the eye or of the light.
-Scene someScene(RandomWholes& random, std::int64_t most, const IntegerLight& light, const glm::i64vec3& eye) {
+/// Triangles of coordinates up to `max`, a third of them nearly or quite in the plane of the eye or of the light.
+Scene someScene(RandomWholes& random, std::int64_t max, const IntegerLight& light, const glm::i64vec3& eye) {
     Scene scene;
     for (int cluster = 0; cluster < 4; ++cluster) {
         std::vector<Corners> triangles;
         for (int i = 0; i < 80; ++i) {
-            Corners corners{random.point(-most, most), random.point(-most, most), random.point(-most, most)};
+            Corners corners{random.point(-max, max), random.point(-max, max), random.point(-max, max)};
             const glm::i64vec3 nudge = random.point(-1, 1);
-            if (i % 3 == 0)
-                corners[2] = corners[0] + light.direction / std::max<std::int64_t>(1, kScale / most) + nudge;
+            if (i % 3 == 0) corners[2] = corners[0] + light.direction / std::max<std::int64_t>(1, kScale / max) + nudge;
             if (i % 3 == 1) corners[1] = corners[0] + (eye - corners[0]) / random.whole(1, 4) + nudge;
             triangles.push_back(corners);
         }
@@ -40,7 +39,7 @@ Scene someScene(RandomWholes& random, std::int64_t most, const IntegerLight& lig
 }
 
 bool facesBoth(const Corners& corners, const IntegerLight& light, const glm::i64vec3& scaledEye) {
-    return facing(corners, light) * seenSide(corners, scaledEye) > 0;
+    return facing(corners, light) * visibleSide(corners, scaledEye) > 0;
 }
 
 TEST(SampleList, KeepsWhatFacesEyeAndLightByExactSigns) {
@@ -48,12 +47,12 @@ TEST(SampleList, KeepsWhatFacesEyeAndLightByExactSigns) {
     int unsure = 0;
     int kept = 0;
     for (int i = 0; i < 40; ++i) {
-        const std::int64_t most = std::int64_t{1} << random.whole(2, 29);
+        const std::int64_t max = std::int64_t{1} << random.whole(2, 29);
         const IntegerLight light =
             i % 2 == 0 ? IntegerLight{glm::i64vec3(random.whole(-2, 2), random.whole(-2, 2), 2) * (kScale / 4)}
                        : roundedLight({random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
-        const glm::i64vec3 eye = random.point(-most, most);
-        const Scene scene = someScene(random, most, light, eye);
+        const glm::i64vec3 eye = random.point(-max, max);
+        const Scene scene = someScene(random, max, light, eye);
         const SampleSpace space = spaceOf(light, glm::dvec3(eye));
         std::set<std::uint32_t> facingPoints;
         for (std::size_t p = 0; p < scene.points.size(); ++p)
@@ -96,10 +95,10 @@ TEST(SampleList, FewTrianglesNeedIntegersToFace) {
 TEST(SampleList, PointsLieWhereTheirWeightsSay) {
     RandomWholes random(3);
     for (int i = 0; i < 40; ++i) {
-        const std::int64_t most = std::int64_t{1} << random.whole(0, 29);
+        const std::int64_t max = std::int64_t{1} << random.whole(0, 29);
         const IntegerLight light = roundedLight({random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
-        const Scene scene = someScene(random, most, light, glm::i64vec3(3 * most / 2));
-        const SampleSpace space = spaceOf(light, glm::dvec3(1.5 * static_cast<double>(most)));
+        const Scene scene = someScene(random, max, light, glm::i64vec3(3 * max / 2));
+        const SampleSpace space = spaceOf(light, glm::dvec3(1.5 * static_cast<double>(max)));
         SampleList samples;
         fill(samples, scene, space);
         const LightShear& shear = space.shear;

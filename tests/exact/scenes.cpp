@@ -20,7 +20,7 @@ std::size_t countOf(const std::vector<std::uint8_t>& statuses, std::uint8_t bits
         std::count_if(statuses.begin(), statuses.end(), [&](std::uint8_t status) { return (status & bits) != 0; }));
 }
 
-std::size_t touchingOf(const std::vector<std::uint8_t>& statuses) {
+std::size_t withinToleranceOf(const std::vector<std::uint8_t>& statuses) {
     return static_cast<std::size_t>(std::count_if(
         statuses.begin(), statuses.end(), [](std::uint8_t status) { return status != kLit && status != kDark; }));
 }
@@ -64,10 +64,10 @@ std::vector<Caster> Scene::casters() const {
         caster.geometry.vertexCount = static_cast<std::uint32_t>(cluster.vertices.size());
         caster.geometry.triangles = cluster.triangles;
         caster.geometry.firstTriangleId = static_cast<std::uint32_t>(i << kTriangleBits);
-        caster.least = caster.most = cluster.vertices[0];
+        caster.min = caster.max = cluster.vertices[0];
         for (const glm::i64vec3& vertex : cluster.vertices) {
-            caster.least = glm::min(caster.least, vertex);
-            caster.most = glm::max(caster.most, vertex);
+            caster.min = glm::min(caster.min, vertex);
+            caster.max = glm::max(caster.max, vertex);
         }
         casters.push_back(caster);
     }
@@ -123,11 +123,11 @@ std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& 
             scaledPoint({scene.corners(samples.triangle[i]), samples.second[i], samples.third[i]});
         for (const std::uint32_t name : scene.names()) {
             const SampleSpace& space = samples.space();
-            const RayMeeting met = space.pointLight
-                                       ? meetTowards(scene.corners(name), *space.pointLight, point)
-                                       : meet(scene.corners(name), space.light, point, samples.tolerance[i]);
-            if (met.meeting == Meeting::None) continue;
-            statuses[i] |= met.meeting == Meeting::Touching ? kTouched : met.isOnEdge ? kDarkByEdge : kDark;
+            const RayHit hit = space.pointLight
+                                   ? intersectTowards(scene.corners(name), *space.pointLight, point)
+                                   : intersect(scene.corners(name), space.light, point, samples.tolerance[i]);
+            if (hit.kind == Hit::None) continue;
+            statuses[i] |= hit.kind == Hit::WithinTolerance ? kWithinTolerance : hit.isOnEdge ? kDarkByEdge : kDark;
         }
         if ((statuses[i] & kDark) != 0) statuses[i] = kDark;
     }
@@ -148,7 +148,7 @@ ExactStatistics expectSameAsPlain(
             SCOPED_TRACE(std::string(target) + ", threads " + std::to_string(threads));
             fill(shadows.samples(), scene, space);
             const ExactStatistics found = tbb::task_arena(threads).execute([&] {
-                return shadows.decide({casters, scene.originCell, planes, side});
+                return shadows.resolve({casters, scene.originCell, planes, side});
             });
             std::size_t wrong = 0;
             for (std::size_t i = 0; i < plain.size(); ++i)
@@ -157,14 +157,14 @@ ExactStatistics expectSameAsPlain(
             EXPECT_EQ(wrong, 0U) << "of " << plain.size();
             EXPECT_EQ(found.samples, plain.size());
             EXPECT_EQ(found.dark, countOf(plain, kDark | kDarkByEdge));
-            EXPECT_EQ(found.darkWithoutTolerance, countOf(plain, kDark | kDarkByEdge | kTouched));
-            EXPECT_EQ(found.touching, touchingOf(plain));
-            if (threads == 1) decisions = found.cast.exactDecisions;
-            EXPECT_EQ(found.cast.exactDecisions, decisions);
-            if (last.cast.clustersTested > 0) {
-                EXPECT_EQ(found.cast.triangles, last.cast.triangles);
-                EXPECT_EQ(found.cast.trianglesCast, last.cast.trianglesCast);
-                EXPECT_EQ(found.cast.sampleTests, last.cast.sampleTests);
+            EXPECT_EQ(found.darkWithoutTolerance, countOf(plain, kDark | kDarkByEdge | kWithinTolerance));
+            EXPECT_EQ(found.withinTolerance, withinToleranceOf(plain));
+            if (threads == 1) decisions = found.counts.exactDecisions;
+            EXPECT_EQ(found.counts.exactDecisions, decisions);
+            if (last.counts.clustersTested > 0) {
+                EXPECT_EQ(found.counts.triangles, last.counts.triangles);
+                EXPECT_EQ(found.counts.trianglesRasterized, last.counts.trianglesRasterized);
+                EXPECT_EQ(found.counts.sampleTests, last.counts.sampleTests);
             }
             last = found;
         }
@@ -172,10 +172,10 @@ ExactStatistics expectSameAsPlain(
     return last;
 }
 
-std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t most) {
+std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t max) {
     std::vector<Corners> triangles;
     while (static_cast<int>(triangles.size()) < count) {
-        Corners corners{random.point(0, most), random.point(0, most), random.point(0, most)};
+        Corners corners{random.point(0, max), random.point(0, max), random.point(0, max)};
         const std::int64_t kind = random.whole(0, 5);
         if (kind == 0) corners[2] = corners[1] + glm::i64vec3(0, 0, 1);
         if (kind == 1 && !triangles.empty()) {

@@ -8,9 +8,9 @@
 
 namespace gnomon::exact {
 
-/// Returns triangles of many shapes on integer cells from 0 to `most`, including duplicates, slivers and triangles with
+/// Returns triangles of many shapes on integer cells from 0 to `max`, including duplicates, slivers and triangles with
 /// shared edges.
-std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t most);
+std::vector<Corners> someTriangles(RandomWholes& random, int count, std::int64_t max);
 
 /// A visible point on a triangle.
 struct ScenePoint {
@@ -64,20 +64,20 @@ public:
     const PointBatch& batch() const { return batch_; }
 
 private:
-    std::array<std::array<std::int32_t, ShearedPoints::kMost>, 9> edges_{};
-    std::array<float, ShearedPoints::kMost> second_{}, third_{};
-    std::array<std::int32_t, ShearedPoints::kMost> map_{};
-    std::array<std::uint32_t, ShearedPoints::kMost> pixel_{}, triangle_{}, tolerance_{};
+    std::array<std::array<std::int32_t, ShearedPoints::kMaxPoints>, 9> edges_{};
+    std::array<float, ShearedPoints::kMaxPoints> second_{}, third_{};
+    std::array<std::int32_t, ShearedPoints::kMaxPoints> map_{};
+    std::array<std::uint32_t, ShearedPoints::kMaxPoints> pixel_{}, triangle_{}, tolerance_{};
     PointBatch batch_;
 };
 
 /// Returns a sample space with its shear. `eye` is in cells from the origin.
 SampleSpace spaceOf(const IntegerLight& light, const glm::dvec3& eye, int maps = 1);
 
-/// Returns the status of each sample, by `meet` with each triangle of the scene.
+/// Returns the status of each sample, by `intersect` with each triangle of the scene.
 std::vector<std::uint8_t> plainStatuses(const SampleList& samples, const Scene& scene);
 
-/// Compares `decide` with the simple loop, on all instruction sets, with one thread and with two. Returns the last
+/// Compares `resolve` with the simple loop, on all instruction sets, with one thread and with two. Returns the last
 /// statistics.
 ExactStatistics expectSameAsPlain(
     const Scene& scene, const SampleSpace& space, const std::vector<glm::dmat3>& planes, int side);

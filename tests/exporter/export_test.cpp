@@ -95,11 +95,11 @@ TEST(Export, KeepsTheCapOnTriangles) {
     const tests::TinyModel model = writtenModel();
     NoProgress progress;
     double error = 0;
-    for (const std::uint64_t most : {100'000U, 8192U, 8191U, 5000U, 3000U, 2000U, 1000U}) {
-        if (most < model.summary.coarsestTriangles) continue;
-        const ExportedCut cut = exportCut(pathFor("m.gnm"), {most, {}}, pathFor("out.ply"), progress);
-        EXPECT_LE(cut.triangles, most);
-        EXPECT_GT(cut.triangles, std::min<std::uint64_t>(most, 8192) / 3) << "much coarser than asked for";
+    for (const std::uint64_t max : {100'000U, 8192U, 8191U, 5000U, 3000U, 2000U, 1000U}) {
+        if (max < model.summary.coarsestTriangles) continue;
+        const ExportedCut cut = exportCut(pathFor("m.gnm"), {max, {}}, pathFor("out.ply"), progress);
+        EXPECT_LE(cut.triangles, max);
+        EXPECT_GT(cut.triangles, std::min<std::uint64_t>(max, 8192) / 3) << "much coarser than asked for";
         EXPECT_GE(cut.error, error);
         error = cut.error;
         EXPECT_EQ(readBack(pathFor("out.ply")).triangles.size(), cut.triangles);
@@ -130,13 +130,13 @@ TEST(Export, ComesNearTheCapWhereManyGroupsHaveOneError) {
         NoProgress progress;
         Random random(5);
         double error = std::numeric_limits<double>::infinity();
-        for (std::uint64_t most = model.summary.coarsestTriangles; most <= 8192; most += 200 + random.below(300)) {
-            const ExportedCut cut = exportCut(pathFor("m.gnm"), {most, {}}, pathFor("out.ply"), progress);
-            EXPECT_LE(cut.triangles, most);
-            EXPECT_GE(cut.triangles + 600, most) << "a group has no more";
+        for (std::uint64_t max = model.summary.coarsestTriangles; max <= 8192; max += 200 + random.below(300)) {
+            const ExportedCut cut = exportCut(pathFor("m.gnm"), {max, {}}, pathFor("out.ply"), progress);
+            EXPECT_LE(cut.triangles, max);
+            EXPECT_GE(cut.triangles + 600, max) << "a group has no more";
             EXPECT_LE(cut.error, error);
             error = cut.error;
-            EXPECT_DOUBLE_EQ(areaFromAbove(readBack(pathFor("out.ply"))), 64.0 * 64.0) << most;
+            EXPECT_DOUBLE_EQ(areaFromAbove(readBack(pathFor("out.ply"))), 64.0 * 64.0) << max;
         }
     }
 }
@@ -201,9 +201,9 @@ struct BothExports {
     Read ply, glb;
 };
 
-BothExports bothExports(const std::string& model, std::uint64_t most) {
+BothExports bothExports(const std::string& model, std::uint64_t max) {
     NoProgress progress;
-    const ExportLimit limit{most, {}};
+    const ExportLimit limit{max, {}};
     const ExportedCut cut = exportCut(model, limit, pathFor("out.ply"), progress);
     const ExportedCut again = exportCut(model, limit, pathFor("out.glb"), progress, ExportFormat::Glb);
     EXPECT_EQ(cut.triangles, again.triangles);

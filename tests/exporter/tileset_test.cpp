@@ -77,17 +77,17 @@ std::uint64_t plainCount(const hierarchy::ModelFile& file, double limit) {
 TEST_F(Tiles, LevelsAreCutsOfFourTimesTheTriangles) {
     const hierarchy::ModelFile file(written(6));
     const std::vector<TileCluster> clusters = clustersOf(file, progress);
-    for (const std::uint64_t most : {100U, 500U, 3000U, 100'000U}) {
-        const std::vector<double> limits = limitsOf(clusters, most);
+    for (const std::uint64_t max : {100U, 500U, 3000U, 100'000U}) {
+        const std::vector<double> limits = limitsOf(clusters, max);
         EXPECT_EQ(limits.back(), 0);
-        auto allowed = static_cast<double>(most);
+        auto allowed = static_cast<double>(max);
         for (std::size_t i = 0; i < limits.size(); ++i, allowed *= 4) {
             EXPECT_TRUE(i == 0 || limits[i] < limits[i - 1]);
             std::uint64_t triangles = 0;
             for (const TileCluster& cluster : clusters)
                 if (cluster.isInCut(limits[i])) triangles += cluster.triangles;
             EXPECT_EQ(triangles, plainCount(file, limits[i]));
-            const bool isBounded = i + 1 < limits.size() && most >= file.summary().coarsestTriangles;
+            const bool isBounded = i + 1 < limits.size() && max >= file.summary().coarsestTriangles;
             EXPECT_TRUE(!isBounded || static_cast<double>(triangles) <= allowed);
         }
     }

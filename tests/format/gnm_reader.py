@@ -168,8 +168,8 @@ class Model:
 
     def field_values(self, numbers):
         """The values of a vertex's fields, by name."""
-        return {name: least + number * (greatest - least) / (2 ** bits - 1)
-                for number, (name, least, greatest, bits) in zip(numbers, self.summary["fields"])}
+        return {name: low + number * (high - low) / (2 ** bits - 1)
+                for number, (name, low, high, bits) in zip(numbers, self.summary["fields"])}
 
     def uniform_cut(self, limit):
         """The clusters that stand for the surface where every group of a drawn error above `limit` is refined:

@@ -36,8 +36,8 @@ def read_ply(path):
 
 def turned(corners):
     """The same triangle, the least corner first, the winding kept."""
-    least = corners.index(min(corners))
-    return tuple(corners[least:] + corners[:least])
+    first = corners.index(min(corners))
+    return tuple(corners[first:] + corners[:first])
 
 
 def read_vertices(path):

@@ -10,9 +10,9 @@ namespace gnomon::frame {
 namespace {
 
 using plan::Effect;
-using plan::OmissionReason;
 using plan::ShadowMode;
 using plan::ShadowReason;
+using plan::SkipReason;
 
 /// A crate on a plain, seen from above and aside.
 struct Crate {
@@ -39,11 +39,11 @@ class MapsAlone final : public render::Backend {
 public:
     std::string name() const override { return own_->name(); }
 
-    render::PassStatistics drawShadowMaps(const render::FrameDrawing& frame) override {
+    render::PassStatistics drawShadowMaps(const render::DrawInputs& frame) override {
         return own_->drawShadowMaps(frame);
     }
 
-    render::PassStatistics drawImage(const render::FrameDrawing& frame) override { return own_->drawImage(frame); }
+    render::PassStatistics drawImage(const render::DrawInputs& frame) override { return own_->drawImage(frame); }
 
     Bytes deviceMemory() const override { return own_->deviceMemory(); }
 
@@ -125,7 +125,7 @@ TEST(AutoShadows, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
         crate.view.towardsLight = {0, -1, 0};
         const Frame dark = crate.draw();
         EXPECT_EQ(dark.row.shadows, "exact");
-        const plan::Omission expected{Effect::ExactShadows, OmissionReason::NothingFacesLight};
+        const plan::SkippedEffect expected{Effect::ExactShadows, SkipReason::NothingFacesLight};
         EXPECT_EQ(std::count(dark.plan.omitted.begin(), dark.plan.omitted.end(), expected), 1);
         EXPECT_TRUE(dark.cut.lists.casters.empty()) << "no caster was looked for";
         EXPECT_EQ(dark.row.shadowSamples, 0);
@@ -137,7 +137,7 @@ TEST(AutoShadows, WhereNothingFacesTheLightThereIsNoShadowPassAtAll) {
     }
     Crate sky;
     sky.view.camera.target = sky.view.camera.eye + glm::dvec3(0, 1, 0.1);
-    const plan::Omission expected{Effect::ExactShadows, OmissionReason::NothingInView};
+    const plan::SkippedEffect expected{Effect::ExactShadows, SkipReason::NothingInView};
     const Frame empty = sky.draw();
     EXPECT_EQ(std::count(empty.plan.omitted.begin(), empty.plan.omitted.end(), expected), 1);
 }
@@ -154,7 +154,7 @@ TEST(AutoShadows, OfALightThatIsRoundedIntoTheWallsPlaneDecidesNothing) {
     plan::Quality quality;
     quality.shadows = ShadowMode::Exact;
     const Frame frame = model.draw(view, quality);
-    const plan::Omission expected{Effect::ExactShadows, OmissionReason::NothingFacesLight};
+    const plan::SkippedEffect expected{Effect::ExactShadows, SkipReason::NothingFacesLight};
     EXPECT_EQ(std::count(frame.plan.omitted.begin(), frame.plan.omitted.end(), expected), 1);
     EXPECT_EQ(frame.row.shadowSamples, 0);
 }
@@ -176,7 +176,7 @@ TEST(AutoShadows, CastersStopWhereTheLastSampleIsDark) {
     EXPECT_GT(*frame.row.shadowSamples, 1000);
     EXPECT_GT(frame.cut.lists.casters[0].clusters, 40U);
     EXPECT_LT(*frame.row.castersTested, static_cast<std::int64_t>(frame.cut.lists.casters[0].clusters) / 4);
-    const plan::Omission late{Effect::LateCasters, OmissionReason::AllAreDark};
+    const plan::SkippedEffect late{Effect::LateCasters, SkipReason::AllAreDark};
     EXPECT_EQ(std::count(frame.plan.omitted.begin(), frame.plan.omitted.end(), late), 1);
     quality.shadows = ShadowMode::Off;
     const render::Picture dark = model.backend().picture();
@@ -184,7 +184,7 @@ TEST(AutoShadows, CastersStopWhereTheLastSampleIsDark) {
     EXPECT_FALSE(model.backend().picture().pixels == dark.pixels) << "nothing was dark: this tests nothing";
     quality.shadows = ShadowMode::Exact;
     view.towardsLight = {1, 0.02, 0.01}; // from below the slabs
-    const std::vector<plan::Omission> all = model.draw(view, quality).plan.omitted;
+    const std::vector<plan::SkippedEffect> all = model.draw(view, quality).plan.omitted;
     EXPECT_EQ(std::count(all.begin(), all.end(), late), 0);
 }
 

@@ -50,16 +50,16 @@ std::vector<Corners> drawnTriangles(DrawnModel& model, const Frame& frame) {
     return all;
 }
 
-/// The first point of `triangles` on a line, by solving three equations a triangle; nothing before `least`.
+/// The first point of `triangles` on a line, by solving three equations a triangle; nothing before `minParameter`.
 std::optional<glm::dvec3> firstOn(
-    const std::vector<Corners>& triangles, const glm::dvec3& start, const glm::dvec3& direction, double least) {
+    const std::vector<Corners>& triangles, const glm::dvec3& start, const glm::dvec3& direction, double minParameter) {
     std::optional<double> first;
     for (const Corners& t : triangles) {
         const glm::dmat3 equations(t[1] - t[0], t[2] - t[0], -direction);
         if (glm::determinant(equations) == 0) continue;
         const glm::dvec3 solved = glm::inverse(equations) * (start - t[0]);
         const bool isInside = solved.x >= -1e-12 && solved.y >= -1e-12 && solved.x + solved.y <= 1 + 1e-12;
-        if (isInside && solved.z > least && solved.z < first.value_or(1e300)) first = solved.z;
+        if (isInside && solved.z > minParameter && solved.z < first.value_or(1e300)) first = solved.z;
     }
     return first ? std::optional(start + direction * *first) : std::nullopt;
 }
@@ -96,13 +96,13 @@ plan::View randomView(Random& random, const Box& bounds, int round) {
 }
 
 /// Where sections let a line begin to see, as a parameter along it; hills close nothing, so there are no caps.
-double leastSeen(const plan::View& view, const PixelLine& line) {
-    double least = view.camera.isParallel() ? -1e9 : 0;
+double minSeen(const plan::View& view, const PixelLine& line) {
+    double minParameter = view.camera.isParallel() ? -1e9 : 0;
     for (const Plane& plane : view.sections) {
         const double along = glm::dot(plane.normal, line.direction);
-        if (along > 0) least = std::max(least, -plane.signedDistance(line.start) / along);
+        if (along > 0) minParameter = std::max(minParameter, -plane.signedDistance(line.start) / along);
     }
-    return least;
+    return minParameter;
 }
 
 /// A view of hills that was drawn, and the points of its pixels.
@@ -125,7 +125,7 @@ public:
 
     std::optional<glm::dvec3> expectedAt(const glm::ivec2& pixel) const {
         const PixelLine line = lineOf(view_, pixel);
-        const auto first = firstOn(triangles_, line.start, line.direction, leastSeen(view_, line));
+        const auto first = firstOn(triangles_, line.start, line.direction, minSeen(view_, line));
         for (const Plane& plane : view_.sections)
             if (first && plane.signedDistance(*first) < 0) return std::nullopt;
         return first;
@@ -199,7 +199,7 @@ std::vector<Corners> sourceTriangles(const tests::TinyModel& model) {
 
 TEST(DrawnPoint, SaysHowFarTheSourceMayBe) {
     Random random(12);
-    double most = 0;
+    double maxError = 0;
     for (std::uint64_t round = 0; round < 4; ++round) {
         DrawnHills drawn(round + 31, random, 0, 4);
         const std::vector<Corners> source = sourceTriangles(drawn.source());
@@ -208,7 +208,7 @@ TEST(DrawnPoint, SaysHowFarTheSourceMayBe) {
             const auto below = firstOn(source, at + glm::dvec3(0, 1000, 0), {0, -1, 0}, 0);
             if (!below) return; // the rounding took it over the edge
             EXPECT_LE(std::abs(below->y - at.y), place.within + 1e-6);
-            most = std::max(most, std::abs(below->y - at.y) / place.within);
+            maxError = std::max(maxError, std::abs(below->y - at.y) / place.within);
         };
         for (int i = 0; i < 60; ++i)
             if (const auto found = drawn.at(randomPixel(random))) {
@@ -216,7 +216,7 @@ TEST(DrawnPoint, SaysHowFarTheSourceMayBe) {
                 expectNear(*found->vertex);
             }
     }
-    EXPECT_GT(most, 0.3); // else the bound says little
+    EXPECT_GT(maxError, 0.3); // else the bound says little
 }
 
 /// A box that stands by itself, whose hits are known: the first slab plane that the line meets on the kept side.

@@ -25,15 +25,15 @@ constexpr std::size_t kLarge = std::size_t{64} << 10U;
 std::atomic<std::size_t> largeAllocations{0};
 std::atomic<std::size_t> largestBytes{0};
 std::atomic<std::size_t> liveBytes{0}; // of all allocations, as large as they were made
-std::atomic<std::size_t> mostBytes{0}; // that these were
+std::atomic<std::size_t> maxBytes{0};  // that these were
 
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 void* counted(void* memory, std::size_t size) {
     if (memory == nullptr) throw std::bad_alloc();
     const std::size_t live = liveBytes += malloc_usable_size(memory);
-    std::size_t most = mostBytes;
-    while (live > most && !mostBytes.compare_exchange_weak(most, live)) {
+    std::size_t max = maxBytes;
+    while (live > max && !maxBytes.compare_exchange_weak(max, live)) {
     }
     if (size <= kLarge) return memory;
     ++largeAllocations;
@@ -142,7 +142,7 @@ std::size_t bytesOfSeveralFrames(Renderer& renderer, const plan::View& view, con
     FrameOptions options;
     const History history = renderer.render(view, quality, options).history;
     const std::size_t before = liveBytes;
-    mostBytes = before;
+    maxBytes = before;
     options.isAccumulated = true;
     const Frame frame = renderer.render(view, quality, options, history);
     Accumulation accumulation;
@@ -150,7 +150,7 @@ std::size_t bytesOfSeveralFrames(Renderer& renderer, const plan::View& view, con
     while (accumulation.samples() < accumulation.wanted())
         accumulation.add();
     EXPECT_EQ(accumulation.picture().width, view.width);
-    return mostBytes - before;
+    return maxBytes - before;
 }
 
 ResidencyOptions within(Bytes memory) {

@@ -64,7 +64,7 @@ TEST(FrameRow, CountsTheMapsThatWereDrawnAndAllCasters) {
     EXPECT_NEAR(*row.lightAngle, 60, 1e-12);
     EXPECT_EQ(row.model, "a.gnm");
     EXPECT_EQ(row.backend, "software");
-    EXPECT_TRUE(row.promiseKept);
+    EXPECT_TRUE(row.isBoundKept);
 }
 
 TEST(FrameRow, PromisesNothingWithoutMaps) {
@@ -74,8 +74,8 @@ TEST(FrameRow, PromisesNothingWithoutMaps) {
     EXPECT_EQ(row.shadowMaps, 0);
     EXPECT_EQ(row.shadowTriangles, 0);
     EXPECT_EQ(row.castersTested, 0);
-    EXPECT_FALSE(row.promiseKept);
-    EXPECT_FALSE(row.promisedAliasingX);
+    EXPECT_FALSE(row.isBoundKept);
+    EXPECT_FALSE(row.aliasingBoundX);
     EXPECT_FALSE(row.storageFactor);
 }
 

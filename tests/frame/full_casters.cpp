@@ -12,7 +12,7 @@ namespace {
 
 using lod::ClusterRange;
 using lod::DrawList;
-using render::FrameDrawing;
+using render::DrawInputs;
 
 /// All pages of a model, in memory.
 class AllPages {
@@ -35,14 +35,14 @@ private:
 DrawList part(
     const DrawList& list,
     const ConvexVolume& pyramid,
-    bool touching,
+    bool withinTolerance,
     const hierarchy::Grid& grid,
     hierarchy::ResidentPages pages) {
     DrawList result;
     for (const ClusterRange& range : list.ranges)
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
             const hierarchy::Cluster& cluster = pages[range.page]->clusters[c];
-            if ((classify(pyramid, grid.local(cluster.box)) != Containment::Outside) != touching) continue;
+            if ((classify(pyramid, grid.local(cluster.box)) != Containment::Outside) != withinTolerance) continue;
             result.ranges.push_back({range.page, c, 1});
             ++result.clusters;
             result.triangles += cluster.triangleCount;
@@ -82,7 +82,7 @@ CasterDifference casterDifference(
         frame::Renderer(model, *backend, {.memory = gibibytes(4), .onDamaged = {}}).render(view, quality, {});
     const AllPages pages(model);
     const hierarchy::Grid& grid = model.summary().grid;
-    render::FrameDrawing drawing;
+    render::DrawInputs drawing;
     drawing.plan = &frame.plan;
     drawing.space = frame.space;
     drawing.grid = grid;

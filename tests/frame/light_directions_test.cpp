@@ -69,7 +69,7 @@ render::LightPicture meanLight(
     return accumulation.light();
 }
 
-double discBeyond(double distance) {
+double discOutside(double distance) {
     const double x = std::clamp(distance, -1.0, 1.0);
     return (std::acos(x) - x * std::sqrt(1 - x * x)) / kHalfTurn;
 }
@@ -116,12 +116,12 @@ protected:
 };
 
 TEST_P(RoofPenumbra, OfAHalfPlaneIsWithinTheError) {
-    EXPECT_LE(worst(30, [](double x) { return discBeyond(-beside(x, 0)); }), GetParam());
+    EXPECT_LE(worst(30, [](double x) { return discOutside(-beside(x, 0)); }), GetParam());
 }
 
 TEST_P(RoofPenumbra, OfAStripIsWithinTwiceTheError) {
     const double width = 1.5;
-    const auto share = [width](double x) { return discBeyond(-beside(x, 0)) + discBeyond(beside(x, -width)); };
+    const auto share = [width](double x) { return discOutside(-beside(x, 0)) + discOutside(beside(x, -width)); };
     EXPECT_LE(worst(width, share), 2 * GetParam());
 }
 
@@ -273,8 +273,8 @@ TEST(SkyLight, IsLeftOutWhereNothingHidesAnyOfIt) {
     for (const double fold : {0.0, 1.0, -1.0}) {
         const plan::FramePlan open = planned(fold, false);
         EXPECT_EQ(open.sky.directions, fold < 0 ? 64 : 0) << fold;
-        const plan::Omission omission{plan::Effect::SkyLight, plan::OmissionReason::NothingHidesTheSky};
-        EXPECT_EQ(std::count(open.omitted.begin(), open.omitted.end(), omission), fold < 0 ? 0 : 1) << fold;
+        const plan::SkippedEffect skipped{plan::Effect::SkyLight, plan::SkipReason::NothingHidesTheSky};
+        EXPECT_EQ(std::count(open.omitted.begin(), open.omitted.end(), skipped), fold < 0 ? 0 : 1) << fold;
         EXPECT_EQ(planned(fold, true).sky.directions, 64);
     }
 }

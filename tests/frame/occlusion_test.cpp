@@ -57,11 +57,11 @@ glm::dvec3 pointIn(const Box& box, Random& random) {
     return box.min + box.extent() * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
 }
 
-/// From amid a model or around it, with any angle, of any size up to `mostPixels` a side.
-plan::View randomView(const Box& bounds, Random& random, int mostPixels) {
+/// From amid a model or around it, with any angle, of any size up to `maxPixels` a side.
+plan::View randomView(const Box& bounds, Random& random, int maxPixels) {
     plan::View view;
-    view.width = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(mostPixels)));
-    view.height = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(mostPixels)));
+    view.width = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(maxPixels)));
+    view.height = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(maxPixels)));
     if (random.below(8) == 0) view.width = 1;
     if (random.below(8) == 0) view.height = 1;
     view.camera.target = pointIn(bounds, random);
@@ -73,14 +73,14 @@ plan::View randomView(const Box& bounds, Random& random, int mostPixels) {
 }
 
 /// Draws `count` views both ways, for 1, 2 or 16 threads; how many clusters were hidden in all.
-std::int64_t expectSameFrames(const hierarchy::ModelFile& file, std::uint64_t seed, int count, int mostPixels) {
+std::int64_t expectSameFrames(const hierarchy::ModelFile& file, std::uint64_t seed, int count, int maxPixels) {
     const tbb::global_control sixteen(tbb::global_control::max_allowed_parallelism, 16);
     Stage stage(file);
     Random random(seed);
     std::int64_t hidden = 0;
     for (int i = 0; i < count; ++i) {
         SCOPED_TRACE(std::to_string(seed) + ", view " + std::to_string(i));
-        const plan::View view = randomView(stage.bounds(), random, i % 100 == 99 ? 4000 : mostPixels);
+        const plan::View view = randomView(stage.bounds(), random, i % 100 == 99 ? 4000 : maxPixels);
         plan::Quality quality;
         constexpr std::array kModes = {ShadowMode::Off, ShadowMode::Off, ShadowMode::Exact, ShadowMode::Maps};
         quality.shadows = kModes[static_cast<std::size_t>(i) % kModes.size()];

@@ -111,7 +111,7 @@ TEST(PenumbraTiles, AreThoseOfWholeFramesAndTheOthersThoseOfTheFirstFrames) {
         EXPECT_GT(found.tiles->count(), 1U);
         EXPECT_LT(found.tiles->count(), found.tiles->wanted.size() / 2) << "this tests nothing";
         const Mean whole = meanOf(model, view, quality, Tiles::All, kSamples);
-        const Mean first = meanOf(model, view, quality, Tiles::All, kSamples, plan::leastFirstPoints(32));
+        const Mean first = meanOf(model, view, quality, Tiles::All, kSamples, plan::minFirstPoints(32));
         EXPECT_EQ(pixelsApart(found, whole, first), 0U) << static_cast<int>(shadows);
         EXPECT_NE(whole.light.pixels, first.light.pixels);
     }

@@ -49,7 +49,7 @@ TEST(RayTrees, StayWithinTheMemory) {
     const Bytes tables = tableBytes(plant());
     const Bytes memory{tables.count + allPages().count / 4};
     TreeStage stage(memory);
-    std::uint64_t most = 0;
+    std::uint64_t max = 0;
     bool isBinding = false;
     for (std::uint64_t i = 0; i < 12; ++i) {
         SCOPED_TRACE(i);
@@ -60,9 +60,9 @@ TEST(RayTrees, StayWithinTheMemory) {
         EXPECT_LE(held, residency.statistics().committed.count);
         EXPECT_EQ(static_cast<std::uint64_t>(frame.row.residentBytes.value_or(0)), held);
         isBinding = isBinding || frame.residency.isBudgetBinding;
-        most = std::max(most, residency.rayTreeBytes().count);
+        max = std::max(max, residency.rayTreeBytes().count);
     }
-    EXPECT_GT(most, allPages().count / 40);
+    EXPECT_GT(max, allPages().count / 40);
     EXPECT_TRUE(isBinding) << "there was room: this tests nothing";
 }
 

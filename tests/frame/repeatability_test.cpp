@@ -279,7 +279,7 @@ TEST(Repeatability, AGroundThatIsTurnedOnInBackLightIsDrawn) {
         const History history = model.renderer().render(view, quality, {}).history;
         quality.look.ground = true;
         const Frame frame = model.renderer().render(view, quality, {}, history);
-        EXPECT_FALSE(frame.isSunless);
+        EXPECT_FALSE(frame.usesHeadlight);
         EXPECT_TRUE(frame.ground);
     }
 }
@@ -302,11 +302,11 @@ TEST(Repeatability, AutoShadesADarkStillWithTheHeadlight) {
             FrameOptions options;
             options.isAccumulated = isAccumulated;
             const Frame frame = model.draw(underTheRoof(), quality, options);
-            EXPECT_TRUE(frame.isSunless);
-            EXPECT_EQ(frame.history.isSunless, std::optional(true));
+            EXPECT_TRUE(frame.usesHeadlight);
+            EXPECT_EQ(frame.history.usesHeadlight, std::optional(true));
             const render::Picture picture = model.backend().picture();
             quality.look.shading = plan::Shading::Headlight;
-            EXPECT_FALSE(model.draw(underTheRoof(), quality, options).history.isSunless);
+            EXPECT_FALSE(model.draw(underTheRoof(), quality, options).history.usesHeadlight);
             EXPECT_TRUE(model.backend().picture().pixels == picture.pixels);
         }
     }
@@ -321,15 +321,15 @@ TEST(Repeatability, AWalkKeepsItsShading) {
         plan::View view = underTheRoof();
         view.camera.eye.x = view.camera.target.x = start;
         const Frame first = model.draw(view, quality);
-        const bool isSunless = first.isSunless;
+        const bool usesHeadlight = first.usesHeadlight;
         History history = first.history;
-        EXPECT_EQ(isSunless, start < 24);
+        EXPECT_EQ(usesHeadlight, start < 24);
         for (int step = 0; step < 32; ++step) {
             const double x = start < 24 ? start + 0.5 * step : start - 0.5 * step;
             view.camera.eye.x = view.camera.target.x = x;
             const Frame frame = model.renderer().render(view, quality, {}, history);
             history = frame.history;
-            EXPECT_EQ(frame.isSunless, isSunless) << x;
+            EXPECT_EQ(frame.usesHeadlight, usesHeadlight) << x;
         }
     }
 }

@@ -104,8 +104,8 @@ TEST_F(ModelResidency, PagesOutOfViewAreRankedLast) {
     }
     const std::vector<hierarchy::PageDemand> ranked = rankedByBoxes(seen.query, demands, model.pages());
     ASSERT_EQ(ranked.size(), demands.size());
-    double leastSeen = 1e300;
-    double mostUnseen = 0;
+    double minSeen = 1e300;
+    double maxUnseen = 0;
     for (std::size_t i = 0; i < ranked.size(); ++i) {
         const hierarchy::PageInfo& info = model.pages()[ranked[i].page];
         EXPECT_EQ(ranked[i].page, demands[i].page);
@@ -119,11 +119,11 @@ TEST_F(ModelResidency, PagesOutOfViewAreRankedLast) {
         box.min -= info.maxError;
         box.max += info.maxError;
         const bool isSeen = classify(seen.volumes[0], box) != Containment::Outside;
-        if (isSeen) leastSeen = std::min(leastSeen, ranked[i].pixels);
-        if (!isSeen) mostUnseen = std::max(mostUnseen, ranked[i].pixels);
+        if (isSeen) minSeen = std::min(minSeen, ranked[i].pixels);
+        if (!isSeen) maxUnseen = std::max(maxUnseen, ranked[i].pixels);
     }
-    EXPECT_GT(mostUnseen, 0);
-    EXPECT_LT(mostUnseen, leastSeen);
+    EXPECT_GT(maxUnseen, 0);
+    EXPECT_LT(maxUnseen, minSeen);
 }
 
 TEST_F(ModelResidency, WhatShadowsNeedIsRankedByThem) {

@@ -234,8 +234,8 @@ const std::vector<Row>& rows() { // NOLINT(readability-function-size): a table
 }
 
 bool isDropped(const plan::FramePlan& plan, const Part& part) {
-    return std::any_of(plan.omitted.begin(), plan.omitted.end(), [&](const plan::Omission& omission) {
-        return omission.effect == part.effect && omission.slice == part.slice;
+    return std::any_of(plan.omitted.begin(), plan.omitted.end(), [&](const plan::SkippedEffect& skipped) {
+        return skipped.effect == part.effect && skipped.slice == part.slice;
     });
 }
 
@@ -245,8 +245,8 @@ std::string words(const Part& part) {
 
 std::string told(const plan::FramePlan& plan) {
     std::string text;
-    for (const plan::Omission& omission : plan.omitted)
-        text += settings::effectInWords(omission) + ": " + settings::reasonInWords(omission) + "\n";
+    for (const plan::SkippedEffect& skipped : plan.omitted)
+        text += settings::effectInWords(skipped) + ": " + settings::reasonInWords(skipped) + "\n";
     return text;
 }
 

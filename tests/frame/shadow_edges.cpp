@@ -1,7 +1,7 @@
 #include "tests/frame/shadow_edges.h"
 
 #include "core/check.h"
-#include "raytrace/shadow_oracle.h"
+#include "raytrace/ground_truth.h"
 
 #include <cmath>
 
@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kSameSurface = 0.01F; // of the depth
 
-bool isAsked(const ReachSample& sample) {
-    return sample.sine >= kLeastSine;
+bool isRequested(const ReachSample& sample) {
+    return sample.sine >= kMinSine;
 }
 
 /// 1 for each sample that has one of its four neighbours beside it on the same surface of which `isEdge` says so.
@@ -39,7 +39,7 @@ std::vector<std::uint8_t> marked(const ReachPicture& picture, const IsEdge& isEd
 
 std::vector<std::uint8_t> shadowEdges(const ReachPicture& picture) {
     return marked(picture, [](const ReachSample& dark, const ReachSample& lit) {
-        return dark.reach == Reach::Dark && lit.reach == Reach::Lit && isAsked(dark) && isAsked(lit);
+        return dark.reach == Reach::Dark && lit.reach == Reach::Lit && isRequested(dark) && isRequested(lit);
     });
 }
 

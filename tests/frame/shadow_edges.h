@@ -30,7 +30,7 @@ struct ReachPicture {
 
 /// Min sine (ten degrees). At a smaller angle, a bump of the surface moves an edge by more than six times its height,
 /// so edges there are not compared.
-inline constexpr float kLeastSine = 0.1736F;
+inline constexpr float kMinSine = 0.1736F;
 
 /// Returns 1 for each sample on a compared shadow edge, otherwise 0. Such an edge has a dark sample next to a lit one
 /// of the same surface, and the light meets both at ten degrees or more.

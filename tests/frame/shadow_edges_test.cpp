@@ -33,7 +33,7 @@ std::vector<float> plainEdgeDistances(const ReachPicture& picture, const ReachPi
             if (areBeside(other, i, j) && other.samples[i].reach != Reach::Lit && other.samples[j].reach == Reach::Lit)
                 ends.push_back(i);
     const auto isMet = [](const ReachSample& sample, Reach reach) {
-        return sample.reach == reach && sample.sine >= kLeastSine;
+        return sample.reach == reach && sample.sine >= kMinSine;
     };
     std::vector<float> distances(count, -1);
     const std::size_t width = picture.width;

@@ -12,7 +12,7 @@
 namespace gnomon::frame {
 namespace {
 
-bool areAlike(const shadow::SeenPart& a, const shadow::SeenPart& b) {
+bool areAlike(const shadow::VisibleSlab& a, const shadow::VisibleSlab& b) {
     return a.depths == b.depths && a.box.min == b.box.min && a.box.max == b.box.max;
 }
 
@@ -27,8 +27,8 @@ void expectSurveyedAsDrawn(const PreparedFrame& frame, const Residency& residenc
     const std::optional<lod::VisibleDepths> visible = lod::visibleDepthRange(query, image);
     ASSERT_TRUE(visible && frame.facts.visible && frame.facts.light);
     EXPECT_EQ(visible->span, (DepthSpan{frame.facts.visible->nearest, frame.facts.visible->farthest}));
-    const std::vector<shadow::SeenPart> seen = lod::seenParts(query, image, visible->span);
-    const std::vector<shadow::SeenPart>& told = frame.facts.light->seen;
+    const std::vector<shadow::VisibleSlab> seen = lod::visibleSlabs(query, image, visible->span);
+    const std::vector<shadow::VisibleSlab>& told = frame.facts.light->seen;
     EXPECT_TRUE(std::equal(seen.begin(), seen.end(), told.begin(), told.end(), areAlike));
 }
 

@@ -43,7 +43,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-constexpr std::uint32_t kMostPages = 16; // of a file: the others differ by their bytes alone
+constexpr std::uint32_t kMaxPages = 16; // of a file: the others differ by their bytes alone
 
 /// Aborts unless what was read of the summary is written as bytes that say the same.
 void storeAndRead(const hierarchy::ModelSummary& summary) {
@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         static_cast<void>(hierarchy::encodePageTable(model.pages()));
         fuzz::storeAndRead(model.summary());
         const auto pages = static_cast<std::uint32_t>(model.pages().size());
-        for (std::uint32_t page = 0; page < std::min(pages, fuzz::kMostPages); ++page) {
+        for (std::uint32_t page = 0; page < std::min(pages, fuzz::kMaxPages); ++page) {
             try {
                 hierarchy::PageFields fields;
                 static_cast<void>(model.readPage(page, fields));

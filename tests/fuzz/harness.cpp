@@ -16,8 +16,8 @@ namespace gnomon::fuzz {
 namespace {
 
 constexpr Bytes kMemory = mebibytes(64);
-constexpr std::uint64_t kMostPlaces = 3;       // vertices whose places are asked for, each a pass over the file
-constexpr std::uint64_t kMostKept = 1U << 16U; // vertices that are kept for the polygons
+constexpr std::uint64_t kMaxPlaces = 3;       // vertices whose places are asked for, each a pass over the file
+constexpr std::uint64_t kMaxKept = 1U << 16U; // vertices that are kept for the polygons
 
 /// What was read, as hashes: in whichever blocks it came.
 class Digest {
@@ -74,7 +74,7 @@ Digest readWhole(read::MeshSource& source) {
     std::vector<glm::dvec3> positions;
     source.readVertices([&](const read::VertexBlock& block) {
         digest.add(block);
-        if (positions.size() < kMostKept)
+        if (positions.size() < kMaxKept)
             positions.insert(positions.end(), block.positions.begin(), block.positions.end());
     });
     read::PolygonRefiner refiner(progress);
@@ -90,7 +90,7 @@ Digest readWhole(read::MeshSource& source) {
             if (isKept) refiner.refine(fan, [&](std::uint64_t vertex) { return positions[vertex]; });
         }
     });
-    for (std::uint64_t vertex = 0; vertex < std::min<std::uint64_t>(positions.size(), kMostPlaces); ++vertex)
+    for (std::uint64_t vertex = 0; vertex < std::min<std::uint64_t>(positions.size(), kMaxPlaces); ++vertex)
         static_cast<void>(source.whereIs(vertex)); // as messages about a vertex say
     source.requireUnchanged();
     return digest;

@@ -53,7 +53,7 @@ std::vector<std::byte> resealed(std::span<const std::byte> bytes) {
     const std::uint64_t footerAt = file.size() - kFooterBytes;
     Footer footer;
     const std::uint64_t between = footerAt - kHeaderBytes;
-    const auto clipped = [](std::uint64_t value, std::uint64_t most) { return std::min(value, most); };
+    const auto clipped = [](std::uint64_t value, std::uint64_t max) { return std::min(value, max); };
     footer.pageTable.offset = kHeaderBytes + clipped(valueAt<std::uint64_t>(file, footerAt) - kHeaderBytes, between);
     footer.pageTable.bytes = clipped(valueAt<std::uint64_t>(file, footerAt + 8), footerAt - footer.pageTable.offset);
     footer.summary.offset = footer.pageTable.offset + footer.pageTable.bytes;

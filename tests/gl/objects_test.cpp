@@ -99,7 +99,7 @@ int offBy(const Context& context, int width, int height, int larger) {
     const Target target(context, width * larger, height * larger);
     PictureFill(context.api(), ShaderLibrary()).draw(texture.id());
     const std::vector<GLuint> drawn = target.words();
-    int most = 0;
+    int max = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const int x = static_cast<int>(i % (w * static_cast<std::size_t>(larger)));
         const int y = height * larger - 1 - static_cast<int>(i / (w * static_cast<std::size_t>(larger)));
@@ -116,10 +116,10 @@ int offBy(const Context& context, int width, int height, int larger) {
             const double upper = std::lerp(channel(left, top), channel(left + 1, top), u - left);
             const double lower = std::lerp(channel(left, top + 1), channel(left + 1, top + 1), u - left);
             const auto is = static_cast<double>(drawn[i] >> c & 255U);
-            most = std::max(most, static_cast<int>(std::abs(is - std::lerp(upper, lower, v - top))));
+            max = std::max(max, static_cast<int>(std::abs(is - std::lerp(upper, lower, v - top))));
         }
     }
-    return most;
+    return max;
 }
 
 // As large as the window it is there to the bit; in a larger one each pixel is a mix of the nearest four.

@@ -40,7 +40,7 @@ TEST(PlaneKernel, JoinsPlanesOnEveryInstructionSet) {
         for (const std::size_t count : kCounts)
             for (unsigned planeCount = 0; planeCount <= 4; ++planeCount) {
                 const SomePlanes some(random, planeCount, count);
-                std::vector<std::uint32_t> out(count + kMostLanes);
+                std::vector<std::uint32_t> out(count + kMaxLanes);
                 decodeNumbers(some.planes, out.data());
                 EXPECT_TRUE(std::equal(some.numbers.begin(), some.numbers.end(), out.begin())) << name << ' ' << count;
             }
@@ -55,9 +55,9 @@ TEST(PlaneKernel, TurnsCodesIntoDifferencesOnEveryInstructionSet) {
             for (unsigned k = 0; k < 4; ++k)
                 some.emplace_back(random, static_cast<unsigned>(1 + random.below(4)), count);
             const std::array<Planes, 4> planes{some[0].planes, some[1].planes, some[2].planes, some[3].planes};
-            std::vector<PositionWords> positions(count + kMostLanes);
-            std::vector<std::uint64_t> normals(count + kMostLanes);
-            std::vector<std::uint32_t> colors(count + kMostLanes);
+            std::vector<PositionWords> positions(count + kMaxLanes);
+            std::vector<std::uint64_t> normals(count + kMaxLanes);
+            std::vector<std::uint32_t> colors(count + kMaxLanes);
             decodePositions(std::span(planes).first<3>(), positions.data());
             decodeNormals(std::span(planes).first<2>(), 0x3FFU, normals.data());
             decodeColors(planes, colors.data());

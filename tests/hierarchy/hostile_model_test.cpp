@@ -74,7 +74,7 @@ struct Sealed {
 };
 
 /// What opening the model after `change`, and reading its pages, throws; empty if nothing.
-std::string refusal(const std::function<void(Sealed&)>& change, Bytes tableMemory = {kMostTableBytes}) {
+std::string refusal(const std::function<void(Sealed&)>& change, Bytes tableMemory = {kMaxTableBytes}) {
     Sealed sealed = Sealed::sound();
     change(sealed);
     const std::string path = pathOfTest();
@@ -273,7 +273,7 @@ std::string sparseModel(std::uint64_t bytes, Footer footer) {
     return path;
 }
 
-std::string openingFault(const std::string& path, Bytes tableMemory = {kMostTableBytes}) {
+std::string openingFault(const std::string& path, Bytes tableMemory = {kMaxTableBytes}) {
     try {
         const ModelFile file(path, tableMemory);
     } catch (const Error& error) {

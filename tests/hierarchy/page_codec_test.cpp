@@ -38,8 +38,8 @@ PageFields randomFields(const Page& page, std::uint64_t seed) {
     PageFields fields;
     unsigned left = 32;
     for (std::size_t i = 0; i <= seed % kMaxFields; ++i) {
-        const auto most = static_cast<unsigned>(std::min<std::size_t>(16, left - (kMaxFields - 1 - i)));
-        fields.layout.bits[i] = static_cast<std::uint8_t>(1 + random.below(most));
+        const auto max = static_cast<unsigned>(std::min<std::size_t>(16, left - (kMaxFields - 1 - i)));
+        fields.layout.bits[i] = static_cast<std::uint8_t>(1 + random.below(max));
         left -= fields.layout.bits[i];
     }
     for (const Vertex& vertex : page.vertices) {
@@ -140,12 +140,12 @@ std::vector<std::array<Vertex, 3>> surface(const Page& page, const Cluster& clus
         std::array<Vertex, 3> corners;
         for (std::size_t k = 0; k < 3; ++k)
             corners[k] = page.vertices[cluster.firstVertex + page.triangles[cluster.firstTriangle + t][k]];
-        std::array<Vertex, 3> least = corners;
+        std::array<Vertex, 3> min = corners;
         for (int turn = 0; turn < 2; ++turn) {
             std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-            least = std::min(least, corners);
+            min = std::min(min, corners);
         }
-        triangles.push_back(least);
+        triangles.push_back(min);
     }
     std::sort(triangles.begin(), triangles.end());
     return triangles;

@@ -74,10 +74,10 @@ struct Forged {
     }
 };
 
-std::vector<std::byte> stored(std::uint8_t packing, std::uint64_t promised, std::span<const std::byte> bytes) {
+std::vector<std::byte> stored(std::uint8_t packing, std::uint64_t aliasingBound, std::span<const std::byte> bytes) {
     ByteWriter out;
     out.put(packing);
-    out.putVarint(promised);
+    out.putVarint(aliasingBound);
     out.put(bytes);
     return out.take();
 }
@@ -193,8 +193,8 @@ TEST(PageDamage, EveryFieldOfTheRowIsCompared) {
 TEST(PageDamage, APromiseThatTheBytesCannotKeepIsRefusedBeforeMemoryIsAskedFor) {
     const PageInfo info = describePage(smallPage());
     const std::vector<std::byte> plain = Forged{}.bytes();
-    const auto damage = [&](std::uint8_t packing, std::uint64_t promised, std::span<const std::byte> bytes) {
-        return damageOf([&] { decodePageBytes(stored(packing, promised, bytes), info); });
+    const auto damage = [&](std::uint8_t packing, std::uint64_t aliasingBound, std::span<const std::byte> bytes) {
+        return damageOf([&] { decodePageBytes(stored(packing, aliasingBound, bytes), info); });
     };
     EXPECT_EQ(damage(0, plain.size() + 1, plain), "the stored size differs from the page table");
     for (const int packing : {8, 9, 255})

@@ -139,9 +139,9 @@ TEST(PageTable, EachCountAddsWhatItMayTakeInPlainBytes) {
     constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     const auto added = [](const auto& change) {
         PageInfo info;
-        const std::uint64_t before = mostPlainBytes(info);
+        const std::uint64_t before = maxPlainBytes(info);
         change(info);
-        return mostPlainBytes(info) - before;
+        return maxPlainBytes(info) - before;
     };
     EXPECT_EQ(added([](PageInfo& info) { info.groupCount = 3; }), 3 * (5 + kSphereAndErrors));
     EXPECT_EQ(added([](PageInfo& info) { info.refinementCount = 3; }), 3 * (5 + 5 + kSphereAndErrors));
@@ -251,10 +251,10 @@ TEST(Summary, EachLieOfFormat4IsNamed) {
     EXPECT_EQ(after([](ModelSummary& s) { s.unit = static_cast<Unit>(5); }), "unit 5 is unknown");
     const std::string unnamed = "a field has no name or no range";
     EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].name.clear(); }), unnamed);
-    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].least = 65536; }), unnamed);
+    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].min = 65536; }), unnamed);
     for (const double wrong : {kNan, 1 / 0.0})
-        EXPECT_EQ(after([&](ModelSummary& s) { s.fields[0].greatest = wrong; }), unnamed);
-    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].least = 65535; }), "");
+        EXPECT_EQ(after([&](ModelSummary& s) { s.fields[0].max = wrong; }), unnamed);
+    EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].min = 65535; }), "");
     EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].bits = 0; }), "a field has 0 bits");
     EXPECT_EQ(after([](ModelSummary& s) { s.fields[1].bits = 17; }), "a field has 17 bits");
     EXPECT_EQ(
@@ -307,9 +307,9 @@ TEST(Summary, EachLieIsNamed) {
     EXPECT_EQ(after([](ModelSummary& s) { s.levels[1].maxError = 1 / 0.0; }), "an error is negative or not finite")
         << "finite, too";
     EXPECT_EQ(after([](ModelSummary& s) { s.grid.origin.y = kNan; }).find("the grid's origin: expected "), 0U);
-    for (const int exponent : {kLeastStepExponent - 1, kMostStepExponent + 1})
+    for (const int exponent : {kMinStepExponent - 1, kMaxStepExponent + 1})
         EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }).find("the grid's step"), 0U);
-    for (const int exponent : {-29, kMostStepExponent})
+    for (const int exponent : {-29, kMaxStepExponent})
         EXPECT_EQ(after([&](ModelSummary& s) { s.grid.stepExponent = exponent; }), "");
     EXPECT_EQ(after([](ModelSummary& s) { s.bounds.max.x = kNan; }).find("the bounds: expected "), 0U);
     std::vector<std::byte> bytes = encodeSummary(someSummary());

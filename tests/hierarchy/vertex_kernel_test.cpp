@@ -15,7 +15,7 @@ constexpr NormalCode kCode{4};
 
 /// What a cluster of fresh vertices is stored as.
 struct StoredCluster {
-    StoredCluster(Random& random, std::uint32_t count) : edges(count + kMostLanes) {
+    StoredCluster(Random& random, std::uint32_t count) : edges(count + kMaxLanes) {
         for (std::uint32_t v = 0; v < count; ++v) {
             const auto any = [&] { return static_cast<std::uint32_t>(random.below(std::min(v + 2, 256U))); };
             edges[v] = any() | any() << 8U | any() << 16U;

@@ -36,11 +36,11 @@ TEST(ValueColors, OfWideFieldsGoByTheirLogarithm) {
     settings::ValueColors colors;
     colors.by = settings::ColorBy::Field;
     colors.field = "intensity";
-    const auto expect = [&](std::array<double, 2> usual, bool isLogarithmic, double least) {
+    const auto expect = [&](std::array<double, 2> usual, bool isLogarithmic, double min) {
         const render::ValueScale scale = valueScale(colors, usual);
         EXPECT_EQ(scale.isLogarithmic, isLogarithmic) << usual[0] << " to " << usual[1];
-        EXPECT_EQ(scale.least, least);
-        EXPECT_EQ(scale.most, colors.range ? (*colors.range)[1] : usual[1]);
+        EXPECT_EQ(scale.min, min);
+        EXPECT_EQ(scale.max, colors.range ? (*colors.range)[1] : usual[1]);
     };
     expect({1, 9}, false, 1);
     expect({1, 11}, true, 1);
@@ -220,13 +220,13 @@ TEST(SeenValues, WhatAModelLacksIsSaid) {
 /// How far `point` is from a triangle, at most: from its plane, and from what lies within its edges.
 double distanceTo(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point) {
     const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    double most = std::abs(glm::dot(normal, point - corners[0]));
+    double max = std::abs(glm::dot(normal, point - corners[0]));
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 edge = corners[(i + 1) % 3] - corners[i];
         const double inside = glm::dot(normal, glm::cross(glm::normalize(edge), point - corners[i]));
-        most = std::max(most, -inside);
+        max = std::max(max, -inside);
     }
-    return most;
+    return max;
 }
 
 plan::View randomViewOfHills(Random& random, int round) {

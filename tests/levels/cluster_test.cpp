@@ -54,9 +54,9 @@ void expectSound(const Source& source, const Clustering& clustering, std::uint32
 
 TEST(Clusters, HoldEveryTriangleOnceWithinTheirLimits) {
     for (const read::CodeMesh& mesh : {read::bumpySheet(30), read::strewnBoxes(150)})
-        for (const std::uint32_t most : {1U, 12U, 64U, 128U}) {
+        for (const std::uint32_t max : {1U, 12U, 64U, 128U}) {
             const Source source(mesh);
-            expectSound(source, source.cut(most), most);
+            expectSound(source, source.cut(max), max);
         }
 }
 

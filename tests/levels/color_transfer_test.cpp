@@ -303,7 +303,7 @@ TEST(ColorTransfer, TheErrorIsThatOfThePointWhereMostIsOff) {
         for (const hierarchy::Vertex& vertex : patch.vertices)
             before.push_back(vertex.color);
         const std::vector<std::uint32_t> after = colorsAfter(patch, transfer);
-        double mostOff = 0;
+        double maxOff = 0;
         double longest = 0;
         for (std::uint32_t p = 0; p < patch.positions.size(); ++p)
             longest = std::max(longest, glm::length(patch.positions[p] - patch.positions[simplified.movedTo[p]]));
@@ -312,10 +312,10 @@ TEST(ColorTransfer, TheErrorIsThatOfThePointWhereMostIsOff) {
                 const glm::dvec3 p = patch.positions[t[i]] * (2.0 / 3) + patch.positions[t[(i + 1) % 3]] * (1.0 / 6) +
                                      patch.positions[t[(i + 2) % 3]] * (1.0 / 6);
                 const double was = redAt(p, patch, patch.triangles, before);
-                mostOff = std::max(mostOff, std::abs(redAt(p, patch, simplified.triangles, after) - was));
+                maxOff = std::max(maxOff, std::abs(redAt(p, patch, simplified.triangles, after) - was));
             }
-        EXPECT_LE(transfer.error, colorCharge(longest, mostOff) * 1.001) << seed;
-        EXPECT_GE(transfer.error, colorCharge(kEdge, mostOff) * 0.999) << "nothing moved by less; seed " << seed;
+        EXPECT_LE(transfer.error, colorCharge(longest, maxOff) * 1.001) << seed;
+        EXPECT_GE(transfer.error, colorCharge(kEdge, maxOff) * 0.999) << "nothing moved by less; seed " << seed;
     }
 }
 

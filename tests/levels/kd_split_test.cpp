@@ -28,7 +28,7 @@ int widestAxisOf(const Items& items) {
 }
 
 /// Buckets of one width, and the longest run of empty ones.
-std::uint64_t weightBeforePlainGap(const Items& items, int axis, std::uint64_t leastWeight) {
+std::uint64_t weightBeforePlainGap(const Items& items, int axis, std::uint64_t minWeight) {
     float low = items.front().center[axis];
     float high = low;
     for (const KdItem& item : items) {
@@ -49,14 +49,14 @@ std::uint64_t weightBeforePlainGap(const Items& items, int axis, std::uint64_t l
     for (auto bucket = buckets.begin(); bucket != buckets.end(); before += bucket->second, ++bucket) {
         if (bucket == buckets.begin()) continue;
         const int empty = bucket->first - std::prev(bucket)->first - 1;
-        if (empty <= widest || std::min(before, total - before) < leastWeight) continue;
+        if (empty <= widest || std::min(before, total - before) < minWeight) continue;
         widest = empty;
         found = before;
     }
     return found;
 }
 
-void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap, KdParts& out) {
+void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, std::uint64_t minWeightAtGap, KdParts& out) {
     std::uint64_t weight = 0;
     for (const KdItem& item : items)
         weight += item.weight;
@@ -71,7 +71,7 @@ void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, std::ui
     const auto lowParts = std::clamp<std::uint64_t>(
         static_cast<std::uint64_t>(std::floor(static_cast<double>(parts) * fraction + 0.5)), 1, parts - 1);
     const int axis = widestAxisOf(items);
-    const std::uint64_t gap = weightBeforePlainGap(items, axis, leastAtGap);
+    const std::uint64_t gap = weightBeforePlainGap(items, axis, minWeightAtGap);
     const std::uint64_t target = gap > 0 ? gap : weight * lowParts / parts;
     std::sort(items.begin(), items.end(), [&](const KdItem& a, const KdItem& b) {
         return a.center[axis] < b.center[axis] || (a.center[axis] == b.center[axis] && a.index < b.index);
@@ -80,14 +80,15 @@ void splitPlainly(Items items, std::uint64_t maxWeight, double fraction, std::ui
     for (std::uint64_t sum = items[0].weight; sum <= target; sum += items[low].weight)
         ++low;
     const auto middle = items.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(low, 1));
-    splitPlainly({items.begin(), middle}, maxWeight, fraction, leastAtGap, out);
-    splitPlainly({middle, items.end()}, maxWeight, fraction, leastAtGap, out);
+    splitPlainly({items.begin(), middle}, maxWeight, fraction, minWeightAtGap, out);
+    splitPlainly({middle, items.end()}, maxWeight, fraction, minWeightAtGap, out);
 }
 
-void expectSplitAsPlainly(const Items& items, std::uint64_t maxWeight, double fraction, std::uint64_t leastAtGap = 0) {
+void expectSplitAsPlainly(
+    const Items& items, std::uint64_t maxWeight, double fraction, std::uint64_t minWeightAtGap = 0) {
     KdParts plain;
-    if (!items.empty()) splitPlainly(items, maxWeight, fraction, leastAtGap, plain);
-    const KdParts parts = kdSplit(items, maxWeight, fraction, leastAtGap);
+    if (!items.empty()) splitPlainly(items, maxWeight, fraction, minWeightAtGap, plain);
+    const KdParts parts = kdSplit(items, maxWeight, fraction, minWeightAtGap);
     EXPECT_EQ(parts.order, plain.order);
     EXPECT_EQ(parts.ends, plain.ends);
 }
@@ -118,13 +119,13 @@ float coordinate(Spread spread, Random& random) {
     return 0;
 }
 
-Items randomItems(std::size_t count, Spread spread, std::uint32_t mostWeight, Random& random) {
+Items randomItems(std::size_t count, Spread spread, std::uint32_t maxItemWeight, Random& random) {
     Items items;
     for (std::uint32_t i = 0; i < count; ++i) {
         KdItem item;
         for (int axis = 0; axis < 3; ++axis)
             item.center[axis] = coordinate(spread, random);
-        item.weight = static_cast<std::uint32_t>(1 + random.below(mostWeight));
+        item.weight = static_cast<std::uint32_t>(1 + random.below(maxItemWeight));
         item.index = 3 * i + 7;
         items.push_back(item);
     }
@@ -135,14 +136,14 @@ TEST(KdSplit, CutsAsSortingAllItemsAtEachCutDoes) {
     Random random(5);
     for (const Spread spread : kSpreads)
         for (const std::size_t count : {0U, 1U, 2U, 3U, 17U, 60U, 500U, 3000U})
-            for (const std::uint32_t mostWeight : {1U, 40U, 3000U})
+            for (const std::uint32_t maxItemWeight : {1U, 40U, 3000U})
                 for (const double fraction : {0.5, 0.42, 0.58}) {
                     SCOPED_TRACE(
                         testing::Message() << "spread " << static_cast<int>(spread) << ", " << count
-                                           << " items, weights up to " << mostWeight);
+                                           << " items, weights up to " << maxItemWeight);
                     const std::uint64_t maxWeight = 1 + random.below(200);
                     expectSplitAsPlainly(
-                        randomItems(count, spread, mostWeight, random),
+                        randomItems(count, spread, maxItemWeight, random),
                         maxWeight,
                         fraction,
                         random.below(2) * maxWeight / 2);

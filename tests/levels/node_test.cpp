@@ -44,7 +44,7 @@ TEST(Node, UpToTheRootEndsInOneClusterAndLeavesNothing) {
     EXPECT_EQ(node.levels.back().info.clusters, 1U);
     EXPECT_EQ(node.rootTriangles, node.levels.back().info.triangles);
     EXPECT_LE(node.rootTriangles, 128U);
-    EXPECT_EQ(node.stuckTriangles, 0U);
+    EXPECT_EQ(node.irreducibleTriangles, 0U);
     EXPECT_TRUE(node.pending.bytes.empty());
     EXPECT_EQ(node.pending.triangles, 0U);
 }
@@ -53,7 +53,7 @@ TEST(Node, ThatIsOneClusterIsARoot) {
     const BuiltNode node = built(meshOf(read::bumpySheet(4)), {0, hierarchy::kNone});
     ASSERT_EQ(node.levels.size(), 1U);
     EXPECT_EQ(node.rootTriangles, 32U);
-    EXPECT_EQ(node.stuckTriangles, 0U);
+    EXPECT_EQ(node.irreducibleTriangles, 0U);
 }
 
 TEST(Node, OfAsManyLevelsAsAskedLeavesTheNextOnePending) {
@@ -83,9 +83,9 @@ TEST(Node, WhereEveryPositionIsSharedIsStuckAtTheRootOnly) {
     mesh.isBorder.assign(mesh.positionCount, 1);
     const BuiltNode root = built(mesh, {0, hierarchy::kNone});
     EXPECT_EQ(root.levels.size(), 1U);
-    EXPECT_EQ(root.stuckTriangles, 800U);
+    EXPECT_EQ(root.irreducibleTriangles, 800U);
     const BuiltNode inner = built(mesh, {0, 3});
-    EXPECT_EQ(inner.stuckTriangles, 0U);
+    EXPECT_EQ(inner.irreducibleTriangles, 0U);
     EXPECT_EQ(inner.pending.triangles, 800U);
 }
 

@@ -67,11 +67,11 @@ double angleFromMean(const Roof& roof, std::uint32_t p) {
     glm::dvec3 sum(0);
     for (const simplify::Triangle& t : roof.triangles)
         if (t[0] == p || t[1] == p || t[2] == p) sum += faceNormal(roof, t);
-    double most = 0;
+    double max = 0;
     for (const simplify::Triangle& t : roof.triangles)
         if (t[0] == p || t[1] == p || t[2] == p)
-            most = std::max(most, std::acos(glm::dot(glm::normalize(faceNormal(roof, t)), glm::normalize(sum))));
-    return most * 180 / std::numbers::pi;
+            max = std::max(max, std::acos(glm::dot(glm::normalize(faceNormal(roof, t)), glm::normalize(sum))));
+    return max * 180 / std::numbers::pi;
 }
 
 TEST(SmoothNormals, EndWhereAFaceIsMoreThan40DegreesFromTheMean) {

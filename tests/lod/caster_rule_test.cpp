@@ -12,14 +12,13 @@ namespace {
 const Box kSpace{{-10, -3, -10}, {10, 5, 10}};
 
 /// The least view depth of a receiver on the ray of light through `point`, by small steps; infinite if there is none.
-double leastReceiverDepth(const CasterDetail& caster, const DetailView& view, const glm::dvec3& point, double step) {
-    double least = std::numeric_limits<double>::infinity();
+double minReceiverDepth(const CasterDetail& caster, const DetailView& view, const glm::dvec3& point, double step) {
+    double min = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3000; ++i) {
         const glm::dvec3 receiver = point - caster.towardsLight * (step * i);
-        if (contains(caster.receivers, receiver))
-            least = std::min(least, glm::dot(receiver - view.eye, view.basis.view));
+        if (contains(caster.receivers, receiver)) min = std::min(min, glm::dot(receiver - view.eye, view.basis.view));
     }
-    return least;
+    return min;
 }
 
 // A point has one ray of light, so the charge is the error over the least depth where that ray meets the receivers.
@@ -37,13 +36,13 @@ TEST(CasterRule, ChargesAPointWhatItsRayOfLightMeets) {
         const double error = std::exp(random.uniform(-6, 0));
         const double reported = rule.casterPixels({point, 0}, error);
         const double step = caster.receiverNear * 0.01;
-        const double least = leastReceiverDepth(caster, view, point, step);
+        const double min = minReceiverDepth(caster, view, point, step);
         const double zeta = glm::dot(caster.texel.axis, point) - caster.texel.origin;
         const bool isSeen =
-            std::isfinite(least) && contains(caster.casters, point) && error > 0.5 * caster.texel.smallerSide(zeta);
+            std::isfinite(min) && contains(caster.casters, point) && error > 0.5 * caster.texel.smallerSide(zeta);
         if (isSeen) {
             ++charged;
-            const double expected = error * view.edgePixelsPerUnit() / std::max(least, caster.receiverNear);
+            const double expected = error * view.edgePixelsPerUnit() / std::max(min, caster.receiverNear);
             EXPECT_GE(reported, expected * (1 - 1e-9));
             EXPECT_LE(reported, expected * (1 + 2 * step / caster.receiverNear)) << "as exact as the steps are";
         } else {

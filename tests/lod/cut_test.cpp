@@ -25,7 +25,7 @@ struct SlowCut {
     std::set<std::uint32_t> wanted;
 };
 
-bool isAsked(const CutQuery& query, const Sphere& bounds, double error) {
+bool isRequested(const CutQuery& query, const Sphere& bounds, double error) {
     return query.rule->pixels(bounds, error) > query.errorPixels;
 }
 
@@ -48,7 +48,7 @@ void addSlowly(
     if (cluster.refinement != kNone) {
         const hierarchy::Refinement& finer = page.refinements[cluster.refinement];
         const bool isResident = query.resident[finer.group.page] != nullptr;
-        const bool isFinerAsked = isAsked(query, finer.bounds, tests::largerError(finer));
+        const bool isFinerAsked = isRequested(query, finer.bounds, tests::largerError(finer));
         if (isFinerAsked && !isResident) result.wanted.insert(finer.group.page);
         if (isFinerAsked && isResident) return;
     }
@@ -66,7 +66,7 @@ SlowCut slowCut(const CutQuery& query) {
         if (query.resident[p] == nullptr) continue;
         const hierarchy::Page& page = *query.resident[p];
         for (const hierarchy::Group& group : page.groups) {
-            if (!isAsked(query, group.bounds, tests::largerError(group))) continue;
+            if (!isRequested(query, group.bounds, tests::largerError(group))) continue;
             result.used.insert(p);
             for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
                 addSlowly(query, page, group, {p, c}, result);
@@ -226,27 +226,28 @@ TEST(Cut, AsksForTheSamePagesWhateverIsResident) {
 TEST(Cut, TheTableForeseesEveryPageThatIsNeeded) {
     Random random(37);
     std::size_t neededCount = 0;
-    std::size_t foreseenCount = 0;
+    std::size_t prefetchCount = 0;
     for (int trial = 0; trial < 50; ++trial) {
         Scene scene(random, sharedModel(), sharedModel().all);
         const std::set<std::uint32_t> needed = pagesOf(cut(scene.query()).used);
         scene.resident = tests::randomResidency(random, sharedModel());
         const Cut now = cut(scene.query());
-        const std::vector<hierarchy::PageDemand> demands = foreseenPages(scene.query(), now, sharedModel().table);
-        const std::set<std::uint32_t> foreseen = pagesOf(demands);
+        const std::vector<hierarchy::PageDemand> demands = findPrefetchSet(scene.query(), now, sharedModel().table);
+        const std::set<std::uint32_t> prefetchSet = pagesOf(demands);
         const std::set<std::uint32_t> wanted = pagesOf(now.wanted);
-        EXPECT_EQ(foreseen.size(), demands.size());
-        EXPECT_TRUE(!wanted.empty() || foreseen.empty());
+        EXPECT_EQ(prefetchSet.size(), demands.size());
+        EXPECT_TRUE(!wanted.empty() || prefetchSet.empty());
         for (const std::uint32_t page : needed)
-            EXPECT_EQ((scene.resident[page] != nullptr) + wanted.contains(page) + foreseen.contains(page), 1) << page;
-        for (const std::uint32_t page : foreseen) {
+            EXPECT_EQ((scene.resident[page] != nullptr) + wanted.contains(page) + prefetchSet.contains(page), 1)
+                << page;
+        for (const std::uint32_t page : prefetchSet) {
             EXPECT_EQ(scene.resident[page], nullptr);
             neededCount += needed.contains(page) ? 1 : 0;
         }
-        foreseenCount += foreseen.size();
+        prefetchCount += prefetchSet.size();
     }
     EXPECT_GT(neededCount, 100U);
-    EXPECT_LT(foreseenCount, 3 * neededCount) << "loads much that is not needed";
+    EXPECT_LT(prefetchCount, 3 * neededCount) << "loads much that is not needed";
 }
 
 TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
@@ -265,7 +266,7 @@ TEST(Cut, ReportsTheErrorOfWhatIsMissing) {
                 const Box box = scene.trees->grid().local(page.clusters[c].box);
                 const double pixels = scene.rule.viewPixels(finer.bounds, error);
                 const bool isMissing = pixels > scene.errorPixels;
-                worst = std::max(worst, isMissing ? std::min(pixels, scene.rule.mostViewPixels(box, error)) : pixels);
+                worst = std::max(worst, isMissing ? std::min(pixels, scene.rule.maxViewPixels(box, error)) : pixels);
             }
         }
         EXPECT_EQ(now.achievedErrorPixels, worst);

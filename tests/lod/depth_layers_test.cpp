@@ -13,7 +13,7 @@ namespace {
 constexpr double kFarAway = std::numeric_limits<double>::infinity();
 
 /// Whether a ray from `eye` along `direction` meets `box` anywhere.
-bool meets(const Box& box, const glm::dvec3& eye, const glm::dvec3& direction) {
+bool intersects(const Box& box, const glm::dvec3& eye, const glm::dvec3& direction) {
     double first = 0;
     double last = kFarAway;
     for (int axis = 0; axis < 3; ++axis) {
@@ -28,7 +28,7 @@ bool meets(const Box& box, const glm::dvec3& eye, const glm::dvec3& direction) {
 TEST(Layers, AreAboutAsManyAsRaysMeetAndNeverFarFewer) {
     Random random(17);
     double counted = 0;
-    double met = 0;
+    double hit = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const Seen scene(random);
         const double layers = imageLayers(scene.query(), scene.cut.lists.image, kFarAway);
@@ -39,14 +39,14 @@ TEST(Layers, AreAboutAsManyAsRaysMeetAndNeverFarFewer) {
             const double y = random.uniform(-1, 1) * scene.view.tanHalfY;
             const glm::dvec3 direction = toWorld(scene.view.basis, glm::dvec3(x, y, 1));
             forEveryCluster(scene.query(), scene.cut.lists.image, [&](const auto&, const auto& cluster) {
-                hits += meets(scene.query().trees->grid().local(cluster.box), scene.view.eye, direction) ? 1 : 0;
+                hits += intersects(scene.query().trees->grid().local(cluster.box), scene.view.eye, direction) ? 1 : 0;
             });
         }
         counted += layers;
-        met += static_cast<double>(hits) / kRays;
+        hit += static_cast<double>(hits) / kRays;
     }
-    EXPECT_GT(counted, 0.9 * met); // what lies beside the image counts as well
-    EXPECT_LT(counted, 4 * met);
+    EXPECT_GT(counted, 0.9 * hit); // what lies beside the image counts as well
+    EXPECT_LT(counted, 4 * hit);
 }
 
 TEST(Layers, AreNotCountedOnceTheyAreEnough) {

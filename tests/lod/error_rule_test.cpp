@@ -73,25 +73,25 @@ TEST(ErrorRule, NestedSpheresNeverGetMorePixels) {
 
 TEST(ErrorRule, WhatEnclosesSomethingOfABoxHasNoLessThanTheBoxPromises) {
     Random random(24);
-    int promised = 0;
+    int aliasingBound = 0;
     double closest = 0;
     for (int trial = 0; trial < 100000; ++trial) {
         const ErrorRule rule(randomView(random, kErrorSpace));
         const Sphere middle = randomSphere(random);
         const Box box{middle.center - glm::dvec3(middle.radius), middle.center + glm::dvec3(middle.radius)};
         const double error = std::exp(random.uniform(-8, 0));
-        const double least = rule.leastViewPixels(box, error);
-        if (!(least > 0)) continue;
-        ++promised;
+        const double minPixels = rule.minViewPixels(box, error);
+        if (!(minPixels > 0)) continue;
+        ++aliasingBound;
         const glm::dvec3 enclosed =
             box.min + box.extent() * glm::dvec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
         const double radius = std::exp(random.uniform(-9, 2));
         const Sphere sphere{randomPointIn(random, {enclosed, radius}), radius * (1 + 1e-12)};
         const double pixels = rule.viewPixels(sphere, error);
-        EXPECT_GE(pixels, least) << trial;
-        closest = std::max(closest, least / pixels);
+        EXPECT_GE(pixels, minPixels) << trial;
+        closest = std::max(closest, minPixels / pixels);
     }
-    EXPECT_GT(promised, 1000);
+    EXPECT_GT(aliasingBound, 1000);
     EXPECT_GT(closest, 0.9) << "it promises too little";
 }
 
@@ -172,7 +172,7 @@ TEST(ErrorRule, NothingInABoxMovesFurtherThanTheBoxAllows) {
         ++shown;
         const double across = view.heightPixels * std::hypot(1.0, view.tanHalfX / view.tanHalfY);
         const double seen = std::min(across, glm::distance(projected(view, point), projected(view, moved)));
-        const double reported = rule.mostViewPixels(box, error);
+        const double reported = rule.maxViewPixels(box, error);
         EXPECT_LE(seen, reported * (1 + 1e-9));
         EXPECT_LE(reported, across);
         if (error < 1e-3 * inCamera.z) tightest = std::min(tightest, reported / seen);
@@ -185,12 +185,12 @@ TEST(ErrorRule, ABoxOutOfViewShowsNothing) {
     DetailView view;
     view.basis = cameraBasis({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 1});
     const ErrorRule rule(view);
-    EXPECT_EQ(rule.mostViewPixels({{-1, -1, 5}, {1, 1, 7}}, 0.1), 0);
-    EXPECT_EQ(rule.mostViewPixels({{-1, -1, -7}, {1, 1, -5}}, 0), 0);
-    const double far = rule.mostViewPixels({{-1, -1, -70}, {1, 1, -50}}, 0.1);
+    EXPECT_EQ(rule.maxViewPixels({{-1, -1, 5}, {1, 1, 7}}, 0.1), 0);
+    EXPECT_EQ(rule.maxViewPixels({{-1, -1, -7}, {1, 1, -5}}, 0), 0);
+    const double far = rule.maxViewPixels({{-1, -1, -70}, {1, 1, -50}}, 0.1);
     EXPECT_GT(far, 0);
-    EXPECT_GT(rule.mostViewPixels({{-1, -1, -7}, {1, 1, -5}}, 0.1), 8 * far);
-    EXPECT_LT(rule.mostViewPixels({{-1, -1, -7}, {1, 1, 5}}, 0.1), 1.5 * view.heightPixels) << "the eye is within";
+    EXPECT_GT(rule.maxViewPixels({{-1, -1, -7}, {1, 1, -5}}, 0.1), 8 * far);
+    EXPECT_LT(rule.maxViewPixels({{-1, -1, -7}, {1, 1, 5}}, 0.1), 1.5 * view.heightPixels) << "the eye is within";
 }
 
 TEST(ErrorRule, ChargesACornerMoreThanTheCentre) {

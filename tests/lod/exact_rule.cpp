@@ -81,7 +81,7 @@ Real smallerSide(const TexelWidth& texel, const Real& zeta) {
 }
 
 /// The least view depth of what the light through the sphere's centre meets of the grown receivers.
-std::optional<Real> leastDepth(const CasterDetail& caster, const DetailView& view, const Sphere& sphere) {
+std::optional<Real> minDepth(const CasterDetail& caster, const DetailView& view, const Sphere& sphere) {
     const Vector direction(-caster.towardsLight);
     Real first = 0;
     std::optional<Real> last;
@@ -115,7 +115,7 @@ Real casterPixels(const CasterDetail& caster, const DetailView& view, const Sphe
     }
     const Real zeta = dot(caster.texel.axis, sphere.center) - caster.texel.origin;
     if (Real(2) * error <= smallerSide(caster.texel, zeta - sphere.radius)) return 0;
-    const std::optional<Real> depth = leastDepth(caster, view, sphere);
+    const std::optional<Real> depth = minDepth(caster, view, sphere);
     return depth ? unit / greater(*depth - sphere.radius, caster.receiverNear) : Real(0);
 }
 

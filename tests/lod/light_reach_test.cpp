@@ -105,21 +105,21 @@ std::optional<glm::dvec2> seenPixel(const lod::DetailView& view, const TiledView
 
 /// Between the corners of a box, in pixels; everywhere, where one of them is nearer than is shown.
 struct CornerReach {
-    glm::dvec2 least{1e9};
-    glm::dvec2 most{-1e9};
+    glm::dvec2 min{1e9};
+    glm::dvec2 max{-1e9};
 
     CornerReach(const lod::DetailView& view, const TiledView& seen, const Box& box) {
         for (const glm::dvec3& corner : boxCornersOf(box)) {
             const auto pixel = seenPixel(view, seen, corner);
-            least = pixel ? glm::min(least, *pixel) : glm::dvec2(-1e9);
-            most = pixel ? glm::max(most, *pixel) : glm::dvec2(1e9);
+            min = pixel ? glm::min(min, *pixel) : glm::dvec2(-1e9);
+            max = pixel ? glm::max(max, *pixel) : glm::dvec2(1e9);
         }
     }
 
     /// Whether it reaches within two pixels of a tile.
     bool touches(int x, int y) const {
         constexpr int kSide = shadow::ImageTiles::kSide;
-        return most.x >= x - 2 && most.y >= y - 2 && least.x <= x + kSide + 2 && least.y <= y + kSide + 2;
+        return max.x >= x - 2 && max.y >= y - 2 && min.x <= x + kSide + 2 && min.y <= y + kSide + 2;
     }
 };
 
@@ -147,17 +147,17 @@ void expectNoMore(
     const TiledView& image,
     const std::vector<WidthOfBox>& receivers,
     const std::vector<double>& widths) {
-    std::vector<double> most(image.tiles.count());
+    std::vector<double> max(image.tiles.count());
     for (const WidthOfBox& each : receivers) {
         const CornerReach reach(seen.view, image, each.box);
         for (int y = 0; y < image.tiles.height; y += shadow::ImageTiles::kSide)
             for (int x = 0; x < image.tiles.width; x += shadow::ImageTiles::kSide) {
-                double& width = most[image.tiles.at(x, y)];
+                double& width = max[image.tiles.at(x, y)];
                 if (reach.touches(x, y)) width = std::max(width, each.width);
             }
     }
-    for (std::size_t i = 0; i < most.size(); ++i)
-        EXPECT_LE(widths[i], most[i] * (1 + 1e-9)) << i;
+    for (std::size_t i = 0; i < max.size(); ++i)
+        EXPECT_LE(widths[i], max[i] * (1 + 1e-9)) << i;
 }
 
 TEST(PenumbraWidths, AreThoseOfTheFarthestPairsThatShareABeamTileByTile) {
@@ -184,9 +184,9 @@ TEST(PenumbraWidths, AreThoseOfTheFarthestPairsThatShareABeamTileByTile) {
         expectNoMore(seen, image, receivers, widths);
         EXPECT_EQ(penumbraWidths(query, list, std::span(&list, 1), light, image), widths)
             << "a caster that is seen, too, is one";
-        const auto [least, most] = std::minmax_element(widths.begin(), widths.end());
-        found += *most > 0 ? 1 : 0;
-        apart += *least < 0.5 * *most ? 1 : 0;
+        const auto [min, max] = std::minmax_element(widths.begin(), widths.end());
+        found += *max > 0 ? 1 : 0;
+        apart += *min < 0.5 * *max ? 1 : 0;
     }
     EXPECT_GT(found, 6);
     EXPECT_GT(apart, 3);

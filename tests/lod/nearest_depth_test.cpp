@@ -24,25 +24,25 @@ bool isShown(const glm::dvec3& point, const DetailView& view) {
 }
 
 /// The least of all vertices of the finest level that the image shows.
-double leastShown(const ModelInMemory& model, const DetailView& view) {
-    double least = std::numeric_limits<double>::infinity();
+double minShown(const ModelInMemory& model, const DetailView& view) {
+    double min = std::numeric_limits<double>::infinity();
     for (const hierarchy::Page* page : model.all) {
         if (page->level != 0) continue;
         for (const hierarchy::Vertex& vertex : page->vertices) {
             const glm::dvec3 p = model.trees.grid().local(vertex.position);
-            if (isShown(p, view)) least = std::min(least, depthOf(p, view));
+            if (isShown(p, view)) min = std::min(min, depthOf(p, view));
         }
     }
-    return least;
+    return min;
 }
 
 /// The least of the corners of the finest pages' boxes that reach into a view a twentieth wider.
-double leastOfBoxes(const ModelInMemory& model, const DetailView& view) {
+double minOfBoxes(const ModelInMemory& model, const DetailView& view) {
     DetailView wider = view;
     wider.tanHalfX *= 1.05;
     wider.tanHalfY *= 1.05;
     const ConvexVolume pyramid = viewPyramid(wider);
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (const hierarchy::PageInfo& info : model.table) {
         const Box box = model.trees.grid().local(info.box);
         if (info.level != 0 || classify(pyramid, box) == Containment::Outside) continue;
@@ -51,10 +51,10 @@ double leastOfBoxes(const ModelInMemory& model, const DetailView& view) {
                 (corner & 1U) != 0 ? box.max.x : box.min.x,
                 (corner & 2U) != 0 ? box.max.y : box.min.y,
                 (corner & 4U) != 0 ? box.max.z : box.min.z);
-            least = std::min(least, depthOf(p, view));
+            min = std::min(min, depthOf(p, view));
         }
     }
-    return std::max(least, 0.0);
+    return std::max(min, 0.0);
 }
 
 TEST(NearestDepth, NothingInViewIsNearerAndNoBoxIsForgotten) {
@@ -67,8 +67,8 @@ TEST(NearestDepth, NothingInViewIsNearerAndNoBoxIsForgotten) {
         SCOPED_TRACE(trial);
         const DetailView view = tests::randomView(random, model.bounds);
         const double found = nearestDepth(model.trees, view);
-        EXPECT_LE(found, leastShown(model, view));
-        const double expected = leastOfBoxes(model, view) * 0.95;
+        EXPECT_LE(found, minShown(model, view));
+        const double expected = minOfBoxes(model, view) * 0.95;
         if (std::isfinite(expected))
             EXPECT_NEAR(found, expected, 1e-5 * model.bounds.extent().x);
         else

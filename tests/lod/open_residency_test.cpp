@@ -161,7 +161,7 @@ TEST(OpenResidency, WhatIsPassedThroughHasNoDrawnCluster) {
         const WaitingView viewer(random);
         const CutQuery query = viewer.query(sharedModel().all, true);
         for (std::uint32_t page = 0; page < sharedModel().all.size(); ++page) {
-            if (!lod::isPassedThrough(query, page)) continue;
+            if (!lod::isSkippable(query, page)) continue;
             ++passed;
             for (const hierarchy::Refinement& finer : sharedModel().all[page]->refinements)
                 EXPECT_GT(viewer.rule().pixels(finer.bounds, tests::largerError(finer)), viewer.errorPixels()) << page;

@@ -37,7 +37,7 @@ PageStoreOptions withBudget(Bytes budget, unsigned threads = 4) {
     return options;
 }
 
-void expectClosedUpwards(hierarchy::ResidentPages resident, const std::set<std::uint32_t>& damaged = {}) {
+void expectAncestorComplete(hierarchy::ResidentPages resident, const std::set<std::uint32_t>& damaged = {}) {
     const std::vector<hierarchy::PageInfo>& table = sharedModel().table;
     for (std::size_t page = 0; page < resident.size(); ++page)
         for (const std::uint32_t child : table[page].children)
@@ -104,18 +104,18 @@ TEST(PageStore, LoadsWhatAViewWants) {
     Random random(41);
     const FakeSource source(sharedModel());
     PageStore store(source, withBudget(wholeModel()));
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (int trial = 0; trial < 30; ++trial) {
         const Viewer viewer(random);
         const DemandOutcome outcome = viewer.loadAll(store);
         EXPECT_EQ(outcome.pagesMissing, 0U);
         EXPECT_FALSE(outcome.isBudgetBinding);
         EXPECT_TRUE(viewer.cut(store).wanted.empty());
-        expectClosedUpwards(store.resident());
+        expectAncestorComplete(store.resident());
         expectWithinBudget(store, wholeModel());
-        most = std::max(most, residentSet(store).size());
+        max = std::max(max, residentSet(store).size());
     }
-    EXPECT_GT(most, 50U);
+    EXPECT_GT(max, 50U);
     EXPECT_EQ(store.statistics().pagesEvicted, 0U) << "all fits";
     EXPECT_EQ(source.reads, static_cast<int>(store.statistics().pagesRead)) << "nothing is read twice";
 }
@@ -130,7 +130,7 @@ TEST(PageStore, KeepsATinyBudgetAndRepeatsItself) {
         const Viewer viewer(random);
         const DemandOutcome outcome = viewer.loadAll(walked);
         binding += outcome.isBudgetBinding ? 1 : 0;
-        expectClosedUpwards(walked.resident());
+        expectAncestorComplete(walked.resident());
         expectWithinBudget(walked, budget);
         // A store that has seen nothing else ends with the same cut.
         PageStore fresh(source, withBudget(budget));
@@ -157,7 +157,7 @@ TEST(PageStore, AskNeverWaitsAndArrivesInTheEnd) {
             const DemandOutcome outcome = store.request({now.used, now.wanted});
             for (const PageDemand& used : now.used)
                 ASSERT_NE(store.resident()[used.page], nullptr) << "a page in use has left";
-            expectClosedUpwards(store.resident());
+            expectAncestorComplete(store.resident());
             expectWithinBudget(store, budget);
             if (now.wanted.empty() && outcome.pagesMissing == 0) break;
             if (outcome.isBudgetBinding && frames > 200) break;
@@ -188,7 +188,7 @@ TEST(PageStore, AViewThatChangesEveryFrameNeverBreaksTheRules) {
             for (const PageDemand& used : now.used)
                 ASSERT_NE(store.resident()[used.page], nullptr) << "a page in use has left";
         }
-        expectClosedUpwards(store.resident());
+        expectAncestorComplete(store.resident());
         expectWithinBudget(store, budget);
     }
     EXPECT_GT(store.statistics().pagesEvicted, 10U);
@@ -206,10 +206,10 @@ TEST(PageStore, PrefetchOnlyFillsWhatIsLeft) {
         const std::set<std::uint32_t> before = residentSet(store);
         const lod::Cut now = viewer.cut(store);
         const std::vector<PageDemand> next = ahead.cut(store).wanted;
-        std::vector<PageDemand> foreseen = next;
-        for (PageDemand& page : foreseen)
+        std::vector<PageDemand> prefetchSet = next;
+        for (PageDemand& page : prefetchSet)
             page.pixels = 1e-9;
-        store.load({now.used, now.wanted, foreseen, next});
+        store.load({now.used, now.wanted, prefetchSet, next});
         const std::set<std::uint32_t> after = residentSet(store);
         for (const PageDemand& used : now.used)
             EXPECT_TRUE(after.contains(used.page)) << "prefetch took the place of a page in use";
@@ -235,7 +235,7 @@ TEST(PageStore, ADamagedPageIsNamedOnceAndNeverWantedAgain) {
         const DemandOutcome outcome = viewer.loadAll(store);
         EXPECT_EQ(outcome.pagesMissing, 0U) << "all that can be loaded is loaded";
         EXPECT_FALSE(viewer.cut(store).used.empty());
-        expectClosedUpwards(store.resident(), source.damaged);
+        expectAncestorComplete(store.resident(), source.damaged);
     }
     EXPECT_GT(named.size(), 3U);
     EXPECT_EQ(named.size(), store.statistics().pagesDamaged);
@@ -346,7 +346,7 @@ TEST(PageStore, APageThatDoesNotComeIsMissingAndAskedForAgain) {
     source.unread.clear();
     EXPECT_EQ(store.load({{}, wanted}).pagesMissing, 0U);
     EXPECT_EQ(store.statistics().pagesDamaged, 0U);
-    expectClosedUpwards(store.resident());
+    expectAncestorComplete(store.resident());
 
     options.unreadPause = Milliseconds{1e9};
     PageStore patient(source, options);

@@ -28,22 +28,22 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
     for (int trial = 0; trial < 150; ++trial) {
         const Seen scene(random);
         TriangleClipper clipper(scene.volumes[0]);
-        double least = kEndless;
+        double min = kEndless;
         double greatest = -kEndless;
         forEveryTriangle(
             scene.query(), scene.cut.lists.image, [&](const auto& corners, const auto& page, const auto& cluster) {
                 const double margin = missingError(scene.query(), page, cluster);
                 for (const glm::dvec3& point : clipper.clipped(corners)) {
                     const double depth = std::max(0.0, glm::dot(scene.view.basis.view, point - scene.view.eye));
-                    least = std::min(least, std::max(0.0, depth - margin));
+                    min = std::min(min, std::max(0.0, depth - margin));
                     greatest = std::max(greatest, depth + margin);
                 }
             });
         const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists.image);
-        ASSERT_EQ(range.has_value(), least != kEndless);
+        ASSERT_EQ(range.has_value(), min != kEndless);
         if (!range) continue;
         ++seen;
-        EXPECT_EQ(range->span.near, least);
+        EXPECT_EQ(range->span.near, min);
         EXPECT_EQ(range->span.far, greatest);
         measured += range->clustersMeasured;
         drawn += scene.cut.lists.image.clusters;
@@ -53,11 +53,11 @@ TEST(Receivers, DepthRangeIsThatOfAllTriangles) {
 }
 
 /// Whether one of `parts` says that `point` (relative to the eye, at `depth`) may be seen.
-bool isWithin(const std::vector<shadow::SeenPart>& parts, const glm::dvec3& point, double depth, double slack) {
-    return std::any_of(parts.begin(), parts.end(), [&](const shadow::SeenPart& part) {
+bool isWithin(const std::vector<shadow::VisibleSlab>& parts, const glm::dvec3& point, double depth, double slack) {
+    return std::any_of(parts.begin(), parts.end(), [&](const shadow::VisibleSlab& part) {
         if (depth < part.depths.near - slack || depth > part.depths.far + slack) return false;
-        const glm::dvec3 beyond = glm::max(part.box.min - point, point - part.box.max);
-        return std::max({beyond.x, beyond.y, beyond.z}) <= slack;
+        const glm::dvec3 outside = glm::max(part.box.min - point, point - part.box.max);
+        return std::max({outside.x, outside.y, outside.z}) <= slack;
     });
 }
 
@@ -71,9 +71,9 @@ TEST(Receivers, SeenPartsHoldAllThatIsSeenAtItsDepth) {
         const std::optional<VisibleDepths> range = visibleDepthRange(scene.query(), scene.cut.lists.image);
         if (!range || !(range->span.far > 0)) continue;
         const DepthSpan depths{std::max(range->span.near, range->span.far * 1e-4), range->span.far};
-        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists.image, depths);
+        const std::vector<shadow::VisibleSlab> parts = visibleSlabs(scene.query(), scene.cut.lists.image, depths);
         Box all;
-        for (const shadow::SeenPart& part : parts) {
+        for (const shadow::VisibleSlab& part : parts) {
             all.add(part.box);
             held += part.box.extent().x * part.box.extent().y * part.box.extent().z / static_cast<double>(parts.size());
         }

@@ -98,12 +98,12 @@ std::uint64_t countAt(std::span<const Drawn> clusters, double pixels) {
     return count;
 }
 
-/// Where what is drawn changes: the thresholds above `least`, ascending, `least` itself first.
-std::vector<double> stepsFrom(std::span<const Drawn> clusters, double least) {
-    std::vector<double> steps{least};
+/// Where what is drawn changes: the thresholds above `min`, ascending, `min` itself first.
+std::vector<double> stepsFrom(std::span<const Drawn> clusters, double min) {
+    std::vector<double> steps{min};
     for (const Drawn& drawn : clusters)
         for (const double pixels : {drawn.from, drawn.to})
-            if (pixels > least && pixels < kNoLimit) steps.push_back(pixels);
+            if (pixels > min && pixels < kNoLimit) steps.push_back(pixels);
     std::sort(steps.begin(), steps.end());
     steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
     return steps;

@@ -134,12 +134,12 @@ TEST(LitSide, IsFoundWhereAnyTriangleShowsIt) {
     EXPECT_LT(dark, 145);
 }
 
-TEST(SeenParts, StepsAreSixteenAnOctaveAndLieInTheRange) {
+TEST(VisibleSlabs, StepsAreSixteenAnOctaveAndLieInTheRange) {
     Random random(73);
     for (int trial = 0; trial < 30; ++trial) {
         const Seen scene(random);
         const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
-        const std::vector<shadow::SeenPart> parts = seenParts(scene.query(), scene.cut.lists.image, depths);
+        const std::vector<shadow::VisibleSlab> parts = visibleSlabs(scene.query(), scene.cut.lists.image, depths);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const DepthSpan& span = parts[i].depths;
             EXPECT_GE(span.near, depths.near * (1 - 1e-12));
@@ -155,7 +155,7 @@ TEST(SeenParts, StepsAreSixteenAnOctaveAndLieInTheRange) {
     }
 }
 
-TEST(SeenParts, AreTheSameForAnyNumberOfThreads) {
+TEST(VisibleSlabs, AreTheSameForAnyNumberOfThreads) {
     Random random(75);
     std::size_t compared = 0;
     for (int trial = 0; trial < 20; ++trial) {
@@ -163,11 +163,11 @@ TEST(SeenParts, AreTheSameForAnyNumberOfThreads) {
         const DepthSpan depths{random.uniform(0.01, 1), random.uniform(20, 400)};
         const auto partsOn = [&](int threads) {
             return tbb::task_arena(threads).execute(
-                [&] { return seenParts(scene.query(), scene.cut.lists.image, depths); });
+                [&] { return visibleSlabs(scene.query(), scene.cut.lists.image, depths); });
         };
-        const std::vector<shadow::SeenPart> one = partsOn(1);
+        const std::vector<shadow::VisibleSlab> one = partsOn(1);
         for (const int threads : {2, 16}) {
-            const std::vector<shadow::SeenPart> parts = partsOn(threads);
+            const std::vector<shadow::VisibleSlab> parts = partsOn(threads);
             ASSERT_EQ(parts.size(), one.size());
             for (std::size_t i = 0; i < parts.size(); ++i) {
                 EXPECT_EQ(parts[i].depths.near, one[i].depths.near);

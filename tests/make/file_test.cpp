@@ -123,7 +123,7 @@ TEST(MadeFile, AnInterruptedFileLeavesNothing) {
 }
 
 /// Thrown when a block has shown enough of itself.
-struct Enough {};
+struct StopWriting {};
 
 /// Keeps nothing but how much it was handed at once.
 class MeasuringSink final : public MeshSink {
@@ -138,7 +138,7 @@ private:
     void note(std::size_t bytes) {
         largest_ = std::max(largest_, bytes);
         total_ += bytes;
-        if (total_ > mebibytes(64).count) throw Enough{};
+        if (total_ > mebibytes(64).count) throw StopWriting{};
     }
 
     std::size_t largest_ = 0;
@@ -153,7 +153,7 @@ TEST(MadeFile, AModelOfBillionsIsMadeInSmallPieces) {
             MeasuringSink sink;
             try {
                 model->makeBlock(block, 0, sink);
-            } catch (const Enough&) { // the rest of it is alike
+            } catch (const StopWriting&) { // the rest of it is alike
             }
             EXPECT_LE(sink.largest(), kWriteBuffer.count) << kind << " block " << block;
         }

@@ -290,9 +290,9 @@ TEST(PlantUnits, StandOnTheirLotsAtEveryDetail) {
               addStore,
               addGasTurbine}) {
             const Box box = boxOf(Detail(level), add);
-            const double most = kLotPitch / 2 + 0.2; // halls and racks join those of the next lot
-            EXPECT_GE(std::min(box.min.x, box.min.z), -most);
-            EXPECT_LE(std::max(box.max.x, box.max.z), most);
+            const double max = kLotPitch / 2 + 0.2; // halls and racks join those of the next lot
+            EXPECT_GE(std::min(box.min.x, box.min.z), -max);
+            EXPECT_LE(std::max(box.max.x, box.max.z), max);
             EXPECT_GT(std::min(box.extent().x, box.extent().z), 11);
             EXPECT_GT(box.extent().y, 4);
             EXPECT_GE(box.min.y, -0.25) << "on the ground";

@@ -19,8 +19,8 @@ constexpr std::array<glm::dvec3, 6> kAxes = {
 
 /// Where points lie in a picture, from -1 to 1 each way.
 struct Seen {
-    glm::dvec2 least{std::numeric_limits<double>::infinity()};
-    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 min{std::numeric_limits<double>::infinity()};
+    glm::dvec2 max{-std::numeric_limits<double>::infinity()};
     double nearest = std::numeric_limits<double>::infinity();
 
     Seen(const std::vector<glm::dvec3>& points, const Camera& camera, double aspect) {
@@ -29,15 +29,15 @@ struct Seen {
         for (const glm::dvec3& point : points) {
             const glm::dvec3 p = toCamera(basis, point - camera.eye);
             const glm::dvec2 at(p.x / p.z / tangent / aspect, p.y / p.z / tangent);
-            least = glm::min(least, at);
-            most = glm::max(most, at);
+            min = glm::min(min, at);
+            max = glm::max(max, at);
             nearest = std::min(nearest, p.z);
         }
     }
 
-    double fill() const { return std::max(most.x - least.x, most.y - least.y) / 2; }
+    double fill() const { return std::max(max.x - min.x, max.y - min.y) / 2; }
 
-    double offMiddle() const { return std::max(std::abs(most.x + least.x), std::abs(most.y + least.y)) / 2; }
+    double offMiddle() const { return std::max(std::abs(max.x + min.x), std::abs(max.y + min.y)) / 2; }
 };
 
 TEST(UprightFrame, TurnsByQuartersAndMovesNoDigit) {
@@ -105,15 +105,15 @@ TEST(Framing, FillsAPictureByParallelLinesToo) {
         const Camera camera = orthographicFraming(points, vantage, aspect, random.uniform(0.1, 2.5));
         EXPECT_TRUE(camera.isParallel());
         const CameraBasis basis = cameraBasis(camera);
-        glm::dvec2 least(1e9);
-        glm::dvec2 most(-1e9);
+        glm::dvec2 min(1e9);
+        glm::dvec2 max(-1e9);
         for (const glm::dvec3& point : points) {
             const glm::dvec3 p = toCamera(basis, point - camera.eye) / halfHeightAtTarget(camera);
-            least = glm::min(least, {p.x / aspect, p.y});
-            most = glm::max(most, {p.x / aspect, p.y});
+            min = glm::min(min, {p.x / aspect, p.y});
+            max = glm::max(max, {p.x / aspect, p.y});
         }
-        EXPECT_NEAR(std::max(most.x - least.x, most.y - least.y) / 2, kFramedPart, 1e-9);
-        EXPECT_LT(glm::length(most + least), 1e-9);
+        EXPECT_NEAR(std::max(max.x - min.x, max.y - min.y) / 2, kFramedPart, 1e-9);
+        EXPECT_LT(glm::length(max + min), 1e-9);
     }
 }
 
@@ -249,7 +249,7 @@ TEST(Outline, SweptStaysInThePictureThroughAWholeTurn) {
     double largest = 0;
     for (int turn = 0; turn < 100; ++turn) {
         const Seen seen(points, turnedAround(camera, up, 2 * kPi * turn / 100), 1.5);
-        const glm::dvec2 furthest = glm::max(glm::abs(seen.least), glm::abs(seen.most));
+        const glm::dvec2 furthest = glm::max(glm::abs(seen.min), glm::abs(seen.max));
         largest = std::max({largest, furthest.x, furthest.y});
     }
     EXPECT_GT(largest, 0.85);

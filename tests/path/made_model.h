@@ -26,13 +26,13 @@ inline auto made(const std::string& kind, std::uint64_t triangles) {
     };
 }
 
-/// Returns the distance from `point` to the nearest of `triangles`, at most `most`.
+/// Returns the distance from `point` to the nearest of `triangles`, at most `maxDistance`.
 inline double clearanceOf(
-    const std::vector<std::array<glm::dvec3, 3>>& triangles, const glm::dvec3& point, double most) {
-    double square = most * most;
+    const std::vector<std::array<glm::dvec3, 3>>& triangles, const glm::dvec3& point, double maxDistance) {
+    double square = maxDistance * maxDistance;
     for (const std::array<glm::dvec3, 3>& t : triangles) {
-        const glm::dvec3 below = glm::min(glm::min(t[0], t[1]), t[2]) - most;
-        const glm::dvec3 above = glm::max(glm::max(t[0], t[1]), t[2]) + most;
+        const glm::dvec3 below = glm::min(glm::min(t[0], t[1]), t[2]) - maxDistance;
+        const glm::dvec3 above = glm::max(glm::max(t[0], t[1]), t[2]) + maxDistance;
         if (glm::any(glm::lessThan(point, below)) || glm::any(glm::greaterThan(point, above))) continue;
         square = std::min(square, proximity::distanceToTriangle(point, t[0], t[1], t[2]).square);
     }
@@ -60,8 +60,10 @@ public:
 
     const hierarchy::ModelFile& file() const { return *file_; }
 
-    /// Returns the distance from `point` to the nearest triangle, at most `most`.
-    double clearance(const glm::dvec3& point, double most) const { return clearanceOf(triangles_, point, most); }
+    /// Returns the distance from `point` to the nearest triangle, at most `maxDistance`.
+    double clearance(const glm::dvec3& point, double maxDistance) const {
+        return clearanceOf(triangles_, point, maxDistance);
+    }
 
     /// Returns the distances of all intersections of the ray from `origin` along the unit vector `direction`, nearest
     /// first.

@@ -212,8 +212,8 @@ TEST(Walk, PassesThePipesOfAPlantAndSeesNearAndFar) {
     EXPECT_GT(facts.length, 30);
     EXPECT_LE(path.duration(), 60.001);
     for (const double share : {0.0, 0.5, 1.0}) {
-        const auto [least, greatest] = depths(plant, cameraAt(path, share * path.duration()));
-        EXPECT_GT(greatest / least, 30) << "a high depth range at " << share;
+        const auto [min, max] = depths(plant, cameraAt(path, share * path.duration()));
+        EXPECT_GT(max / min, 30) << "a high depth range at " << share;
     }
 }
 

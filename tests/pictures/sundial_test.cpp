@@ -63,9 +63,9 @@ TEST(Sundial, CastsItsShadowWhereGeometrySaysUnderEveryLight) {
                 EXPECT_LT(brightnessAt(picture, view, dark), kShade * brightnessAt(picture, view, lit))
                     << where << ", height " << height;
             }
-            const glm::dvec3 beyond = dial - perHeight * 4.0 - glm::normalize(perHeight) * 0.3;
-            if (glm::length(beyond) > 4.8) continue;
-            EXPECT_GT(brightnessAt(picture, view, beyond), 0.9 * brightnessAt(picture, view, -beyond)) << where;
+            const glm::dvec3 pastTip = dial - perHeight * 4.0 - glm::normalize(perHeight) * 0.3;
+            if (glm::length(pastTip) > 4.8) continue;
+            EXPECT_GT(brightnessAt(picture, view, pastTip), 0.9 * brightnessAt(picture, view, -pastTip)) << where;
         }
     }
 }

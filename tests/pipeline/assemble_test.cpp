@@ -22,7 +22,7 @@ NodeRecord nodeWith(std::uint64_t seed, std::uint32_t round, std::uint32_t first
         level.pages.resize(seed);
     }
     node.rootTriangles = 100 * seed;
-    node.stuckTriangles = 1000 * seed;
+    node.irreducibleTriangles = 1000 * seed;
     node.dropped = {seed, 2 * seed, 3 * seed, 4 * seed};
     node.bounds = {glm::dvec3(-static_cast<double>(seed)), glm::dvec3(1)};
     node.hasNormals = seed == 2;
@@ -50,7 +50,7 @@ TEST(Assemble, AddsUpWhatTheNodesHave) {
     const Totals totals = totalsOf(log, {{"simplifier", "own"}});
     const hierarchy::ModelSummary& summary = totals.summary;
     EXPECT_EQ(totals.pages, 2 * 1 + 2 * 2 + 3U);
-    EXPECT_EQ(totals.stuckTriangles, 6000U);
+    EXPECT_EQ(totals.irreducibleTriangles, 6000U);
     EXPECT_EQ(summary.coarsestTriangles, 600U);
     EXPECT_EQ(summary.grid.stepExponent, -5);
     EXPECT_EQ(summary.sourceTriangles, 777U);

@@ -58,7 +58,7 @@ TEST(Build, SameBytesForAnyNumberOfThreads) {
 TEST(Build, ThousandsOfSmallPartsGetCoarse) {
     const BuiltModel model(read::strewnBoxes(5000));
     EXPECT_LE(model.report().summary.coarsestTriangles, 1000U);
-    EXPECT_EQ(model.report().stuckTriangles, 0U);
+    EXPECT_EQ(model.report().irreducibleTriangles, 0U);
 }
 
 TEST(Build, ErrorsRiseAndBoundsNestTowardsTheRoot) {
@@ -91,9 +91,9 @@ TEST(Build, TooLittleMemoryIsRefusedWithTheFigureThatWouldDo) {
         FAIL() << "built";
     } catch (const LimitError& error) {
         EXPECT_EQ(error.limit(), Limit::Memory);
-        const std::string& least = error.parts().expected;
-        EXPECT_TRUE(least.ends_with("M or more")) << least;
-        options.memory = mebibytes(std::stoull(least));
+        const std::string& min = error.parts().expected;
+        EXPECT_TRUE(min.ends_with("M or more")) << min;
+        options.memory = mebibytes(std::stoull(min));
         const BuiltModel model(read::bumpySheet(10), options);
         EXPECT_GT(model.report().fileBytes, 0U);
     }
@@ -101,12 +101,12 @@ TEST(Build, TooLittleMemoryIsRefusedWithTheFigureThatWouldDo) {
 
 TEST(Build, MoreStuckTrianglesThanAllowedAreRefused) {
     BuildOptions options;
-    options.maxStuckPercent = -1; // not even none
+    options.maxIrreduciblePercent = -1; // not even none
     try {
         const BuiltModel model(read::bumpySheet(10), options);
         FAIL() << "built";
     } catch (const LimitError& error) {
-        EXPECT_EQ(error.limit(), Limit::StuckTriangles);
+        EXPECT_EQ(error.limit(), Limit::IrreducibleTriangles);
         EXPECT_EQ(error.parts().expected, "at most -1.00%");
     }
 }

@@ -68,8 +68,8 @@ TEST(ClusterPlan, FewAreOneNode) {
 
 /// How far `face` is from the nearest face of cells of the size `cell` that are shifted by `shift`.
 std::uint64_t distanceToFaces(std::uint64_t face, std::uint64_t cell, std::uint64_t shift) {
-    const std::uint64_t beyond = (face + shift) % cell;
-    return std::min(beyond, cell - beyond);
+    const std::uint64_t remainder = (face + shift) % cell;
+    return std::min(remainder, cell - remainder);
 }
 
 TEST(ClusterPlan, FacesOfCellsLieAThirdOfACellFromThoseOfTheRoundsBesides) {

@@ -15,7 +15,7 @@ namespace {
 using hierarchy::GridPoint;
 
 /// A strip of the sheet's grid, columns [begin, end), whose first and last columns of vertices are borders.
-levels::EncodedPendingLevel strip(std::uint32_t begin, std::uint32_t end, std::uint32_t rows) {
+levels::EncodedOpenClusters strip(std::uint32_t begin, std::uint32_t end, std::uint32_t rows) {
     simplify::Mesh mesh;
     const std::uint32_t width = end - begin + 1;
     for (std::uint32_t y = 0; y <= rows; ++y)
@@ -30,7 +30,7 @@ levels::EncodedPendingLevel strip(std::uint32_t begin, std::uint32_t end, std::u
             mesh.triangles.push_back({v, v + 1, v + width});
             mesh.triangles.push_back({v + 1, v + width + 1, v + width});
         }
-    return levels::encodePendingLevel(mesh, levels::firstLevel(mesh, {}));
+    return levels::encodeOpenClusters(mesh, levels::firstLevel(mesh, {}));
 }
 
 using NodePositions = std::map<std::uint32_t, std::set<GridPoint>>;
@@ -55,7 +55,7 @@ struct Census {
     std::set<GridPoint> borders;
 
     /// Adds what an old node left, and returns what of it each new node is to get.
-    StreamBytes add(const levels::EncodedPendingLevel& left, const std::vector<std::uint32_t>& nodeOf) {
+    StreamBytes add(const levels::EncodedOpenClusters& left, const std::vector<std::uint32_t>& nodeOf) {
         StreamBytes expected;
         std::size_t at = levels::placeBytes(left.clusters);
         std::size_t cluster = 0;
@@ -94,7 +94,7 @@ TEST(ClusterRouting, LocksWhatSeveralNewNodesUseAndNothingElse) {
         std::vector<BorderUse> uses;
         LockCounts counts;
         for (std::uint32_t old = 0; old < 4; ++old) {
-            const levels::EncodedPendingLevel left = strip(20 * old, 20 * old + 20, 40);
+            const levels::EncodedOpenClusters left = strip(20 * old, 20 * old + 20, 40);
             std::vector<std::uint32_t> nodeOf;
             for (std::uint64_t c = 0; c < left.clusters; ++c)
                 nodeOf.push_back(static_cast<std::uint32_t>(random.below(nodeCount)));

@@ -18,18 +18,18 @@ TEST(MemoryPlan, TheMostHoldsEveryPhaseAndGrowsWithTheSource) {
     for (int i = 0; i < 2000; ++i) {
         const read::MeshSummary source = sourceOf(1 + random.below(400'000'000), 3 + random.below(200'000'000));
         const MemoryNeeds needs{source, static_cast<std::uint32_t>(1000 + random.below(2'000'000)), i % 2 == 0};
-        EXPECT_GE(needs.most(), needs.survey());
-        EXPECT_GE(needs.most(), needs.binning());
-        EXPECT_GT(needs.most(), needs.base());
-        EXPECT_GE(needs.most(), needs.sorting());
+        EXPECT_GE(needs.peak(), needs.survey());
+        EXPECT_GE(needs.peak(), needs.binning());
+        EXPECT_GT(needs.peak(), needs.base());
+        EXPECT_GE(needs.peak(), needs.sorting());
         EXPECT_GE(needs.sorting(), needs.binning());
         MemoryNeeds ofMany = needs;
         ofMany.threads = 64;
-        EXPECT_GE(ofMany.most(), needs.most());
+        EXPECT_GE(ofMany.peak(), needs.peak());
         read::MeshSummary larger = source;
         larger.faceCount *= 2;
         larger.vertexCount *= 2;
-        EXPECT_GE((MemoryNeeds{larger, needs.chunkTriangles, needs.isInMemory}.most()), needs.most());
+        EXPECT_GE((MemoryNeeds{larger, needs.chunkTriangles, needs.isInMemory}.peak()), needs.peak());
         EXPECT_GE(
             (MemoryNeeds{source, needs.chunkTriangles, true}.base()),
             (MemoryNeeds{source, needs.chunkTriangles, false}.base()));
@@ -50,7 +50,7 @@ TEST(MemoryPlan, RowsOfPagesTakeLittleUnlessChunksAreSmall) {
     const auto base = [](const read::MeshSummary& source, std::uint32_t chunkTriangles) {
         return MemoryNeeds{source, chunkTriangles, false}.base().count;
     };
-    EXPECT_LT((MemoryNeeds{statue, 1U << 20U, false}.most()), gibibytes(2));
+    EXPECT_LT((MemoryNeeds{statue, 1U << 20U, false}.peak()), gibibytes(2));
     const std::uint64_t process = base(sourceOf(1, 3), 1U << 20U);
     EXPECT_GT(base(statue, 1U << 20U), process + 48'000'000) << "measured: 0.048 bytes a triangle";
     EXPECT_LT(base(statue, 1U << 20U), process + 70'000'000);
@@ -62,7 +62,7 @@ TEST(MemoryPlan, ASmallSourceNeedsLittleMoreThanTheProcess) {
     source.fileBytes = 19'000;
     for (const bool hasRanges : {false, true}) {
         source.hasRanges = hasRanges;
-        EXPECT_LT((MemoryNeeds{source, 1U << 20U}.most()), mebibytes(24));
+        EXPECT_LT((MemoryNeeds{source, 1U << 20U}.peak()), mebibytes(24));
     }
 }
 

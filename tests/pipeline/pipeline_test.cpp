@@ -81,15 +81,15 @@ public:
     void advance(std::uint64_t /*count*/) override {}
 
     void temporarySpace(std::uint64_t bytes) override {
-        std::uint64_t most = most_;
-        while (most < bytes && !most_.compare_exchange_weak(most, bytes)) {
+        std::uint64_t max = max_;
+        while (max < bytes && !max_.compare_exchange_weak(max, bytes)) {
         }
     }
 
-    std::uint64_t most() const { return most_; }
+    std::uint64_t max() const { return max_; }
 
 private:
-    std::atomic<std::uint64_t> most_{0};
+    std::atomic<std::uint64_t> max_{0};
 };
 
 /// What a build said of its longest stage, which is called as it is.
@@ -145,7 +145,7 @@ bool isKilled(const read::CodeMesh& mesh, const BuildOptions& options, int steps
 TEST(Pipeline, ChunksAreJoinedUntilOneRootIsLeft) {
     const BuiltModel model(read::bumpySheet(90), smallChunks(1500));
     EXPECT_LE(model.report().summary.coarsestTriangles, 1000U);
-    EXPECT_EQ(model.report().stuckTriangles, 0U);
+    EXPECT_EQ(model.report().irreducibleTriangles, 0U);
     EXPECT_EQ(model.summary().levels.front().triangles, 90U * 90 * 2);
     EXPECT_GT(model.report().temporaryBytes, 0U);
 }
@@ -157,8 +157,8 @@ TEST(Pipeline, TellsWhileItRunsHowMuchTemporarySpaceIsInUse) {
     options.output = folder.file("m.gnm");
     SpaceWatch watch;
     const BuildReport report = buildModel(mesh, options, watch);
-    EXPECT_EQ(report.temporaryBytes, watch.most());
-    EXPECT_GT(watch.most(), mesh.triangles.size() * 12);
+    EXPECT_EQ(report.temporaryBytes, watch.max());
+    EXPECT_GT(watch.max(), mesh.triangles.size() * 12);
 }
 
 TEST(Pipeline, KnowsBetterAfterEachRoundHowMuchThereIsToDo) {
@@ -211,7 +211,7 @@ TEST(Pipeline, BordersOfOneRoundAreFreeInTheNext) {
         EXPECT_LE(2 * round.lockedBefore, round.locked) << "only where borders cross";
     }
     EXPECT_EQ(model.report().rounds.back().nodes, 1U);
-    EXPECT_EQ(model.report().stuckTriangles, 0U);
+    EXPECT_EQ(model.report().irreducibleTriangles, 0U);
 }
 
 TEST(Pipeline, GoesOnAfterBeingKilledAnywhere) {

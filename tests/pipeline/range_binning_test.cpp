@@ -72,7 +72,7 @@ protected:
         result.record = sortSource(
             {source, options, *scratch, tasks, perform, progress, threads, 1, [](const std::string&, std::uint64_t) {}},
             bins);
-        tableBytes = work.mostTableBytes();
+        tableBytes = work.maxTableBytes();
         result.spaceLeft = space.bytes();
         for (std::uint32_t stream = 0; stream < bins->streamCount(); ++stream) {
             result.streams.push_back(bins->read(stream));
@@ -124,8 +124,8 @@ TEST_F(RangeBinningTest, ComesToTheStreamsOfWholePasses) {
         expectSame(whole, sorted(mesh, gibibytes(2), threads));
         EXPECT_GT(tableBytes, 100'000U);
     }
-    const Bytes least = MemoryNeeds{mesh.summary(), options.chunkTriangles}.survey();
-    expectSame(whole, sorted(mesh, least, 3));
+    const Bytes min = MemoryNeeds{mesh.summary(), options.chunkTriangles}.survey();
+    expectSame(whole, sorted(mesh, min, 3));
 }
 
 TEST_F(RangeBinningTest, LeavesOutTheTrianglesOfWholePassesThatAreBeyondTheGrid) {
@@ -168,8 +168,8 @@ TEST_F(RangeBinningTest, ComesToTheStreamsOfWholePassesOfPolygonsAndText) {
         const auto again = read::openMeshSources({path}, mebibytes(64));
         expectSame(whole, sorted(*again, gibibytes(2), 5));
         EXPECT_GT(tableBytes, 100'000U);
-        const Bytes least = MemoryNeeds{source->summary(), options.chunkTriangles}.survey();
-        expectSame(whole, sorted(*source, least, 2));
+        const Bytes min = MemoryNeeds{source->summary(), options.chunkTriangles}.survey();
+        expectSame(whole, sorted(*source, min, 2));
     }
 }
 
@@ -243,7 +243,7 @@ TEST_F(RangeBinningTest, PagesAreWrittenWhereNoMoreAreToBeHeld) {
     const FaceCount count = work.countFaces({{0, 30'000, noIndex}, 4});
     EXPECT_TRUE(count.isRegular);
     EXPECT_GT(count.pages.size(), 20U);
-    EXPECT_LE(work.mostTableBytes(), 6 * kPageVertices);
+    EXPECT_LE(work.maxTableBytes(), 6 * kPageVertices);
     MeasureInput input{{kPageVertices, 3 * kPageVertices, noIndex}, {}, {}};
     for (const auto& [page, block] : count.pages)
         if (page == 1 || page == 2) input.pages.push_back({page, block});

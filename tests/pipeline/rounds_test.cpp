@@ -103,7 +103,7 @@ NodeRecord someNode(std::uint32_t round, std::uint32_t firstLevel, std::uint32_t
     node.places = {11, 12, 18};
     node.clusters = {23, 24, std::uint64_t{25} << 56U};
     node.rootTriangles = 13;
-    node.stuckTriangles = 14;
+    node.irreducibleTriangles = 14;
     node.dropped = {15, 16, 17, 18};
     node.bounds = {{-1, -2, -3}, {1, 2, 3}};
     node.hasNormals = true;

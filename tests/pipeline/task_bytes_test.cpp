@@ -60,7 +60,7 @@ TEST(TaskBytes, RangesOfPagesComeBack) {
     };
     const PageRange back = take(bytes);
     EXPECT_EQ(back.path, range.path);
-    EXPECT_EQ(back.toldPath, range.toldPath);
+    EXPECT_EQ(back.displayPath, range.displayPath);
     EXPECT_EQ(back.offset, range.offset);
     EXPECT_TRUE(same(back.pages, range.pages));
     expectExact(bytes, take);

@@ -13,9 +13,9 @@ namespace {
 /// One scheme as the slow way sees it.
 struct Tally {
     SchemeChoice choice;
-    double promise = 0;
+    double bound = 0;
     std::uint64_t cost = 0;
-    std::uint64_t wouldDo = 0;
+    std::uint64_t required = 0;
     std::uint64_t texels = 0;
     std::size_t maps = 0;
 };
@@ -57,19 +57,24 @@ Tally tallied(const SchemeContext& context, int slices, bool faces, bool logRows
                                  static_cast<std::uint64_t>(context.quality.shadowTexelsHeight);
     const SchemeCandidate whole = evaluate(given, {slices, faces, true, logRows});
     Tally result{
-        {slices, faces, true, logRows}, whole.promise(), 0, whole.texelsThatWouldDo, budget, whole.setup.maps.size()};
+        {slices, faces, true, logRows},
+        whole.aliasingBound(),
+        0,
+        whole.requiredTexels,
+        budget,
+        whole.setup.maps.size()};
     shadow::ShadowMapSetup setup = whole.setup;
-    if (whole.texelsThatWouldDo > 0 && whole.texelsThatWouldDo <= budget) {
+    if (whole.requiredTexels > 0 && whole.requiredTexels <= budget) {
         std::uint64_t step = budget;
         for (int i = 0; i < 200; ++i) {
             const auto next = static_cast<std::uint64_t>(std::ceil(std::exp2(i / 4.0)));
-            if (next >= whole.texelsThatWouldDo && next < step) step = next;
+            if (next >= whole.requiredTexels && next < step) step = next;
         }
         shadow::ShadowOptions options = whole.options;
         options.texels = step;
         setup = shadow::shadowMapSetup(context.view, options);
         result.texels = step;
-        result.promise = setup.worst().worst();
+        result.bound = setup.worst().worst();
     }
     result.cost = static_cast<std::uint64_t>(setup.textureWidth) * static_cast<std::uint64_t>(setup.textureHeight) / 16;
     for (const shadow::ShadowMap& map : setup.maps) {
@@ -84,7 +89,7 @@ Tally tallied(const SchemeContext& context, int slices, bool faces, bool logRows
 /// Every scheme of even rows, and of logarithmic ones those of one slice where they can be drawn.
 std::vector<SchemeChoice> choicesOf(const SchemeContext& context) {
     std::vector<SchemeChoice> choices;
-    for (int slices = 1; slices <= kMostSlices; ++slices)
+    for (int slices = 1; slices <= kMaxSlices; ++slices)
         for (const bool faces : {false, true}) {
             if (faces && context.quality.facePartitions != Choice::Auto) continue;
             choices.push_back({slices, faces, true, false});
@@ -97,13 +102,13 @@ std::vector<SchemeChoice> choicesOf(const SchemeContext& context) {
 Tally bestOfAll(const SchemeContext& context) {
     std::optional<Tally> cheapest;
     std::optional<Tally> lowest;
-    const double most = context.quality.maxAliasing;
+    const double maxAliasing = context.quality.maxAliasing;
     const auto asked = [](const Tally& one) {
-        return one.promise / (one.choice.faces ? 0.95 : 1) / (one.choice.logRows ? 0.95 : 1);
+        return one.bound / (one.choice.faces ? 0.95 : 1) / (one.choice.logRows ? 0.95 : 1);
     };
     for (const SchemeChoice& choice : choicesOf(context)) {
         const Tally candidate = tallied(context, choice.slices, choice.faces, choice.logRows);
-        if (candidate.promise <= most && (!cheapest || candidate.cost < cheapest->cost)) cheapest = candidate;
+        if (candidate.bound <= maxAliasing && (!cheapest || candidate.cost < cheapest->cost)) cheapest = candidate;
         if (!lowest || asked(candidate) < asked(*lowest)) lowest = candidate;
     }
     return cheapest ? *cheapest : *lowest;
@@ -139,13 +144,13 @@ void expectTheBest(std::uint64_t first, std::uint64_t count, Outcome& outcome) {
         EXPECT_EQ(memory.scheme->choice.slices, best.choice.slices);
         EXPECT_EQ(memory.scheme->choice.faces, best.choice.faces);
         EXPECT_EQ(memory.scheme->choice.logRows, best.choice.logRows);
-        EXPECT_EQ(plan.promiseKept, best.promise <= plan.quality.maxAliasing);
+        EXPECT_EQ(plan.isBoundKept, best.bound <= plan.quality.maxAliasing);
         const std::uint64_t budget = static_cast<std::uint64_t>(plan.quality.shadowTexelsWidth) *
                                      static_cast<std::uint64_t>(plan.quality.shadowTexelsHeight);
-        EXPECT_EQ(plan.promiseKept, std::max(plan.promised.x, plan.promised.z) <= plan.quality.maxAliasing);
-        EXPECT_EQ(plan.promiseKept, plan.texelsThatWouldDo > 0 && plan.texelsThatWouldDo <= budget);
+        EXPECT_EQ(plan.isBoundKept, std::max(plan.aliasingBound.x, plan.aliasingBound.z) <= plan.quality.maxAliasing);
+        EXPECT_EQ(plan.isBoundKept, plan.requiredTexels > 0 && plan.requiredTexels <= budget);
         ++outcome.planned;
-        outcome.kept += plan.promiseKept ? 1 : 0;
+        outcome.kept += plan.isBoundKept ? 1 : 0;
         outcome.several += plan.passes.size() > 1 ? 1 : 0;
         outcome.logRows += best.choice.logRows ? 1 : 0;
         EXPECT_TRUE(plan.backend.unevenRows || !best.choice.logRows);
@@ -170,7 +175,7 @@ TEST(SlowAutoPlan, IsTheBestOfAllPlansOnAThousandViews) {
     EXPECT_GT(outcome.planned, 900);
 }
 
-TEST(AutoPlan, TexelsThatWouldDoDo) {
+TEST(AutoPlan, RequiredTexelsSuffice) {
     GNOMON_TOO_LONG_FOR_SANITIZERS();
     int tried = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -181,11 +186,11 @@ TEST(AutoPlan, TexelsThatWouldDoDo) {
         quality.facePartitions = Choice::Off;
         quality.maxAliasing /= 4;
         const FramePlan without = planFrame(view, quality, facts).plan;
-        if (without.promiseKept || without.texelsThatWouldDo == 0) continue;
-        if (without.texelsThatWouldDo > (std::uint64_t{1} << 26U)) continue;
-        quality.shadowTexelsWidth = static_cast<int>(without.texelsThatWouldDo);
+        if (without.isBoundKept || without.requiredTexels == 0) continue;
+        if (without.requiredTexels > (std::uint64_t{1} << 26U)) continue;
+        quality.shadowTexelsWidth = static_cast<int>(without.requiredTexels);
         quality.shadowTexelsHeight = 1;
-        EXPECT_TRUE(planFrame(view, quality, facts).plan.promiseKept) << seed;
+        EXPECT_TRUE(planFrame(view, quality, facts).plan.isBoundKept) << seed;
         ++tried;
     }
     EXPECT_GT(tried, 5);
@@ -197,11 +202,11 @@ struct Changes {
     int unforced = 0; // less those that draw none because nothing is lit, or keep a promise that would be broken
 };
 
-bool wouldBreakItsPromise(const PlanMemory& previous, const FramePlan& plan, const SceneFacts& facts) {
+bool wouldBreakItsBound(const PlanMemory& previous, const FramePlan& plan, const SceneFacts& facts) {
     SchemeContext context = contextOf(plan, facts);
     context.before = previous.scheme;
     context.receivers = receiversOf(context);
-    return plan.promiseKept && !evaluate(context, previous.scheme->choice).keepsPromise;
+    return plan.isBoundKept && !evaluate(context, previous.scheme->choice).isWithinMaxAliasing;
 }
 
 /// While the camera turns by ten degrees in 200 frames.
@@ -223,7 +228,7 @@ Changes changesInASlowTurn(std::uint64_t seed) {
         if (frame > 0 && previous.plan.passes.size() != now.plan.passes.size()) {
             ++changes.all;
             const bool isDark = previous.plan.passes.empty() || now.plan.passes.empty();
-            if (!isDark && !wouldBreakItsPromise(previous.memory, now.plan, facts)) ++changes.unforced;
+            if (!isDark && !wouldBreakItsBound(previous.memory, now.plan, facts)) ++changes.unforced;
         }
         previous = std::move(now);
     }
@@ -238,14 +243,14 @@ TEST(AutoPlan, HoldsTheNumberOfMapsInASlowTurn) {
 
 TEST(SlowAutoPlan, HoldsTheNumberOfMapsInSlowTurns) {
     constexpr int kTurns = 300;
-    int beyond = 0;
+    int flickers = 0;
     for (std::uint64_t seed = 0; seed < kTurns; ++seed) {
         const Changes changes = changesInASlowTurn(seed);
         EXPECT_LE(changes.unforced, 2) << seed;
         EXPECT_LE(changes.all, 4) << seed;
-        beyond += changes.all > 2 ? 1 : 0;
+        flickers += changes.all > 2 ? 1 : 0;
     }
-    EXPECT_LE(beyond, kTurns / 100) << "what other bars ask for is rare";
+    EXPECT_LE(flickers, kTurns / 100) << "what other bars ask for is rare";
 }
 
 TEST(FramePlan, IsTheSameForTheSameArguments) {
@@ -272,7 +277,7 @@ TEST(FramePlan, DrawsNoMapFromTheFrameOnInWhichNothingFacesTheLight) {
     const FramePlan dark = planFrame(view, {}, facts, lit.memory).plan;
     EXPECT_TRUE(dark.passes.empty()) << "no map outlives all of them";
     ASSERT_FALSE(dark.omitted.empty());
-    EXPECT_EQ(dark.omitted.front().reason, OmissionReason::NothingFacesLight);
+    EXPECT_EQ(dark.omitted.front().reason, SkipReason::NothingFacesLight);
 }
 
 SceneFacts litBetween(const std::vector<DepthSpan>& lit) {
@@ -338,9 +343,9 @@ TEST(AutoPlan, AStillCameraComesToAPlanAsGoodAsAFirstFrames) {
             planned = planFrame(view, quality, facts, planned.memory);
         const FramePlan& plan = planned.plan;
         const FramePlan first = planFrame(view, quality, facts).plan;
-        ASSERT_EQ(plan.promiseKept, first.promiseKept) << seed;
-        const auto worst = [](const FramePlan& p) { return std::max(p.promised.x, p.promised.z); };
-        const bool isAsGood = plan.promiseKept
+        ASSERT_EQ(plan.isBoundKept, first.isBoundKept) << seed;
+        const auto worst = [](const FramePlan& p) { return std::max(p.aliasingBound.x, p.aliasingBound.z); };
+        const bool isAsGood = plan.isBoundKept
                                   ? static_cast<double>(plan.cost) * kCheaper <= static_cast<double>(first.cost)
                                   : worst(plan) * kLower <= worst(first) / kWorthwhile;
         EXPECT_TRUE(isAsGood) << seed << ": " << plan.cost << " for " << first.cost << ", " << worst(plan) << " for "

@@ -23,11 +23,11 @@ TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
         bool isImageFirst;
         bool isStable;
         CasterCulling chosen;
-        std::optional<OmissionReason> reason;
+        std::optional<SkipReason> reason;
     };
 
     using C = CasterCulling;
-    using R = OmissionReason;
+    using R = SkipReason;
     const std::uint64_t few = std::uint64_t{100} * 100 / kPixelsPerTriangle - 1;
     const std::vector<Row> rows = {
         {"many casters", C::Auto, few + 1, true, false, C::Receivers, {}},
@@ -49,7 +49,7 @@ TEST(CasterCulling, IsChosenByCountsAndByWhoDraws) {
         EXPECT_EQ(plan.casterCulling, row.chosen);
         ASSERT_EQ(plan.omitted.size(), row.reason ? 1U : 0U);
         if (!row.reason) continue;
-        EXPECT_EQ(plan.omitted[0], (Omission{Effect::ReceiverMasks, *row.reason}));
+        EXPECT_EQ(plan.omitted[0], (SkippedEffect{Effect::ReceiverMasks, *row.reason}));
     }
     FramePlan without = planOf(C::Auto, 5);
     without.passes.clear();

@@ -9,7 +9,7 @@ namespace {
 
 /// Two points on one ray towards the light lie on the same place of a cell map, whatever the view: triangles and the
 /// samples that they shadow meet in the same cells.
-TEST(CellMaps, HaveOnePlaceForEachRayTowardsTheLight) {
+TEST(SampleGridMaps, HaveOnePlaceForEachRayTowardsTheLight) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         Random random(seed);
         const auto any = [&](double size) {
@@ -29,9 +29,9 @@ TEST(CellMaps, HaveOnePlaceForEachRayTowardsTheLight) {
         scene.visible = {random.uniform(0.1, 5), random.uniform(10, 90), true};
         const FramePlan plan = planFrame(view, quality, scene, {}).plan;
         EXPECT_TRUE(plan.passes.empty());
-        ASSERT_EQ(plan.cellMaps.size(), isSliced ? 4U : 1U) << seed;
+        ASSERT_EQ(plan.sampleGridMaps.size(), isSliced ? 4U : 1U) << seed;
         EXPECT_EQ(cellSide(plan), isSliced ? kCellSide / 2 : kCellSide);
-        const shadow::ShadowMap& map = plan.cellMaps[seed % plan.cellMaps.size()];
+        const shadow::ShadowMap& map = plan.sampleGridMaps[seed % plan.sampleGridMaps.size()];
         const glm::dmat4 clip = map.lightClipFromCamera();
         const double depth = random.uniform(map.region.frustum.near, map.region.frustum.far);
         const glm::dvec3 p(random.uniform(-0.2, 0.2) * depth, random.uniform(-0.2, 0.2) * depth, depth);

@@ -4,8 +4,8 @@
 #include "core/random.h"
 #include "made_scene.h"
 #include "plan/frame_plan.h"
-#include "plan/omission.h"
 #include "plan/plan_frame.h"
+#include "plan/skipped_effect.h"
 
 #include <gtest/gtest.h>
 
@@ -33,11 +33,12 @@ FramePlan planOf(const Quality& quality) {
     return planFrame(litFromTheSide(), quality, facts).plan;
 }
 
-std::vector<Omission> omissionsOf(const FramePlan& plan, Effect effect) {
-    std::vector<Omission> found;
-    std::copy_if(plan.omitted.begin(), plan.omitted.end(), std::back_inserter(found), [&](const Omission& omission) {
-        return omission.effect == effect;
-    });
+std::vector<SkippedEffect> skippedEffects(const FramePlan& plan, Effect effect) {
+    std::vector<SkippedEffect> found;
+    std::copy_if(
+        plan.omitted.begin(), plan.omitted.end(), std::back_inserter(found), [&](const SkippedEffect& skipped) {
+            return skipped.effect == effect;
+        });
     return found;
 }
 
@@ -78,7 +79,7 @@ TEST(FramePlanNames, SayTheWarpRule) {
         {WarpRule::Tsm, "tsm"},
         {WarpRule::Minimax, "minimax"},
         {WarpRule::Auto, "auto"},
-        {WarpRule::LeastStorage, "sopt"},
+        {WarpRule::MinStorage, "sopt"},
         {WarpRule::Eta, "eta"},
         {WarpRule::Given, "given"},
         {WarpRule::Log, "log"}};
@@ -101,37 +102,37 @@ TEST(FramePlanReasons, ForNoMapsAtAll) {
     struct Row {
         ShadowMode shadows;
         SceneFacts facts;
-        OmissionReason reason;
+        SkipReason reason;
     };
 
     const std::vector<Row> table{
-        {ShadowMode::Off, lit, OmissionReason::SwitchedOff},
-        {ShadowMode::Rays, lit, OmissionReason::RayTraced},
-        {ShadowMode::Maps, nothing, OmissionReason::NothingInView},
-        {ShadowMode::Maps, dark, OmissionReason::NothingFacesLight},
-        {ShadowMode::Maps, open, OmissionReason::NoCasterInReach}};
+        {ShadowMode::Off, lit, SkipReason::SwitchedOff},
+        {ShadowMode::Rays, lit, SkipReason::RayTraced},
+        {ShadowMode::Maps, nothing, SkipReason::NothingInView},
+        {ShadowMode::Maps, dark, SkipReason::NothingFacesLight},
+        {ShadowMode::Maps, open, SkipReason::NoCasterInReach}};
     for (const Row& row : table) {
         Quality quality;
         quality.shadows = row.shadows;
         const FramePlan plan = planFrame({}, quality, row.facts).plan;
         EXPECT_EQ(
             plan.omitted,
-            (std::vector<Omission>{
-                {Effect::ShadowMaps, row.reason}, {Effect::OcclusionCulling, OmissionReason::BackendDrawsAll}}));
+            (std::vector<SkippedEffect>{
+                {Effect::ShadowMaps, row.reason}, {Effect::OcclusionCulling, SkipReason::BackendDrawsAll}}));
         EXPECT_TRUE(plan.passes.empty());
         EXPECT_EQ(plan.cost, 0U);
         EXPECT_EQ(plan.textureWidth + plan.textureHeight, 0);
     }
-    EXPECT_TRUE(omissionsOf(planFrame({}, {}, lit).plan, Effect::ShadowMaps).empty());
+    EXPECT_TRUE(skippedEffects(planFrame({}, {}, lit).plan, Effect::ShadowMaps).empty());
 }
 
 TEST(FramePlanReasons, AreThoseOfTheQuality) {
-    using Reason = OmissionReason;
+    using Reason = SkipReason;
 
     struct Row {
         std::function<void(Quality&)> with;
         Effect effect;
-        std::optional<OmissionReason> reason; // nothing: it is not left out
+        std::optional<SkipReason> reason; // nothing: it is not left out
     };
 
     const auto plain = [](Quality&) {};
@@ -167,7 +168,7 @@ TEST(FramePlanReasons, AreThoseOfTheQuality) {
         SCOPED_TRACE(i);
         Quality quality;
         table[i].with(quality);
-        const std::vector<Omission> found = omissionsOf(planOf(quality), table[i].effect);
+        const std::vector<SkippedEffect> found = skippedEffects(planOf(quality), table[i].effect);
         ASSERT_EQ(found.size(), table[i].reason ? 1U : 0U);
         if (!table[i].reason) continue;
         EXPECT_EQ(found[0].reason, *table[i].reason);
@@ -180,10 +181,9 @@ TEST(FramePlanReasons, NameEachSliceThatGoesWithoutAMap) {
     facts.light = SceneFacts::Light();
     facts.light->lit = {{1, 3}, {12, 13}};
     const FramePlan plan = planFrame(madeView(2), {}, facts).plan;
-    const std::vector<Omission> expected{
-        {Effect::MapOfSlice, OmissionReason::NothingFacesLight, 1},
-        {Effect::MapOfSlice, OmissionReason::NothingFacesLight, 3}};
-    EXPECT_EQ(omissionsOf(plan, Effect::MapOfSlice), expected);
+    const std::vector<SkippedEffect> expected{
+        {Effect::MapOfSlice, SkipReason::NothingFacesLight, 1}, {Effect::MapOfSlice, SkipReason::NothingFacesLight, 3}};
+    EXPECT_EQ(skippedEffects(plan, Effect::MapOfSlice), expected);
     EXPECT_EQ(plan.passOfPartition, (std::vector<int>{0, -1, 1, -1}));
     ASSERT_EQ(plan.passes.size(), 2U);
     EXPECT_EQ(plan.passes[0].map.region.slice, 0U);
@@ -195,11 +195,11 @@ TEST(FramePlanReasons, GiveTheGainThatWasTooSmall) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         Quality quality;
         quality.facePartitions = Choice::Auto;
-        for (const Omission& omission : planOf(quality, seed).omitted) {
-            if (omission.reason != OmissionReason::GainTooSmall) continue;
+        for (const SkippedEffect& skipped : planOf(quality, seed).omitted) {
+            if (skipped.reason != SkipReason::GainTooSmall) continue;
             ++small;
-            EXPECT_GE(omission.gain, 0) << seed;
-            EXPECT_LT(omission.gain, 0.05) << seed;
+            EXPECT_GE(skipped.gain, 0) << seed;
+            EXPECT_LT(skipped.gain, 0.05) << seed;
         }
     }
     EXPECT_GT(small, 5);
@@ -218,8 +218,8 @@ TEST(FramePlanNumbers, AreThoseOfItsPasses) {
         for (const ShadowPass& pass : plan.passes) {
             const shadow::TexelRectangle inner = pass.map.innerRectangle();
             triangles += pass.estimatedTriangles;
-            worst = {std::max(worst.x, pass.map.promised.x), std::max(worst.z, pass.map.promised.z)};
-            storage += pass.map.promised.x * pass.map.promised.z * static_cast<double>(inner.area()) /
+            worst = {std::max(worst.x, pass.map.aliasingBound.x), std::max(worst.z, pass.map.aliasingBound.z)};
+            storage += pass.map.aliasingBound.x * pass.map.aliasingBound.z * static_cast<double>(inner.area()) /
                        (static_cast<double>(plan.view.height) * plan.view.height);
             EXPECT_LE(pass.map.rectangle.x + pass.map.rectangle.width, plan.textureWidth);
             EXPECT_LE(pass.map.rectangle.y + pass.map.rectangle.height, plan.textureHeight);
@@ -229,9 +229,9 @@ TEST(FramePlanNumbers, AreThoseOfItsPasses) {
         EXPECT_EQ(plan.cost, triangles + texels / 16);
         EXPECT_LE(texels, std::uint64_t{2048} * 2048);
         EXPECT_NEAR(plan.storageFactor, storage, 1e-9 * storage);
-        EXPECT_EQ(plan.promised.x, worst.x);
-        EXPECT_EQ(plan.promised.z, worst.z);
-        EXPECT_TRUE(plan.promiseKept) << "a number of slices that is asked for promises nothing";
+        EXPECT_EQ(plan.aliasingBound.x, worst.x);
+        EXPECT_EQ(plan.aliasingBound.z, worst.z);
+        EXPECT_TRUE(plan.isBoundKept) << "a number of slices that is asked for promises nothing";
         const glm::dvec3 light = plan.view.light().unit();
         const glm::dvec3 ahead = glm::normalize(plan.view.camera.target - plan.view.camera.eye);
         EXPECT_NEAR(std::cos(plan.lightAngleRadians), glm::dot(light, ahead), 1e-12);

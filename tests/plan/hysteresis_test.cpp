@@ -157,7 +157,7 @@ TEST(Hysteresis, ABrokenPromiseWaitsForNothing) {
         dominated.quality.maxAliasing = aliasing;
         const PlannedFrame now =
             planFrame(dominated.view, dominated.quality, dominated.scene.facts(dominated.view), few.memory);
-        if (now.plan.promiseKept && now.memory.scheme->choice.slices > 1) kept = aliasing;
+        if (now.plan.isBoundKept && now.memory.scheme->choice.slices > 1) kept = aliasing;
     }
     EXPECT_GT(kept, 0) << "one slice was held although it breaks a promise that others keep";
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kHalfTurn = 3.14159265358979323846;
 
 /// The share of a disc of radius 1 on the far side of a line at `distance` from its middle.
-double discShareBeyond(double distance) {
+double discShareOutside(double distance) {
     const double x = std::clamp(distance, -1.0, 1.0);
     return (std::acos(x) - x * std::sqrt(1 - x * x)) / kHalfTurn;
 }
@@ -33,7 +33,7 @@ double worstShareError(int directions, int bearings) {
         }
         std::sort(places.begin(), places.end());
         for (std::size_t i = 0; i < places.size(); ++i) {
-            const double before = 1 - discShareBeyond(places[i]);
+            const double before = 1 - discShareOutside(places[i]);
             const auto share = [&](std::size_t count) { return static_cast<double>(count) / directions; };
             worst = std::max({worst, std::abs(before - share(i)), std::abs(before - share(i + 1))});
         }
@@ -42,7 +42,7 @@ double worstShareError(int directions, int bearings) {
 }
 
 /// What lies beyond `place` of places along a line, summed: of each its distance.
-double reachBeyond(const std::vector<double>& places, double place) {
+double reachOutside(const std::vector<double>& places, double place) {
     double sum = 0;
     for (const double each : places)
         sum += std::max(each - place, 0.0);
@@ -50,9 +50,9 @@ double reachBeyond(const std::vector<double>& places, double place) {
 }
 
 /// The same of a disc of radius 1.
-double discReachBeyond(double place) {
+double discReachOutside(double place) {
     const double height = std::sqrt(1 - place * place);
-    return 2 / (3 * kHalfTurn) * height * height * height - place * discShareBeyond(place);
+    return 2 / (3 * kHalfTurn) * height * height * height - place * discShareOutside(place);
 }
 
 /// The most that the first of all points are off beside a penumbra narrower than a pixel, whose edge lies along its
@@ -67,16 +67,16 @@ double worstOfFirst(int first, int all) {
             places[static_cast<std::size_t>(i)] = point.x * std::cos(turn) + point.y * std::sin(turn);
         }
         for (int step = -20; step <= 20; ++step)
-            worst = std::max(worst, std::abs(reachBeyond(places, step / 20.0) - discReachBeyond(step / 20.0)) / 2);
+            worst = std::max(worst, std::abs(reachOutside(places, step / 20.0) - discReachOutside(step / 20.0)) / 2);
     }
     return worst;
 }
 
 TEST(DiscPoints, TheFirstOnesStandForAllBesideAPenumbraWithinAPixel) {
-    EXPECT_NEAR(discReachBeyond(0), 2 / (3 * kHalfTurn), 1e-12);
+    EXPECT_NEAR(discReachOutside(0), 2 / (3 * kHalfTurn), 1e-12);
     int fewer = 0;
     for (const DiscSampling& sampling : kDiscSamplings) {
-        EXPECT_EQ(leastFirstPoints(sampling.directions), sampling.first);
+        EXPECT_EQ(minFirstPoints(sampling.directions), sampling.first);
         for (const int more : {0, 1, 2, 5, 9, 16, 32, 64}) {
             const int first = std::min(sampling.first + more, sampling.directions);
             EXPECT_LE(worstOfFirst(first, sampling.directions), 0.1061) << first << " of " << sampling.directions;
@@ -84,7 +84,7 @@ TEST(DiscPoints, TheFirstOnesStandForAllBesideAPenumbraWithinAPixel) {
         fewer += worstOfFirst(sampling.first - 1, sampling.directions) <= 0.1 ? 1 : 0;
     }
     EXPECT_EQ(fewer, 0) << "would do";
-    EXPECT_EQ(leastFirstPoints(100), 100);
+    EXPECT_EQ(minFirstPoints(100), 100);
     EXPECT_LE(worstOfFirst(16, 96), 0.017);
     EXPECT_LE(worstOfFirst(16, 384), 0.051);
 }
@@ -129,16 +129,16 @@ TEST(DiscPoints, BeginInTheMiddleAndAreAllApart) {
 }
 
 // The mean over a pixel of what a point light leaves out, at its worst: an integral, along the edge's profile.
-TEST(LeastPenumbra, IsTheWidthAtWhichAPointLightIsOffByTheError) {
+TEST(MinPenumbra, IsTheWidthAtWhichAPointLightIsOffByTheError) {
     for (const double error : {0.02, 0.05, 0.1}) {
-        const double width = leastPenumbra(error);
+        const double width = minPenumbra(error);
         double worst = 0;
         constexpr int kSteps = 400;
         for (int shift = -kSteps; shift <= kSteps; ++shift) {
             double difference = 0;
             for (int i = 0; i < kSteps; ++i) {
                 const double place = (i + 0.5) / kSteps - 0.5 + 0.75 * shift / kSteps; // pixels from the edge
-                difference += (discShareBeyond(-place / (width / 2)) - (place > 0 ? 1 : 0)) / kSteps;
+                difference += (discShareOutside(-place / (width / 2)) - (place > 0 ? 1 : 0)) / kSteps;
             }
             worst = std::max(worst, std::abs(difference));
         }
@@ -164,9 +164,9 @@ double skyLightOf(const SeenSlope& slope, int parts, SkyModel model) {
 // What more edges than one do: a shadow that fills just a pixel, all of whose four edges lie along its sides, is off by
 // four times as much as one along a side, and no bound of one edge holds for it. Of each point of the disc the shadow
 // is the same square, moved.
-TEST(LeastPenumbra, IsOfOneEdgeAndFourAroundAPixelAddUp) {
+TEST(MinPenumbra, IsOfOneEdgeAndFourAroundAPixelAddUp) {
     constexpr double kError = 0.05;
-    const double half = leastPenumbra(kError) / 2;
+    const double half = minPenumbra(kError) / 2;
     constexpr int kPoints = 4096;
     double one = 0;
     double two = 0;
@@ -240,7 +240,7 @@ TEST(LightSampling, IsPlannedWhereItShowsAndElseSaysWhyNot) {
     EXPECT_EQ(plan.penumbra.directions, 96);
     EXPECT_EQ(plan.sky.directions, 64);
     EXPECT_EQ(lightFrames(plan), 96);
-    leaveLightSamplingOut(plan);
+    skipLightSampling(plan);
     EXPECT_EQ(lightFrames(plan), 1);
     EXPECT_EQ(plan.omitted.size(), 2U);
     plan = lightAskedFor(0.01);
@@ -248,12 +248,12 @@ TEST(LightSampling, IsPlannedWhereItShowsAndElseSaysWhyNot) {
     planSky(plan, false);
     EXPECT_EQ(lightFrames(plan), 1);
     ASSERT_EQ(plan.omitted.size(), 2U);
-    EXPECT_EQ(plan.omitted[0].reason, OmissionReason::NarrowPenumbrae);
+    EXPECT_EQ(plan.omitted[0].reason, SkipReason::NarrowPenumbrae);
     EXPECT_NEAR(plan.omitted[0].pixels, 0.471, 0.001);
-    EXPECT_EQ(plan.omitted[1].reason, OmissionReason::NothingHidesTheSky);
+    EXPECT_EQ(plan.omitted[1].reason, SkipReason::NothingHidesTheSky);
     for (const auto& [shadows, shading, reason] :
-         {std::tuple(ShadowMode::Off, Shading::Lit, OmissionReason::NoShadows),
-          std::tuple(ShadowMode::Exact, Shading::Headlight, OmissionReason::NoSun)}) {
+         {std::tuple(ShadowMode::Off, Shading::Lit, SkipReason::NoShadows),
+          std::tuple(ShadowMode::Exact, Shading::Headlight, SkipReason::NoSun)}) {
         plan = lightAskedFor(0.01, shadows, shading);
         planPenumbra(plan, {9, {}, {}});
         planSky(plan, true);
@@ -274,7 +274,7 @@ TEST(LightSampling, TakesTheTilesWhosePenumbraeAreAsWideAsShows) {
     EXPECT_EQ(plan.penumbra.tiles->wanted, (std::vector<bool>{true, false, false, true}));
     EXPECT_TRUE(plan.penumbra.tiles->holdsAny(31, 31, 32, 33));
     EXPECT_FALSE(plan.penumbra.tiles->holdsAny(32, 0, 64, 32));
-    leaveLightSamplingOut(plan);
+    skipLightSampling(plan);
     EXPECT_FALSE(plan.penumbra.tiles);
     const std::vector<double> wide(4, 0.48);
     planPenumbra(plan, {0.48, {64, 33}, wide});

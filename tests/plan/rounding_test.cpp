@@ -52,18 +52,18 @@ bool isUndecided(const FramePlan& a, const FramePlan& b) {
     constexpr double kAsGood = 1e-6;
     const auto near = [](double x, double y) { return std::abs(x / y - 1) < kAsGood; };
     const bool costsAsMuch = a.cost == b.cost;
-    const bool promisesAsMuch = near(a.promised.worst(), b.promised.worst());
+    const bool hasSameBound = near(a.aliasingBound.worst(), b.aliasingBound.worst());
     const auto isAtItsBound = [&](const FramePlan& plan) {
-        return near(plan.promised.worst(), plan.quality.maxAliasing);
+        return near(plan.aliasingBound.worst(), plan.quality.maxAliasing);
     };
-    return (costsAsMuch && promisesAsMuch) || isAtItsBound(a) || isAtItsBound(b);
+    return (costsAsMuch && hasSameBound) || isAtItsBound(a) || isAtItsBound(b);
 }
 
 void expectSamePlan(const PlannedFrame& usual, const PlannedFrame& other) {
     const FramePlan& a = usual.plan;
     const FramePlan& b = other.plan;
     EXPECT_EQ(schemeName(b), schemeName(a));
-    EXPECT_EQ(b.promiseKept, a.promiseKept);
+    EXPECT_EQ(b.isBoundKept, a.isBoundKept);
     EXPECT_EQ(b.passOfPartition, a.passOfPartition);
     EXPECT_EQ(b.textureWidth, a.textureWidth);
     EXPECT_EQ(b.textureHeight, a.textureHeight);
@@ -78,7 +78,7 @@ void expectSamePlan(const PlannedFrame& usual, const PlannedFrame& other) {
     for (std::size_t i = 0; i < a.passes.size(); ++i) {
         EXPECT_EQ(b.passes[i].map.rectangle, a.passes[i].map.rectangle);
         EXPECT_EQ(b.passes[i].estimatedTriangles, a.passes[i].estimatedTriangles);
-        EXPECT_NEAR(b.passes[i].map.promised.sheared / a.passes[i].map.promised.sheared, 1, 1e-6);
+        EXPECT_NEAR(b.passes[i].map.aliasingBound.sheared / a.passes[i].map.aliasingBound.sheared, 1, 1e-6);
     }
 }
 

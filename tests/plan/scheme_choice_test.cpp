@@ -26,9 +26,9 @@ TEST(SchemeChoice, OpensWhatTheQualityLeavesOpen) {
     EXPECT_EQ(open(4, Choice::Auto, false), (std::vector<SchemeChoice>{{4, false, true}, {4, true, true}}));
     EXPECT_EQ(open(4, Choice::On, true), (std::vector<SchemeChoice>{{4, false, true}}));
     const std::vector<SchemeChoice> all = open({}, Choice::Auto, false);
-    ASSERT_EQ(all.size(), 2U * kMostSlices);
+    ASSERT_EQ(all.size(), 2U * kMaxSlices);
     EXPECT_EQ(all.front(), (SchemeChoice{1, false, true}));
-    EXPECT_EQ(all.back(), (SchemeChoice{kMostSlices, true, true}));
+    EXPECT_EQ(all.back(), (SchemeChoice{kMaxSlices, true, true}));
     EXPECT_EQ(open(4, Choice::Auto, false, true), open(4, Choice::Auto, false)) << "slices that are given are even";
     EXPECT_EQ(open({}, Choice::Auto, true, true), open({}, Choice::Auto, true));
     const std::vector<SchemeChoice> withLog = open({}, Choice::Auto, false, true);
@@ -38,12 +38,12 @@ TEST(SchemeChoice, OpensWhatTheQualityLeavesOpen) {
 }
 
 /// A candidate of one map with a promise and a cost.
-SchemeCandidate candidate(bool keepsPromise, double promise, std::uint64_t cost, bool faces = false) {
+SchemeCandidate candidate(bool isWithinMaxAliasing, double bound, std::uint64_t cost, bool faces = false) {
     SchemeCandidate result;
     result.choice.faces = faces;
-    result.keepsPromise = keepsPromise;
+    result.isWithinMaxAliasing = isWithinMaxAliasing;
     result.cost = cost;
-    result.setup.maps.emplace_back().promised = {promise, promise / 2, promise};
+    result.setup.maps.emplace_back().aliasingBound = {bound, bound / 2, bound};
     return result;
 }
 
@@ -129,13 +129,13 @@ TEST(SchemeChoice, TakesNoMoreTexelsThanItsPromiseAsksForAndHardlyMore) {
         for (const int slices : {1, 3, 6}) {
             const SchemeCandidate found = evaluate(context, {slices, false, true});
             const std::uint64_t budget = std::uint64_t{2048} * 2048;
-            if (found.texelsThatWouldDo == 0 || found.texelsThatWouldDo > budget) continue;
+            if (found.requiredTexels == 0 || found.requiredTexels > budget) continue;
             ++tested;
-            EXPECT_TRUE(found.keepsPromise);
-            EXPECT_GE(found.options.texels, found.texelsThatWouldDo);
+            EXPECT_TRUE(found.isWithinMaxAliasing);
+            EXPECT_GE(found.options.texels, found.requiredTexels);
             EXPECT_LE(
                 static_cast<double>(found.options.texels),
-                static_cast<double>(found.texelsThatWouldDo) * std::exp2(0.25) + 1);
+                static_cast<double>(found.requiredTexels) * std::exp2(0.25) + 1);
         }
     }
     EXPECT_GT(tested, 5);
@@ -150,10 +150,10 @@ TEST(SchemeChoice, RollsTheMapsAboutTheLightOnlyWhereThatIsWorthIt) {
         const View view = madeView(seed);
         const SceneFacts facts = scene.facts(view);
         const SchemeContext context = contextOf(scene, view, facts, {});
-        std::vector<Omission> omitted;
+        std::vector<SkippedEffect> omitted;
         const SchemeCandidate chosen = chosenScheme(context, omitted);
-        const double without = evaluate(context, {4, false, false}).promise();
-        const double with = evaluate(context, {4, false, true}).promise();
+        const double without = evaluate(context, {4, false, false}).aliasingBound();
+        const double with = evaluate(context, {4, false, true}).aliasingBound();
         EXPECT_EQ(chosen.choice.lightRoll, with <= without * kWorthwhile) << seed;
         (chosen.choice.lightRoll ? rolled : plain) += 1;
     }
@@ -177,7 +177,7 @@ TEST(SchemeChoice, FacesThatAreThereStayWhereNewOnesWouldNotCome) {
         context.receivers = receiversOf(context);
         const auto hasFacesAfter = [&](bool faces) {
             context.before->choice.faces = faces;
-            std::vector<Omission> omitted;
+            std::vector<SkippedEffect> omitted;
             return chosenScheme(context, omitted).choice.faces;
         };
         const bool stays = hasFacesAfter(true);
@@ -198,9 +198,9 @@ SchemeCandidate successor(const SchemeContext& context) {
         candidates.push_back(evaluate(context, choice));
     const SchemeCandidate best = *std::min_element(candidates.begin(), candidates.end(), isBetter);
     std::erase_if(candidates, [&](const SchemeCandidate& a) {
-        if (a.keepsPromise != best.keepsPromise) return true;
-        return best.keepsPromise ? static_cast<double>(a.cost) * kCheaper > static_cast<double>(best.cost)
-                                 : a.promise() * kLower > best.promise();
+        if (a.isWithinMaxAliasing != best.isWithinMaxAliasing) return true;
+        return best.isWithinMaxAliasing ? static_cast<double>(a.cost) * kCheaper > static_cast<double>(best.cost)
+                                        : a.aliasingBound() * kLower > best.aliasingBound();
     });
     const auto change = [&](const SchemeCandidate& a) {
         const std::size_t maps = a.setup.maps.size();
@@ -226,14 +226,14 @@ TEST(SchemeChoice, WhatFollowsADominatedSchemeChangesTheNumberOfMapsTheLeast) {
         SchemeContext context = contextOf(scene, view, facts, quality);
         context.before = planFrame(view, quality, facts).memory.scheme;
         if (!context.before) continue;
-        for (const int slices : {1, 6, kMostSlices}) {
+        for (const int slices : {1, 6, kMaxSlices}) {
             context.before->choice.slices = slices;
             context.before->choice.faces = false;
             context.before->emptySlices = 0;
             context.before->maps = static_cast<std::size_t>(slices);
             context.before->framesDominated = kFramesBeforeSchemeGoes; // it goes wherever it is still dominated
             context.receivers = receiversOf(context);
-            std::vector<Omission> omitted;
+            std::vector<SkippedEffect> omitted;
             const SchemeCandidate chosen = chosenScheme(context, omitted);
             if (chosen.choice.slices == slices && !chosen.choice.faces) continue; // it was not dominated
             const SchemeCandidate expected = successor(context);

@@ -16,7 +16,7 @@ Quality withShadows(ShadowMode mode) {
 }
 
 void expectDecision(const Quality& quality, const Capabilities& backend, ShadowMode mode, ShadowReason reason) {
-    const ShadowDecision decision = decideShadows(quality, backend);
+    const ShadowDecision decision = chooseShadows(quality, backend);
     EXPECT_EQ(decision.mode, mode);
     EXPECT_EQ(decision.reason, reason);
 }
@@ -42,7 +42,7 @@ TEST(ShadowDecision, OfAutoIsOffWithoutASun) {
             Quality quality = withShadows(ShadowMode::Auto);
             quality.look.shading = shading;
             quality.mapsBecause = ShadowReason::MapsRequested;
-            ASSERT_TRUE(isWithoutSun(shading));
+            ASSERT_TRUE(hasNoSun(shading));
             expectDecision(quality, backend, ShadowMode::Off, ShadowReason::NoSun);
         }
 }
@@ -65,13 +65,13 @@ TEST(ShadowDecision, IsPartOfThePlan) {
     EXPECT_EQ(exact.quality.shadows, ShadowMode::Exact);
     EXPECT_EQ(exact.shadowReason, ShadowReason::BackendIsExact);
     EXPECT_TRUE(exact.passes.empty());
-    EXPECT_FALSE(exact.cellMaps.empty());
+    EXPECT_FALSE(exact.sampleGridMaps.empty());
     quality.mapsBecause = ShadowReason::MapsRequested;
     const FramePlan maps = planFrame(view, quality, facts, {}, kSoftwareCapabilities).plan;
     EXPECT_EQ(maps.quality.shadows, ShadowMode::Maps);
     EXPECT_EQ(maps.shadowReason, ShadowReason::MapsRequested);
     EXPECT_FALSE(maps.passes.empty());
-    EXPECT_TRUE(maps.cellMaps.empty());
+    EXPECT_TRUE(maps.sampleGridMaps.empty());
 }
 
 } // namespace

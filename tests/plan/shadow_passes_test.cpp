@@ -62,7 +62,7 @@ TEST(ShadowPasses, AreAskedByThePartitionsThatTheyAreOf) {
         const double depth = random.uniform(10, 40);
         const double reach = depth * plan.view.tanHalfY();
         const glm::dvec3 p(random.uniform(-reach, reach), random.uniform(-reach, reach), depth);
-        const std::size_t partition = shadow::ownerOf(plan.selector, p);
+        const std::size_t partition = shadow::partitionIndex(plan.selector, p);
         const int pass = plan.passOfPartition[partition];
         ASSERT_GE(pass, 0);
         const shadow::Region& region = plan.passes[static_cast<std::size_t>(pass)].map.region;
@@ -108,12 +108,12 @@ TEST(LampPasses, AreAMapForEachFaceOfTheCubeThatAnythingIsSeenThrough) {
         for (const SceneFacts::CasterBlock& block : facts.light->casters)
             all += block.triangles;
         for (const ShadowPass& pass : plan.passes) {
-            EXPECT_LE(std::max(pass.map.promised.x, pass.map.promised.z), plan.promised.worst());
+            EXPECT_LE(std::max(pass.map.aliasingBound.x, pass.map.aliasingBound.z), plan.aliasingBound.worst());
             EXPECT_EQ(pass.estimatedTriangles == all, quality.cullCasters == CasterCulling::Off) << seed;
             cost += pass.estimatedTriangles;
         }
         EXPECT_EQ(plan.cost, cost);
-        const Omission noWarp{Effect::Warp, OmissionReason::FacesOfCube};
+        const SkippedEffect noWarp{Effect::Warp, SkipReason::FacesOfCube};
         EXPECT_EQ(std::count(plan.omitted.begin(), plan.omitted.end(), noWarp), 1);
     }
     EXPECT_GT(passes, 40);

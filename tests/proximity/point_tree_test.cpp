@@ -17,11 +17,11 @@ struct Points {
 
     std::uint32_t nearestPlainly(const glm::dvec3& place, std::uint32_t component) const {
         std::uint32_t best = hierarchy::kNone;
-        double least = std::numeric_limits<double>::infinity();
+        double min = std::numeric_limits<double>::infinity();
         for (std::uint32_t i = 0; i < places.size(); ++i) {
             const glm::dvec3 d = places[i] - place;
-            if (components[i] == component || glm::dot(d, d) >= least) continue;
-            least = glm::dot(d, d);
+            if (components[i] == component || glm::dot(d, d) >= min) continue;
+            min = glm::dot(d, d);
             best = i;
         }
         return best;

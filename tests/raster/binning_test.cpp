@@ -68,12 +68,12 @@ TEST(Binning, ACrowdedTileIsSplitAndTheDearestComesFirst) {
 }
 
 /// One item that costs as much as all others together, in a field of many cheap ones.
-std::vector<BinItem> field(std::uint32_t dear) {
+std::vector<BinItem> field(std::uint32_t expensive) {
     std::vector<BinItem> items;
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x)
             items.push_back({{64 * x, 64 * y, 64 * x + 64, 64 * y + 64}, 10});
-    items.push_back({{5, 5, 6, 6}, dear});
+    items.push_back({{5, 5, 6, 6}, expensive});
     return items;
 }
 
@@ -92,10 +92,10 @@ TEST(Binning, ATileIsSplitOnlyWhereItHoldsMoreThanItsShare) {
 TEST(Binning, SplittingEndsAtTheLeastSide) {
     Bins bins;
     binItems(field(100000), {0, 0, 512, 512}, 64, 16, bins);
-    int least = 512;
+    int min = 512;
     for (const TileBin& tile : bins.tiles)
-        least = std::min({least, tile.box.width(), tile.box.height()});
-    EXPECT_EQ(least, 16);
+        min = std::min({min, tile.box.width(), tile.box.height()});
+    EXPECT_EQ(min, 16);
     EXPECT_EQ(bins.tiles.front().box, (PixelBox{0, 0, 16, 16})) << "the dearest first";
     EXPECT_EQ(bins.tiles.front().cost, 100010U);
     binItems(field(100000), {0, 0, 512, 512}, 64, 64, bins);

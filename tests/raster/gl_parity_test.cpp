@@ -15,10 +15,10 @@ constexpr int kGlSide = 512;
 constexpr PixelBox kGlViewport = {0, 0, kGlSide, kGlSide};
 
 struct Difference {
-    int covered = 0;         // by either
-    int coverage = 0;        // covered by one alone
-    double largestDepth = 0; // where both cover
-    int deeper = 0;          // where both cover: depths that differ by more than 1e-5
+    int covered = 0;     // by either
+    int coverage = 0;    // covered by one alone
+    double maxDepth = 0; // where both cover
+    int deeper = 0;      // where both cover: depths that differ by more than 1e-5
 };
 
 Difference difference(std::span<const float> ours, std::span<const float> theirs, float empty) {
@@ -31,7 +31,7 @@ Difference difference(std::span<const float> ours, std::span<const float> theirs
         if (here != there) ++result.coverage;
         if (here != there) continue;
         const double depth = std::abs(double{ours[i]} - theirs[i]);
-        result.largestDepth = std::max(result.largestDepth, depth);
+        result.maxDepth = std::max(result.maxDepth, depth);
         if (depth > 1e-5) ++result.deeper;
     }
     return result;
@@ -54,7 +54,7 @@ TEST(GlParity, SheetsOfEverySizeOfTriangle) {
         const Difference found = depthDifference(context, sheet(quads, quads, spacing, 5));
         EXPECT_GT(found.covered, 80000) << spacing;
         EXPECT_LE(found.coverage, 2) << spacing;
-        EXPECT_LE(found.deeper, 2) << spacing << ", largest " << found.largestDepth;
+        EXPECT_LE(found.deeper, 2) << spacing << ", largest " << found.maxDepth;
     }
 }
 
@@ -92,7 +92,7 @@ TEST(GlParity, PerspectiveThroughNear) {
         std::transform(words.begin(), words.end(), depths.begin(), visibleDepth);
         const Difference found = difference(depths, gl.depths(), 0);
         EXPECT_LE(found.coverage, 10 + found.covered / 10000) << seed << " of " << found.covered;
-        EXPECT_LE(found.deeper, 10 + found.covered / 10000) << seed << ", largest " << found.largestDepth;
+        EXPECT_LE(found.deeper, 10 + found.covered / 10000) << seed << ", largest " << found.maxDepth;
     }
 }
 

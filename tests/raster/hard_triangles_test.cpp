@@ -80,7 +80,7 @@ TEST(HardTriangles, SharedCornersOnPixelCentresBelongToOne) {
 struct Nearby {
     bool all = true;
     bool none = true;
-    double least = 1e30;
+    double min = 1e30;
     double largest = -1e30;
 };
 
@@ -94,7 +94,7 @@ Nearby nearby(const HomogeneousTriangle& triangle, int x, int y, bool cutsDepth)
             result.all = result.all && there;
             result.none = result.none && !there;
             if (there) {
-                result.least = std::min(result.least, *depth);
+                result.min = std::min(result.min, *depth);
                 result.largest = std::max(result.largest, *depth);
             }
         }
@@ -107,8 +107,8 @@ bool isRight(const Nearby& expected, float depth, bool isDrawn, bool cutsDepth) 
     if (cutsDepth && isDrawn != expected.all) return false;
     // A clamped depth of 1 looks like nothing; where depth is less, something is there.
     if (expected.none) return cutsDepth || depth == 1;
-    const double slack = 1e-4 + 1e-6 * (expected.largest - expected.least);
-    return depth >= std::clamp(expected.least, 0.0, 1.0) - slack &&
+    const double slack = 1e-4 + 1e-6 * (expected.largest - expected.min);
+    return depth >= std::clamp(expected.min, 0.0, 1.0) - slack &&
            depth <= std::clamp(expected.largest, 0.0, 1.0) + slack;
 }
 

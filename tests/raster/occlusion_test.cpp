@@ -235,13 +235,13 @@ TEST(BoxBound, HoldsEveryPixelAndDepthOfVerticesInTheBox) {
                                             : box.min[axis] + static_cast<std::uint32_t>(random.below(reach + 1U));
             }
             const ClipPosition p = clipPosition(pass, position.data());
-            ASSERT_GE(p.w, kLeastW);
+            ASSERT_GE(p.w, kMinW);
             ASSERT_LE(std::abs(p.x), pass.guardX * p.w);
             ASSERT_LE(std::abs(p.y), pass.guardY * p.w);
             ASSERT_EQ(outsideBits(pass, p) & 48U, 0U);
             const SnappedVertex v = snapped(pass, p);
             ASSERT_LE(v.z, bound.nearest);
-            ASSERT_GE(v.z, bound.least);
+            ASSERT_GE(v.z, bound.min);
             ASSERT_GE(v.x, (bound.box.x0 - 1) * kSubpixels);
             ASSERT_LE(v.x, bound.box.x1 * kSubpixels);
             ASSERT_GE(v.y, (bound.box.y0 - 1) * kSubpixels);
@@ -265,7 +265,7 @@ TEST(BoxBound, IsCloseAroundWhatIsFarFromTheEye) {
     ASSERT_TRUE(bound.isWhole);
     EXPECT_EQ(bound.box, (PixelBox{107, 45, 127, 48}));
     EXPECT_NEAR(bound.nearest, 0.5, 1e-5);
-    EXPECT_NEAR(bound.least, 0.25, 1e-5);
+    EXPECT_NEAR(bound.min, 0.25, 1e-5);
     box.max[2] = kSceneCenter + (1U << 20U) + 1; // past the near plane
     EXPECT_FALSE(boxBound(projection(view, true), box).isWhole);
     EXPECT_TRUE(boxBound(projection(view, false), box).isWhole) << "a map cuts nothing off";
@@ -298,11 +298,11 @@ TEST(FarthestDepths, AreThoseOfAllPixels) {
                 wordAt(x, y) = std::max(wordAt(x, y), visibilityWord(depth, 7));
         depths.noteDrawn(drawn);
         const PixelBox asked = randomBox();
-        std::uint64_t least = ~std::uint64_t{0};
+        std::uint64_t min = ~std::uint64_t{0};
         for (int y = asked.y0; y < asked.y1; ++y)
             for (int x = asked.x0; x < asked.x1; ++x)
-                least = std::min(least, wordAt(x, y));
-        const float farthest = visibleDepth(least);
+                min = std::min(min, wordAt(x, y));
+        const float farthest = visibleDepth(min);
         const auto before = std::bit_cast<float>(std::bit_cast<std::uint32_t>(farthest) - 1);
         if (farthest > 0) {
             EXPECT_TRUE(depths.hides(asked, reversedNearness(before)));
@@ -336,7 +336,7 @@ TEST(SnappedClusters, AreSnappedOneByOneAndTheOthersEmpty) {
     for (std::size_t i = 0; i < clusters.size(); ++i)
         EXPECT_EQ(snapped.all()[i].triangles.empty(), i != 3);
     const SnappedCluster& one = snapped.all()[3];
-    EXPECT_EQ(one.mostZ, *std::max_element(one.vertices.z, one.vertices.z + one.vertexCount));
+    EXPECT_EQ(one.maxZ, *std::max_element(one.vertices.z, one.vertices.z + one.vertexCount));
 }
 
 TEST(Buffer, GrowsAndStays) {

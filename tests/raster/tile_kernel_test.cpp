@@ -69,8 +69,8 @@ struct PlainTile {
         const auto isWithin = [&](int x, int y) { return x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1; };
         visitPixels(clusters, view, true, [&](int x, int y, float depth, std::uint32_t id) {
             if (!isWithin(x, y)) return;
-            float& least = depths[inTile(x - box.x0, y - box.y0)];
-            least = std::min(least, depth);
+            float& min = depths[inTile(x - box.x0, y - box.y0)];
+            min = std::min(min, depth);
             std::uint64_t& word = words[inTile(x - box.x0, y - box.y0)];
             word = std::max(word, visibilityWord(depth, id));
             ++fragments;
@@ -144,8 +144,8 @@ bool mayBeSeen(
     const Triangle& triangle,
     const PixelBox& tile,
     const std::vector<std::uint64_t>& words) {
-    std::array<int, 2> least = {1 << 30, 1 << 30};
-    std::array<int, 2> most = {-(1 << 30), -(1 << 30)};
+    std::array<int, 2> min = {1 << 30, 1 << 30};
+    std::array<int, 2> max = {-(1 << 30), -(1 << 30)};
     float nearest = 0;
     for (const std::uint8_t index : triangle) {
         int x = cluster.vertices.x[index];
@@ -155,14 +155,14 @@ bool mayBeSeen(
             x = static_cast<int>(both & 0xFFFFU) + (cluster.box.x0 - 1) * kSubpixels;
             y = static_cast<int>(both >> 16U) + (cluster.box.y0 - 1) * kSubpixels;
         }
-        least = {std::min(least[0], x), std::min(least[1], y)};
-        most = {std::max(most[0], x), std::max(most[1], y)};
+        min = {std::min(min[0], x), std::min(min[1], y)};
+        max = {std::max(max[0], x), std::max(max[1], y)};
         nearest = std::max(nearest, std::min(cluster.vertices.z[index], 1.0F));
     }
     for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) {
-            const bool isBetween = x * kSubpixels >= least[0] && x * kSubpixels <= most[0] &&
-                                   y * kSubpixels >= least[1] && y * kSubpixels <= most[1];
+            const bool isBetween = x * kSubpixels >= min[0] && x * kSubpixels <= max[0] && y * kSubpixels >= min[1] &&
+                                   y * kSubpixels <= max[1];
             if (isBetween && visibleDepth(words[inTile(x - tile.x0, y - tile.y0)]) <= nearest) return true;
         }
     return false;

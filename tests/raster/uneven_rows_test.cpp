@@ -133,7 +133,7 @@ TEST(UnevenRows, BandsKeepTheirRowsABucketApart) {
         for (const RowBand& band : bands.bands()) {
             EXPECT_EQ(band.first, next);
             next = band.end;
-            EXPECT_LE(band.count(), kMostBandRows);
+            EXPECT_LE(band.count(), kMaxBandRows);
             for (int i = 0; i + 1 < band.count(); ++i) {
                 const auto at = static_cast<std::size_t>(i);
                 const std::int32_t gap = band.rows[at + 1] - band.rows[at];

@@ -40,7 +40,7 @@ struct Expected {
             const std::uint32_t bits = outsideBits(pass, p);
             all &= bits;
             const bool isGuarded =
-                p.w >= kLeastW && std::abs(p.x) <= pass.guardX * p.w && std::abs(p.y) <= pass.guardY * p.w;
+                p.w >= kMinW && std::abs(p.x) <= pass.guardX * p.w && std::abs(p.y) <= pass.guardY * p.w;
             isWhole = isWhole && isGuarded && (bits & 48U) == 0;
             vertices.push_back(isGuarded ? snapped(pass, p) : SnappedVertex{});
         }
@@ -73,7 +73,7 @@ void compare(const Projection& pass, const Cluster& cluster, std::array<int, 3>&
         return;
     }
     EXPECT_EQ(stage.box, expected.box);
-    EXPECT_EQ(stage.isCompact, std::max(expected.box.width(), expected.box.height()) <= kMostCompactPixels);
+    EXPECT_EQ(stage.isCompact, std::max(expected.box.width(), expected.box.height()) <= kMaxCompactPixels);
     compact += stage.isCompact ? 1 : 0;
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
         const auto word = static_cast<std::uint32_t>(room.x[i]);
@@ -152,9 +152,9 @@ TEST(VertexKernel, TakesClustersOfAnySizeAndStride) {
     EXPECT_EQ(compact + places[0], static_cast<int>(2 * clusters[0].vertexCount));
     EXPECT_GT(compact, 100);
     EXPECT_EQ(paddedVertexCount(0), 0U);
-    EXPECT_EQ(paddedVertexCount(1), kMostLanes);
-    EXPECT_EQ(paddedVertexCount(kMostLanes), kMostLanes);
-    EXPECT_EQ(paddedVertexCount(kMostLanes + 1), 2 * kMostLanes);
+    EXPECT_EQ(paddedVertexCount(1), kMaxLanes);
+    EXPECT_EQ(paddedVertexCount(kMaxLanes), kMaxLanes);
+    EXPECT_EQ(paddedVertexCount(kMaxLanes + 1), 2 * kMaxLanes);
 }
 
 } // namespace

@@ -91,9 +91,9 @@ TEST(WideTriangle, DepthIsThePlaneThroughTheUnsnappedCorners) {
             const double dy = (corner.y - a.y + double{restOf(corner.restY)} - restOf(a.restY)) / kSubpixels;
             EXPECT_NEAR(a.z + wide.depthPerX * dx + wide.depthPerY * dy, corner.z, 1e-9);
         }
-        const auto [least, most] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-        EXPECT_EQ(wide.leastDepth, std::clamp(least, 0.0F, 1.0F));
-        EXPECT_EQ(wide.largestDepth, std::clamp(most, 0.0F, 1.0F));
+        const auto [min, max] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+        EXPECT_EQ(wide.minDepth, std::clamp(min, 0.0F, 1.0F));
+        EXPECT_EQ(wide.maxDepth, std::clamp(max, 0.0F, 1.0F));
         WideRows rows(wide, {-500, -500, 500, 500});
         EXPECT_EQ(rows.depthPerX(), static_cast<float>(wide.depthPerX));
         EXPECT_EQ(rows.referenceX(), a.x >> kSubpixelBits);

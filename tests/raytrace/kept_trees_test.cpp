@@ -45,10 +45,10 @@ Scene plainScene(const Clusters& clusters, const hierarchy::GridPoint& origin) {
     return {spans, model().summary.grid, model().summary.grid.local(origin)};
 }
 
-/// A point in the middle of the model, where draw space might begin.
+/// A point in the middle of the model, where camera-relative space might begin.
 hierarchy::GridPoint middle() {
-    const hierarchy::GridPoint most = model().pages.front().clusters.front().box.max;
-    return {most.x / 2, most.y, most.z / 2};
+    const hierarchy::GridPoint max = model().pages.front().clusters.front().box.max;
+    return {max.x / 2, max.y, max.z / 2};
 }
 
 /// Rays in world units from `origin`, from over, amid and under the hills in all directions.
@@ -147,7 +147,7 @@ TEST(CutScene, LetsARulePassWhatItWill) {
         for (const Ray& ray : someRays(87, middle())) {
             Ray inCells = ray;
             inCells.origin /= step;
-            inCells.least /= step;
+            inCells.tMin /= step;
             const bool isStopped = kept.isStopped(inCells, ++rule.asked, rule);
             differing += isStopped == plain.isOccluded(ray) ? 0 : 1;
             stopped += isStopped ? 1 : 0;
@@ -160,7 +160,7 @@ TEST(CutScene, LetsARulePassWhatItWill) {
 TEST(KeptTrees, ArePaidForOnceAndGoWithTheirPage) {
     KeptTrees trees;
     const std::uint64_t before = trees.bytes().count;
-    std::uint64_t most = 0;
+    std::uint64_t max = 0;
     std::set<std::uint32_t> pages;
     for (const PageClusters& each : finestLevel())
         pages.insert(each.page);
@@ -169,7 +169,7 @@ TEST(KeptTrees, ArePaidForOnceAndGoWithTheirPage) {
         for (const hierarchy::Cluster& cluster : model().pages[page].clusters)
             info.triangleCount += cluster.triangleCount;
         info.clusterCount = static_cast<std::uint32_t>(model().pages[page].clusters.size());
-        most += keptTreeBytes(info).count;
+        max += keptTreeBytes(info).count;
     }
     std::uint64_t after = 0;
     for (int frame = 0; frame < 3; ++frame) {
@@ -178,7 +178,7 @@ TEST(KeptTrees, ArePaidForOnceAndGoWithTheirPage) {
         EXPECT_EQ(trees.bytes().count, after) << "a tree was made again";
     }
     EXPECT_GT(after, before);
-    EXPECT_LE(after - before, most);
+    EXPECT_LE(after - before, max);
     trees.drop(*pages.begin());
     EXPECT_LT(trees.bytes().count, after);
     trees.drop(*pages.begin()); // there is none: nothing happens

@@ -27,7 +27,7 @@ struct Line {
 };
 
 /// Moeller and Trumbore (1997).
-void meet(
+void intersect(
     const Line& ray,
     const std::array<glm::dvec3, 3>& corners,
     std::uint32_t page,
@@ -53,7 +53,7 @@ void meet(
     }
 }
 
-void meetCluster(
+void intersectCluster(
     const Line& ray,
     const hierarchy::Page& page,
     std::uint32_t c,
@@ -65,7 +65,7 @@ void meetCluster(
         const auto corner = [&](std::size_t i) {
             return grid.local(page.vertices[cluster.firstVertex + page.triangles[t][i]].position);
         };
-        meet(ray, {corner(0), corner(1), corner(2)}, s, t, best);
+        intersect(ray, {corner(0), corner(1), corner(2)}, s, t, best);
     }
 }
 
@@ -75,7 +75,7 @@ Nearest bruteForce(
     Nearest best;
     for (std::uint32_t s = 0; s < spans.size(); ++s) {
         for (std::uint32_t c = spans[s].firstCluster; c < spans[s].firstCluster + spans[s].clusterCount; ++c)
-            meetCluster({from, along}, *spans[s].page, c, grid, s, best);
+            intersectCluster({from, along}, *spans[s].page, c, grid, s, best);
     }
     return best;
 }
@@ -151,12 +151,12 @@ TEST(KeptPart, IsWhatLiesOnTheInnerSideOfAllPlanes) {
                 return std::abs(plane.signedDistance(p)) < 1e-5;
             });
             if (isNearBorder) continue;
-            EXPECT_EQ(part && at >= part->least && at <= part->greatest, isInside(planes, p)) << trial << " at " << at;
+            EXPECT_EQ(part && at >= part->tMin && at <= part->tMax, isInside(planes, p)) << trial << " at " << at;
             kept += isInside(planes, p) ? 1 : 0;
         }
         if (!part) continue;
-        EXPECT_GE(part->least, ray.least);
-        EXPECT_LE(part->greatest, ray.greatest);
+        EXPECT_GE(part->tMin, ray.tMin);
+        EXPECT_LE(part->tMax, ray.tMax);
         EXPECT_EQ(part->origin, ray.origin);
     }
     EXPECT_GT(kept, 20000);
@@ -184,7 +184,7 @@ TEST(Scene, IsCutByPlanes) {
         std::optional<Hit> truth = whole.firstHit(ray);
         while (truth && !isInside(planes, glm::dvec3(ray.origin + truth->distance * ray.direction))) {
             Ray behind = ray;
-            behind.least = truth->distance + 1e-3F;
+            behind.tMin = truth->distance + 1e-3F;
             truth = whole.firstHit(behind);
             ++changed;
         }

@@ -68,7 +68,7 @@ TEST_F(PlyFast, ColumnsAreRowsForAnyBytes) {
     for (int trial = 0; trial < 60; ++trial) {
         const AnyVertices any(random);
         const PlyFormat format = random.below(2) == 0 ? PlyFormat::BinaryLittleEndian : PlyFormat::BinaryBigEndian;
-        const InputFile& file = fileOf(randomBytes(random, any.element.count * any.element.leastRowBytes(format)));
+        const InputFile& file = fileOf(randomBytes(random, any.element.count * any.element.minRowBytes(format)));
         const auto fast = bitsOf(file, format, any, [&](BinaryValues& values, VertexBuffer& out) {
             readVertexColumns(values, any.element, any.layout, out);
         });

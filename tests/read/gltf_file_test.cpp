@@ -120,7 +120,7 @@ TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     };
     EXPECT_EQ(messageOf(withUri("b%20\xE2\x9D\xA4.bin")), "no error");
     EXPECT_EQ(
-        openMeshSources({plain}, mebibytes(64))->summary().filesBesides,
+        openMeshSources({plain}, mebibytes(64))->summary().additionalFiles,
         std::vector<std::string>{folder + "/b \xE2\x9D\xA4.bin"});
     EXPECT_EQ(
         messageOf(withUri("data:application/octet-stream;base64,"

@@ -232,8 +232,8 @@ TEST(GltfImages, CoefficientsOfAProgressiveJpegCountAsMemory) {
         std::vector<std::byte> jpeg = jpegOf(smoothPixels(64), 64, TJPF_RGBA, name, TJFLAG_PROGRESSIVE);
         const std::vector<std::byte> plain = jpegOf(smoothPixels(64), 64, TJPF_RGBA, name);
         EXPECT_EQ(jpegHeaderOf(plain)->coefficientBytes, 0U);
-        MemoryRoom enough("m", mebibytes(1));
-        EXPECT_EQ(decodedImage(jpeg, enough, "x").pixels, decodedImage(plain, enough, "x").pixels);
+        MemoryRoom sufficient("m", mebibytes(1));
+        EXPECT_EQ(decodedImage(jpeg, sufficient, "x").pixels, decodedImage(plain, sufficient, "x").pixels);
         for (const auto& [height, width] : {std::pair(64U, 64U), std::pair(10'000U, 9'001U), std::pair(1U, 65'500U)}) {
             setSize(jpeg, height, width);
             // One unit after the other: blocks of brightness, and a block of each colour.

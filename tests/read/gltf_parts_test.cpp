@@ -265,11 +265,11 @@ TEST(DecodedImage, OneThatClaimsMoreThanThereIsRoomForIsNotUnpacked) {
     constexpr std::uint64_t kBytes = 360'000; // 300 by 300 pixels
     MemoryRoom room("m", {kBytes - 1});
     EXPECT_NE(errorAbout("x", [&] { decodedImage(png, room, "x"); }).find("a need for"), std::string::npos);
-    MemoryRoom enough("m", {kBytes + 300 * sizeof(void*)}); // with the places of its rows
-    EXPECT_EQ(decodedImage(png, enough, "x").pixels.size(), kBytes);
-    EXPECT_EQ(enough.taken().count, kBytes);
+    MemoryRoom sufficient("m", {kBytes + 300 * sizeof(void*)}); // with the places of its rows
+    EXPECT_EQ(decodedImage(png, sufficient, "x").pixels.size(), kBytes);
+    EXPECT_EQ(sufficient.taken().count, kBytes);
     const std::vector<std::byte> text(100, std::byte{'a'});
-    EXPECT_NE(errorAbout("x", [&] { decodedImage(text, enough, "x"); }).find("a PNG or a JPEG"), std::string::npos);
+    EXPECT_NE(errorAbout("x", [&] { decodedImage(text, sufficient, "x"); }).find("a PNG or a JPEG"), std::string::npos);
 }
 
 TEST(MemoryRoom, HoldsAProductThatOverflows) {
@@ -495,7 +495,7 @@ TEST_F(GltfParts, TransformsThatAreNoneAreToldOrRefused) {
     GltfFile file = fileOf(maker);
     const GltfScene scene = sceneOf(file);
     expectTurned(scene.meshes.at(0).toWorld, glm::dmat3(2), 1e-12);
-    EXPECT_EQ(scene.leftOut, (std::map<std::string, std::uint64_t>{{"rotations of length 0", 1}}));
+    EXPECT_EQ(scene.rejected, (std::map<std::string, std::uint64_t>{{"rotations of length 0", 1}}));
     for (const auto& [name, count] :
          {std::pair("rotation", 3), std::pair("translation", 2), std::pair("scale", 4), std::pair("matrix", 15)}) {
         node = {{"mesh", 0}, {name, std::vector<double>(static_cast<std::size_t>(count), 1.0)}};
@@ -547,7 +547,7 @@ TEST_F(GltfParts, CamerasShowThePointsBeforeTheirNodes) {
         GltfFile file = fileOf(maker);
         const GltfScene scene = sceneOf(file);
         ASSERT_EQ(scene.cameras.size(), 1U);
-        EXPECT_TRUE(scene.leftOut.empty());
+        EXPECT_TRUE(scene.rejected.empty());
         const Camera& camera = scene.cameras[0];
         EXPECT_EQ(camera.projection, Projection::Perspective);
         EXPECT_EQ(camera.fovYRadians, 0.8);
@@ -640,7 +640,7 @@ TEST_F(GltfParts, PrimitivesOfPointsAndLinesAreLeftOutAndCounted) {
         GltfFile file = fileOf(maker);
         GltfPrimitives primitives(file, true);
         EXPECT_FALSE(primitives.read(file.model().meshes[0].primitives[0]));
-        EXPECT_EQ(primitives.leftOut().at(mode == 0 ? "primitives of points" : "primitives of lines"), 1U);
+        EXPECT_EQ(primitives.rejected().at(mode == 0 ? "primitives of points" : "primitives of lines"), 1U);
     }
 }
 

@@ -30,7 +30,7 @@ protected:
         return collect(*openMeshSources({path}, mebibytes(64)));
     }
 
-    std::map<std::string, std::uint64_t> leftOutOf(const std::string& obj) {
+    std::map<std::string, std::uint64_t> rejectedOf(const std::string& obj) {
         writeScratch(path, obj);
         return openMeshSources({path}, mebibytes(64))->summary().attributesDropped;
     }
@@ -58,7 +58,7 @@ TEST_F(ObjWithMaterials, FacesHaveTheDiffuseColourAndSplitVerticesWhereItChanges
     EXPECT_EQ(colorsAt(0), std::set{kRed});
     EXPECT_EQ(colorsAt(1), std::set<std::uint32_t>{0xFF008000});
     EXPECT_EQ(
-        openMeshSources({path}, mebibytes(64))->summary().filesBesides, std::vector<std::string>{folder + "/a.mtl"});
+        openMeshSources({path}, mebibytes(64))->summary().additionalFiles, std::vector<std::string>{folder + "/a.mtl"});
 }
 
 TEST_F(ObjWithMaterials, NamesOfLibrariesMayHaveBlanks) {
@@ -69,7 +69,7 @@ TEST_F(ObjWithMaterials, NamesOfLibrariesMayHaveBlanks) {
         meshOf("mtllib gone.mtl my red.mtl green.mtl \n" + kSquare + "usemtl Red\nf 1 2 3\nusemtl Green\nf 1 3 4\n");
     EXPECT_EQ((std::set<std::uint32_t>(mesh.colors.begin(), mesh.colors.end())), (std::set{kRed, kGreen}));
     EXPECT_EQ(
-        leftOutOf("mtllib gone.mtl my red.mtl\n" + kSquare + "f 1 2 3\n").at("material libraries that are not there"),
+        rejectedOf("mtllib gone.mtl my red.mtl\n" + kSquare + "f 1 2 3\n").at("material libraries that are not there"),
         1U);
 }
 
@@ -82,7 +82,7 @@ TEST_F(ObjWithMaterials, WhatIsMissingIsToldAndLeavesTheSurface) {
     EXPECT_EQ((std::set<std::uint32_t>(mesh.colors.begin(), mesh.colors.end())), (std::set{kRed, kUncolored}));
     const std::map<std::string, std::uint64_t> expected = {
         {"material libraries that are not there", 2}, {"materials that no library has", 1}, {"textures", 1}};
-    EXPECT_EQ(leftOutOf(text), expected);
+    EXPECT_EQ(rejectedOf(text), expected);
 }
 
 TEST_F(ObjWithMaterials, AreNamedAsPeopleNameThem) {
@@ -174,8 +174,8 @@ TEST_F(ObjWithMaterials, VeryManyNamesTakeNoTime) {
         many += " x/" + std::to_string(i);
         lines += "mtllib a/" + std::to_string(i) + " b c d e f g\n";
     }
-    EXPECT_EQ(leftOutOf(many + "\n" + kSquare + "f 1 2 3\n").at("material libraries that are not there"), 50'000U);
-    EXPECT_EQ(leftOutOf(lines + kSquare + "f 1 2 3\n").at("material libraries that are not there"), 350'000U);
+    EXPECT_EQ(rejectedOf(many + "\n" + kSquare + "f 1 2 3\n").at("material libraries that are not there"), 50'000U);
+    EXPECT_EQ(rejectedOf(lines + kSquare + "f 1 2 3\n").at("material libraries that are not there"), 350'000U);
 }
 
 TEST_F(ObjWithMaterials, LibrariesInUtf16AreRefused) {
@@ -189,7 +189,7 @@ TEST_F(ObjWithMaterials, ColoursOfVerticesComeFirst) {
     writeScratch(folder + "/a.mtl", "newmtl red\nKd 1 0 0\n");
     const std::string text = "mtllib a.mtl\nusemtl red\nv 0 0 0 0 1 0\nv 1 0 0 0 1 0\nv 1 1 0 0 1 0\nf 1 2 3\n";
     EXPECT_EQ(meshOf(text).colors, std::vector<std::uint32_t>(3, kGreen));
-    EXPECT_EQ(leftOutOf(text).at("colours of materials, beside those of vertices"), 1U);
+    EXPECT_EQ(rejectedOf(text).at("colours of materials, beside those of vertices"), 1U);
     EXPECT_TRUE(meshOf(kSquare + "f 1 2 3\n").colors.empty());
 }
 
@@ -332,7 +332,8 @@ TEST_F(ObjWithMaterials, ALinkOutOfTheFolderIsRefused) {
     writeScratch(inner, "mtllib a.mtl\n" + kSquare + "usemtl red\nf 1 2 3\n");
     const std::string message = errorAbout(inner, [&] { openMeshSources({inner}, mebibytes(64)); });
     EXPECT_TRUE(message.starts_with(":1: refers to a file outside the folder of the source")) << message;
-    EXPECT_EQ(openMeshSources({inner}, mebibytes(64), {}, Textures::Bake, folder)->summary().filesBesides.size(), 1U);
+    EXPECT_EQ(
+        openMeshSources({inner}, mebibytes(64), {}, Textures::Bake, folder)->summary().additionalFiles.size(), 1U);
 }
 
 } // namespace

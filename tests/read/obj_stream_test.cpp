@@ -204,8 +204,8 @@ private:
     }
 
     bool resolve() {
-        const std::optional<double> most = largestChannel();
-        const bool isColored = most.has_value();
+        const std::optional<double> max = largestChannel();
+        const bool isColored = max.has_value();
         const bool hasFaceColors = !isColored && hasUsedColor_;
         std::map<std::int64_t, glm::vec3> others; // normals of vertices besides the first ones, until the next polygon
         for (const Face& face : faces_) {
@@ -218,7 +218,7 @@ private:
             }
             for (std::size_t i = 2; i < face.corners.size(); ++i)
                 for (const std::size_t k : {std::size_t{0}, i - 1, i})
-                    add(face.corners[k][0], others, hasFaceColors ? face.color : 0xFFFFFFFF, most > 1.0 ? 255 : 1);
+                    add(face.corners[k][0], others, hasFaceColors ? face.color : 0xFFFFFFFF, max > 1.0 ? 255 : 1);
             others.clear();
         }
         finish(isColored || hasFaceColors);
@@ -527,8 +527,8 @@ TEST_F(StreamedObj, IsRefusedWhereWhatIsHeldIsTooMuch) {
     EXPECT_EQ(errorAbout(path, [&] { openObj(path, {1000}); }), "no error") << "of faces alone nothing is held";
 }
 
-std::string numberBelow(Random& random, std::uint64_t most) {
-    return std::to_string(random.below(most));
+std::string numberBelow(Random& random, std::uint64_t max) {
+    return std::to_string(random.below(max));
 }
 
 std::string randomOther(Random& random) {

@@ -36,16 +36,16 @@ TEST_F(PlyParts, AHeaderKnowsElementsPropertiesAndWhereTheBodyBegins) {
     EXPECT_EQ(vertex.indexOf("green"), -1);
     EXPECT_EQ(vertex.indexOf("diffuse_red", "red"), 1) << "by its other name";
     EXPECT_FALSE(vertex.hasLists());
-    EXPECT_EQ(vertex.leastRowBytes(PlyFormat::BinaryBigEndian), 5U);
-    EXPECT_EQ(vertex.leastRowBytes(PlyFormat::Ascii), 4U);
+    EXPECT_EQ(vertex.minRowBytes(PlyFormat::BinaryBigEndian), 5U);
+    EXPECT_EQ(vertex.minRowBytes(PlyFormat::Ascii), 4U);
     const PlyElement& face = found.elements[1];
     EXPECT_TRUE(face.hasLists());
     EXPECT_TRUE(face.properties[0].isList);
     EXPECT_EQ(face.properties[0].countType, PlyType::Uint8);
     EXPECT_EQ(face.properties[0].type, PlyType::Int32);
     EXPECT_FALSE(face.properties[1].isList);
-    EXPECT_EQ(face.leastRowBytes(PlyFormat::BinaryLittleEndian), 3U) << "an empty list and a short";
-    EXPECT_EQ(found.elements[2].leastRowBytes(PlyFormat::Ascii), 0U);
+    EXPECT_EQ(face.minRowBytes(PlyFormat::BinaryLittleEndian), 3U) << "an empty list and a short";
+    EXPECT_EQ(found.elements[2].minRowBytes(PlyFormat::Ascii), 0U);
 }
 
 TEST_F(PlyParts, AHeaderOfTheOldMacEndsItsLinesInCarriageReturns) {
@@ -112,7 +112,7 @@ TEST_F(PlyParts, BinaryValuesKnowTheirPlaceAndWhatIsLeft) {
     std::string body("\x01\x02\x03\x04\x05\x06\x07\x08\x09\x0A", 10);
     BinaryValues values(fileOf("skip" + body), PlyFormat::BinaryLittleEndian, {4, 0});
     values.beginElement({"vertex", 3, {}});
-    EXPECT_EQ(values.mostValues(PlyType::Int16), 5U);
+    EXPECT_EQ(values.maxValues(PlyType::Int16), 5U);
     EXPECT_EQ(values.integer(PlyType::Uint16), 0x0201);
     EXPECT_EQ(values.where(), path + ": byte 4");
     values.skip(PlyType::Uint8, 2);

@@ -22,9 +22,9 @@ std::int64_t lineLength(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// The least length of lines to be left out of `lines`, or added between ends at most `bridge` apart, by which each
 /// point is left as often as reached: of all choices. Ends are at one point where they agree.
-class LeastOpeningByTrial {
+class MinOpeningByTrial {
 public:
-    LeastOpeningByTrial(const std::vector<SectionLine>& lines, double bridge) : lines_(lines), bridge_(bridge) {
+    MinOpeningByTrial(const std::vector<SectionLine>& lines, double bridge) : lines_(lines), bridge_(bridge) {
         for (const SectionLine& line : lines) {
             ++surplus_[keyOf(line.from)];
             --surplus_[keyOf(line.to)];
@@ -32,7 +32,7 @@ public:
         initial_ = surplus_;
     }
 
-    std::int64_t length() { return leastFrom(0); }
+    std::int64_t length() { return minFrom(0); }
 
 private:
     using Key = std::array<double, 3>;
@@ -41,32 +41,32 @@ private:
 
     static glm::dvec3 pointOf(const Key& key) { return {key[0], key[1], key[2]}; }
 
-    std::int64_t leastFrom(std::size_t line) {
-        if (line == lines_.size()) return leastOfBridges();
-        const std::int64_t kept = leastFrom(line + 1);
+    std::int64_t minFrom(std::size_t line) {
+        if (line == lines_.size()) return minOfBridges();
+        const std::int64_t kept = minFrom(line + 1);
         --surplus_[keyOf(lines_[line].from)];
         ++surplus_[keyOf(lines_[line].to)];
-        const std::int64_t left = leastFrom(line + 1) + lineLength(lines_[line].from, lines_[line].to);
+        const std::int64_t left = minFrom(line + 1) + lineLength(lines_[line].from, lines_[line].to);
         ++surplus_[keyOf(lines_[line].from)];
         --surplus_[keyOf(lines_[line].to)];
         return std::min(kept, left);
     }
 
-    std::int64_t leastOfBridges() {
+    std::int64_t minOfBridges() {
         const auto start = std::find_if(surplus_.begin(), surplus_.end(), [](const auto& s) { return s.second > 0; });
         if (start == surplus_.end()) return 0;
         if (initial_[start->first] <= 0) return kImpossible;
-        std::int64_t least = kImpossible;
+        std::int64_t min = kImpossible;
         --start->second;
         for (auto& [key, surplus] : surplus_) {
             const double apart = glm::length(pointOf(key) - pointOf(start->first));
             if (surplus >= 0 || initial_[key] >= 0 || apart > bridge_) continue;
             ++surplus;
-            least = std::min(least, leastOfBridges() + lineLength(pointOf(key), pointOf(start->first)));
+            min = std::min(min, minOfBridges() + lineLength(pointOf(key), pointOf(start->first)));
             --surplus;
         }
         ++start->second;
-        return least;
+        return min;
     }
 
     static constexpr std::int64_t kImpossible = 1'000'000'000;
@@ -103,8 +103,8 @@ TEST(SectionLines, LeaveOutTheLeastLengthOfLinesThatAreNotClosed) {
             bridged += static_cast<int>(isAdded);
             if (isAdded || !marked[i].isClosed) changed += lineLength(marked[i].from, marked[i].to);
         }
-        EXPECT_EQ(changed, LeastOpeningByTrial(lines, 8).length()) << trial;
-        EXPECT_EQ(LeastOpeningByTrial(closed, 0).length(), 0) << trial;
+        EXPECT_EQ(changed, MinOpeningByTrial(lines, 8).length()) << trial;
+        EXPECT_EQ(MinOpeningByTrial(closed, 0).length(), 0) << trial;
     }
     EXPECT_GT(opened, 6000);
     EXPECT_GT(bridged, 600);

@@ -31,9 +31,9 @@ public:
         drawing_.exactCasters = drawing_.image;
     }
 
-    const FrameDrawing& drawing() const { return drawing_; }
+    const DrawInputs& drawing() const { return drawing_; }
 
-    FrameDrawing& drawing() { return drawing_; }
+    DrawInputs& drawing() { return drawing_; }
 
     static const Field& field() {
         static const Field field;
@@ -42,14 +42,14 @@ public:
 
 private:
     plan::FramePlan plan_;
-    FrameDrawing drawing_;
+    DrawInputs drawing_;
 };
 
 TEST(ExactPass, ATouchIsTwoStepsAway) {
     for (const glm::dvec3& towards : {glm::dvec3(0, 1, 0), glm::dvec3(1, 1, 1), glm::dvec3(0.3, -0.9, 0.2)}) {
         const IntegerLight light = roundedLight(towards);
         const std::uint32_t found = tolerance(light);
-        // As `meet` has it: P + t * direction / 2^24 lies `t * |direction| / 2^24` cells ahead.
+        // As `intersect` has it: P + t * direction / 2^24 lies `t * |direction| / 2^24` cells ahead.
         const double cells = glm::length(glm::dvec3(light.direction)) / 0x1p24;
         EXPECT_LE(found * cells, 2);
         EXPECT_GT((found + 1.0) * cells, 2 - 1e-12);
@@ -78,13 +78,13 @@ TEST(ExactPass, EachCasterIsThereOnceAndTheImagesComeFirst) {
     for (std::size_t i = 0; i < casters.size(); ++i) {
         EXPECT_EQ(casters[i].geometry.firstTriangleId, i << kTriangleBits);
         EXPECT_TRUE(triangles.insert(casters[i].geometry.triangles.data()).second) << i;
-        exact::CastContext context;
+        exact::CasterContext context;
         const hierarchy::GridPoint origin = frame.drawing().space.originCell;
         context.originCell = {origin.x, origin.y, origin.z};
         for (std::size_t t = 0; t < casters[i].geometry.triangles.size(); ++t)
             for (const glm::i64vec3& corner : exact::cornersOf(context, casters[i], t)) {
-                EXPECT_TRUE(glm::all(glm::lessThanEqual(casters[i].least, corner)));
-                EXPECT_TRUE(glm::all(glm::lessThanEqual(corner, casters[i].most)));
+                EXPECT_TRUE(glm::all(glm::lessThanEqual(casters[i].min, corner)));
+                EXPECT_TRUE(glm::all(glm::lessThanEqual(corner, casters[i].max)));
             }
     }
     for (std::size_t i = 0; i < pass.drawn().size(); ++i) {
@@ -100,11 +100,12 @@ TEST(ExactPass, WhatLiesAlongTheLightLandsOnOnePlace) {
         const exact::SampleSpace space = sampleSpace(frame.drawing());
         const std::vector<glm::dmat3> planes = cellPlanes(frame.drawing(), space.shear);
         const plan::FramePlan& plan = *frame.drawing().plan;
-        ASSERT_EQ(planes.size(), plan.cellMaps.size());
+        ASSERT_EQ(planes.size(), plan.sampleGridMaps.size());
         ASSERT_FALSE(planes.empty());
         EXPECT_EQ(space.maps, static_cast<int>(planes.size()));
         EXPECT_EQ(space.light, plan.light);
-        const glm::dmat4 clipFromDraw = plan.cellMaps[0].lightClipFromCamera() * frame.drawing().space.cameraFromDraw;
+        const glm::dmat4 clipFromDraw =
+            plan.sampleGridMaps[0].lightClipFromCamera() * frame.drawing().space.cameraFromDraw;
         const glm::dvec3 light(space.light.direction);
         const Box& bounds = ExactFrame::field().model().summary.bounds;
         const double size = glm::length(bounds.extent()) / frame.drawing().space.step; // cells
@@ -156,9 +157,9 @@ TEST(ExactPass, WhatItHoldsIsCounted) {
     EXPECT_EQ(drawn.deviceMemory.count, backend->deviceMemory().count);
     constexpr std::uint64_t kPixels = std::uint64_t{kFieldSide} * kFieldSide;
     // Words by pixel; by sample at least u, v, h, pixel, triangle, two weights, tolerance and colour.
-    const std::uint64_t least = kPixels * 8 + drawn.exact->samples * exact::SampleList::kBytesPerSample;
-    EXPECT_GE(drawn.deviceMemory.count, least);
-    EXPECT_LE(drawn.deviceMemory.count, least + drawn.exact->samples * 32 + drawn.exact->cells * 8);
+    const std::uint64_t min = kPixels * 8 + drawn.exact->samples * exact::SampleList::kBytesPerSample;
+    EXPECT_GE(drawn.deviceMemory.count, min);
+    EXPECT_LE(drawn.deviceMemory.count, min + drawn.exact->samples * 32 + drawn.exact->cells * 8);
 }
 
 // What is true of a picture through maps is asked of the same function.
@@ -167,7 +168,7 @@ TEST(ExactPass, TheTruthOfAFrameWithMapsIsThatOfAnExactOne) {
     maps.shadows = plan::ShadowMode::Maps;
     const ExactFrame withMaps(7, maps);
     const ExactFrame exact(7);
-    EXPECT_TRUE(withMaps.drawing().plan->cellMaps.empty());
+    EXPECT_TRUE(withMaps.drawing().plan->sampleGridMaps.empty());
     const Raster<std::uint8_t> truth = litByIntegers(withMaps.drawing());
     EXPECT_EQ(truth.pixels, litByIntegers(exact.drawing()).pixels);
     EXPECT_GT(std::count(truth.pixels.begin(), truth.pixels.end(), 255), 1000);

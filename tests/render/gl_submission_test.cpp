@@ -79,7 +79,7 @@ TEST(GlSubmission, GivesADriverNothingToComplainOf) {
     const auto backend = makeWindowBackend(context, gl::ShaderLibrary(), mebibytes(256), GlSubmission::Queues);
     for (std::uint64_t seed = 0; seed < 22; ++seed) {
         const plan::FramePlan plan = field.plan(field.view(seed), fieldQuality(seed));
-        FrameDrawing frame = field.drawing(plan);
+        DrawInputs frame = field.drawing(plan);
         frame.overlay = static_cast<Overlay>(seed % kOverlays.size());
         backend->draw(frame);
         EXPECT_EQ(complaints(), std::vector<std::string>()) << seed;

@@ -47,7 +47,7 @@ TEST(EyeDome, DarkensWhatLiesBehindItsSurroundingsAndNoPlane) {
             for (int x = 0; x < depth.width; ++x)
                 depth.at(x, y) = static_cast<float>(depthAt(x, y));
         Picture picture = grey;
-        darkenHollows(picture, depth);
+        applyEyeDome(picture, depth);
         return picture;
     };
     const auto inside = [&](const Picture& picture, const auto& expect) {
@@ -96,11 +96,11 @@ TEST(LightSum, OfEqualFramesIsWhatEachOfThemShows) {
             static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(i * 7 % 256)};
         all.pixels[i] = lightShownAs(wanted.pixels[i]);
     }
-    const Shown unlit{false, false, {Rgb{1, 2, 3}}};
+    const ToneMapping unlit{false, false, {Rgb{1, 2, 3}}};
     LightSum sum;
-    for (int count = 1; count <= LightSum::kMost; ++count) {
+    for (int count = 1; count <= LightSum::kMaxPictures; ++count) {
         sum.add(all);
-        if (count < 70 || count == LightSum::kMost) {
+        if (count < 70 || count == LightSum::kMaxPictures) {
             ASSERT_TRUE(sum.picture(unlit).pixels == wanted.pixels) << count;
         }
     }
@@ -115,7 +115,7 @@ TEST(LightSum, OfEqualFramesIsWhatEachOfThemShows) {
 TEST(LightSum, HoldsTheBrightestLightAsOftenAsThereCanBeFrames) {
     LightSum sum;
     const LightPicture brightest(1, 1, {4096, 1e30F, 4095.5F});
-    for (int count = 1; count <= LightSum::kMost; ++count)
+    for (int count = 1; count <= LightSum::kMaxPictures; ++count)
         sum.add(brightest);
     EXPECT_EQ(sum.picture({true, false, {Rgb{}}}).pixels[0], (Rgb{255, 255, 255}));
 }
@@ -138,7 +138,7 @@ TEST(LightSum, LeavesOfTheBackgroundWhatShadowsOnItDo) {
     sum.reset(true);
     sum.add(LightPicture(1, 1, {-1 + 0.75F * kGroundShade, -1 + 0.5F * kGroundShade, -1}));
     sum.add(LightPicture(1, 1, kNoSurface));
-    const Shown shown{true, false, {Rgb{255, 255, 255}}, true};
+    const ToneMapping shown{true, false, {Rgb{255, 255, 255}}, true};
     const Picture half = sum.picture(shown);
     for (std::size_t c = 0; c < 3; ++c)
         EXPECT_NEAR(half.pixels[0][c], 255 * srgbOf(std::array{0.625, 0.75, 1.0}[c]), 0.9) << c;
@@ -186,7 +186,7 @@ glm::vec3 shown(const block::Frame& block, const glm::vec3& n, const glm::vec3& 
                             block.headlight * facing * facing + block.sun * (isInSun ? std::max(cosine, 0.0F) : 0.0F);
     glm::vec3 color(0);
     for (int c = 0; c < 3; ++c)
-        color[c] = displayFromLinear(shoulder(block, light[c]));
+        color[c] = displayFromLinear(toneMapped(block, light[c]));
     return color;
 }
 
@@ -234,7 +234,7 @@ TEST(Light, UnlitSurfacesAreShownAsTheyAre) {
         EXPECT_EQ(shown(block, n, glm::vec3(0, 0, 1), true), glm::vec3(displayFromLinear(1)));
     for (int i = 0; i <= 255; ++i)
         EXPECT_EQ(
-            std::lround(255 * displayFromLinear(shoulder(block, linearFromDisplay(static_cast<float>(i) / 255)))), i);
+            std::lround(255 * displayFromLinear(toneMapped(block, linearFromDisplay(static_cast<float>(i) / 255)))), i);
 }
 
 TEST(Light, AmbientIsAMultiple) {

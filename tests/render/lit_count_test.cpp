@@ -80,7 +80,7 @@ TEST(LitCount, OfAFrameIsThatOfItsTexture) {
     const gl::Context context(gl::testedPlatform());
     const auto backend =
         makeWindowBackend(context, gl::ShaderLibrary(), mebibytes(256), GlSubmission::WaitsForEachFrame);
-    std::uint64_t most = 0;
+    std::uint64_t max = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         plan::View view = field.view(seed);
         view.width += static_cast<int>(seed % 3) * 40;
@@ -95,9 +95,9 @@ TEST(LitCount, OfAFrameIsThatOfItsTexture) {
             static_cast<GLsizei>(std::as_bytes(std::span(texels)).size()),
             texels.data());
         EXPECT_EQ(backend->litPixels(), litOf(texels)) << seed;
-        most = std::max(most, litOf(texels));
+        max = std::max(max, litOf(texels));
     }
-    EXPECT_GT(most, 1000U);
+    EXPECT_GT(max, 1000U);
 }
 
 } // namespace

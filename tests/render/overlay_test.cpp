@@ -120,10 +120,10 @@ TEST(ColorMap, HoldsItsEndsAndTakesNoNumberForTheFirst) {
 TEST(ColorScale, HasFiguresAtRoundValuesWithinItsEnds) {
     Random random(41);
     for (int i = 0; i < 500; ++i) {
-        const double least = random.uniform(-1e6, 1e6) * std::pow(10, random.uniform(-6, 3));
-        const ValueScale values{plan::ColorMap::Viridis, least, least + std::pow(10, random.uniform(-3, 6))};
+        const double min = random.uniform(-1e6, 1e6) * std::pow(10, random.uniform(-6, 3));
+        const ValueScale values{plan::ColorMap::Viridis, min, min + std::pow(10, random.uniform(-3, 6))};
         const ColorScale scale = colorScale(values);
-        ASSERT_GE(scale.ticks.size(), 2U) << values.least << " to " << values.most;
+        ASSERT_GE(scale.ticks.size(), 2U) << values.min << " to " << values.max;
         ASSERT_LE(scale.ticks.size(), 7U);
         for (const ColorScale::Tick& tick : scale.ticks) {
             EXPECT_GE(tick.place, -1e-4);
@@ -163,7 +163,7 @@ plan::FramePlan planOfMaps(std::size_t count) {
         pass.map.rectangle.height = 480;
         plan.passes.push_back(pass);
     }
-    plan.promised = {1.5, 2.25};
+    plan.aliasingBound = {1.5, 2.25};
     return plan;
 }
 
@@ -251,30 +251,30 @@ TEST(ColorMap, PartsAllFactorsOfTwoOfAScaleByTheLogarithm) {
         const ValueScale values{map.value, 0.003, 0.003 * kScaleSpan, true};
         for (const Eye& eye : kEyes)
             for (const float light : {kShadow, 1.0F})
-                for (double value = values.least; 2 * value <= values.most; value *= 1.02) {
+                for (double value = values.min; 2 * value <= values.max; value *= 1.02) {
                     const glm::dvec3 here = eye(values.color(value) * light);
                     const glm::dvec3 twice = eye(values.color(2 * value) * light);
                     EXPECT_GE(glm::distance(here, twice), kApart) << map.word << " at " << value << " in " << light;
                     EXPECT_GT(twice.x, here.x) << map.word << " at " << value << " in " << light;
                 }
-        EXPECT_EQ(values.color(0), values.color(values.least / 2));
-        EXPECT_EQ(values.color(-1), values.color(values.least));
+        EXPECT_EQ(values.color(0), values.color(values.min / 2));
+        EXPECT_EQ(values.color(-1), values.color(values.min));
     }
 }
 
 TEST(ColorScale, ByTheLogarithmHasFiguresAtRoundValuesWithinItsEnds) {
     Random random(5);
     for (int trial = 0; trial < 300; ++trial) {
-        const double least = std::exp2(random.uniform(-40, 40));
-        const ValueScale values{plan::ColorMap::Grey, least, least * std::exp2(random.uniform(2, 40)), true};
+        const double min = std::exp2(random.uniform(-40, 40));
+        const ValueScale values{plan::ColorMap::Grey, min, min * std::exp2(random.uniform(2, 40)), true};
         const std::vector<ColorScale::Tick> ticks = colorScale(values).ticks;
-        ASSERT_GE(ticks.size(), values.most > 100 * least ? 2U : 1U) << least << " to " << values.most;
+        ASSERT_GE(ticks.size(), values.max > 100 * min ? 2U : 1U) << min << " to " << values.max;
         for (std::size_t i = 1; i < ticks.size(); ++i) // six dots a letter, of 192
             EXPECT_GE((ticks[i].place - ticks[i - 1].place) * 192, 3.0 * static_cast<double>(ticks[i].text.size()));
         for (const ColorScale::Tick& tick : ticks) {
             EXPECT_GE(tick.place, -1e-4);
             EXPECT_LE(tick.place, 1 + 1e-4);
-            EXPECT_NEAR(std::stod(tick.text) / (least * std::pow(values.most / least, tick.place)), 1, 0.01);
+            EXPECT_NEAR(std::stod(tick.text) / (min * std::pow(values.max / min, tick.place)), 1, 0.01);
         }
     }
 }

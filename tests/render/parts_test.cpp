@@ -231,7 +231,7 @@ TEST(DrawCommands, NameEveryTriangleOfARangeWithItsOwnVertices) {
 
 TEST(SoftwarePass, HasTheClustersOfTheListInItsOrder) {
     const tests::TinyModel model = tests::makeTinyModel({});
-    FrameDrawing frame;
+    DrawInputs frame;
     frame.pages = [&](std::uint32_t page) -> const hierarchy::Page& { return model.pages[page]; };
     lod::DrawList list;
     list.ranges = {{2, 1, 2}, {0, 0, 1}};
@@ -259,7 +259,7 @@ TEST(SoftwarePass, HasTheClustersOfTheListInItsOrder) {
 
 TEST(RasterView, IsTheMatrixWithTheGridsStepInside) {
     Random random(5);
-    DrawSpace space;
+    CameraRelativeSpace space;
     space.originCell = {5, 6, 7};
     space.step = 0.125;
     glm::dmat4 clipFromDraw(0);
@@ -278,7 +278,7 @@ TEST(RasterView, IsTheMatrixWithTheGridsStepInside) {
     }
 }
 
-TEST(DrawSpace, HasItsOriginAtTheGridPointOfTheModelNearestTheEye) {
+TEST(CameraRelativeSpace, HasItsOriginAtTheGridPointOfTheModelNearestTheEye) {
     const hierarchy::Grid grid{{1000, -50, 20}, -4};
     const Box bounds{{1000, -50, 20}, {1100, 0, 90}};
     Random random(6);
@@ -286,7 +286,7 @@ TEST(DrawSpace, HasItsOriginAtTheGridPointOfTheModelNearestTheEye) {
         plan::View view;
         view.camera.eye = {random.uniform(900, 1200), random.uniform(-100, 50), random.uniform(-50, 200)};
         view.camera.target = view.camera.eye + glm::dvec3(1, 0, 0);
-        const DrawSpace space = drawSpace(view, grid, bounds);
+        const CameraRelativeSpace space = cameraRelativeSpace(view, grid, bounds);
         EXPECT_EQ(space.step, 0.0625);
         const glm::dvec3 origin = grid.world(space.originCell);
         const glm::dvec3 nearest = glm::clamp(view.camera.eye, bounds.min, bounds.max);
@@ -308,7 +308,7 @@ std::vector<float> litAcrossAnEdge(int filter) {
     frame.towardsLight = {0, 0, -1};
     block::Shadows shadows{};
     block::Partition& part = shadows.partitions[0];
-    part.clipFromOffset = glm::mat4(1); // texels are draw space's units
+    part.clipFromOffset = glm::mat4(1); // texels are camera-relative space's units
     part.texelScale = {1, 1};
     part.endTexel = {16, 16};
     part.byDepth = {0, 0, 1, 0};

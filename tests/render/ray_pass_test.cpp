@@ -25,7 +25,7 @@ public:
         drawing_.wantsSurfaces = true;
     }
 
-    FrameDrawing& drawing() { return drawing_; }
+    DrawInputs& drawing() { return drawing_; }
 
 private:
     static plan::FramePlan planOf(std::uint64_t seed) {
@@ -37,7 +37,7 @@ private:
     }
 
     plan::FramePlan plan_;
-    FrameDrawing drawing_;
+    DrawInputs drawing_;
 };
 
 /// The pixels of the drawn surfaces that the integers have otherwise.
@@ -77,8 +77,8 @@ TEST(RayPass, DecidesEachSample) {
     Picture picture(kFieldSide, kFieldSide);
     std::vector<std::uint64_t> words(picture.pixels.size());
     exact::SampleList samples;
-    UndecidedPixels undecided;
-    collectSamples(frame.drawing(), {&rasterizer, &pass, &words, &picture}, samples, undecided);
+    UnresolvedPixels unresolved;
+    collectSamples(frame.drawing(), {&rasterizer, &pass, &words, &picture}, samples, unresolved);
     raytrace::KeptTrees trees;
     std::vector<raytrace::PageClusters> clusters;
     for (const lod::ClusterRange& range : frame.drawing().image->ranges)

@@ -80,7 +80,7 @@ public:
 private:
     hierarchy::Page page_;
     plan::FramePlan plan_;
-    FrameDrawing drawing_;
+    DrawInputs drawing_;
     lod::DrawList list_;
     SectionMemory memory_;
     std::vector<raster::Cluster> clusters_;

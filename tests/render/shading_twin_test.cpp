@@ -61,7 +61,7 @@ std::uint32_t randomNormal(Random& random) {
 /// Triangles about a point seen at a random pixel, some of no area, some edge-on, some across the world.
 PixelBatch randomBatch(Random& random, const plan::View& view) {
     PixelBatch batch;
-    batch.count = 1 + random.below(PixelBatch::kMost);
+    batch.count = 1 + random.below(PixelBatch::kMaxPixels);
     for (std::size_t i = 0; i < batch.count; ++i) {
         batch.x[i] = static_cast<float>(random.below(static_cast<std::uint64_t>(view.width))) + 0.5F;
         batch.y[i] = static_cast<float>(random.below(static_cast<std::uint64_t>(view.height))) + 0.5F;
@@ -91,7 +91,7 @@ TEST(ShadingTwin, RandomTrianglesUnderEveryScheme) {
     for (std::uint64_t seed = 1; seed <= 14; ++seed) {
         SCOPED_TRACE(seed);
         const plan::FramePlan plan = field.plan(field.view(seed), softwareQuality(seed));
-        FrameDrawing frame = field.drawing(plan);
+        DrawInputs frame = field.drawing(plan);
         backend->draw(frame);
         const FloatPicture maps = backend->shadowDepth();
         const Raster<std::uint8_t> mask(kFieldSide, kFieldSide);
@@ -127,7 +127,7 @@ void expectSameFrame(Backend& found, Backend& expected) {
     EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(SurfaceSample)), 0);
 }
 
-void expectSameOnAnyThreads(const FrameDrawing& frame, Backend& expected) {
+void expectSameOnAnyThreads(const DrawInputs& frame, Backend& expected) {
     for (const int threads : {1, 2}) {
         const std::unique_ptr<Backend> backend = makeSoftwareBackend();
         tbb::task_arena(threads).execute([&] { backend->draw(frame); });
@@ -141,7 +141,7 @@ TEST(ShadingTwin, FramesAreTheSameEverywhere) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         SCOPED_TRACE(seed);
         const plan::FramePlan plan = field.plan(field.view(seed), softwareQuality(seed));
-        FrameDrawing frame = field.drawing(plan);
+        DrawInputs frame = field.drawing(plan);
         frame.wantsSurfaces = true;
         frame.overlay = static_cast<Overlay>(seed % 8);
         const std::unique_ptr<Backend> expected = makeSoftwareBackend();

@@ -43,7 +43,7 @@ TEST(PixelBatch, IsFilledUpWithItsLastPixel) {
         }
         batch.pad();
         EXPECT_EQ(batch.count, count);
-        for (std::size_t i = 0; i < PixelBatch::kMost; ++i) {
+        for (std::size_t i = 0; i < PixelBatch::kMaxPixels; ++i) {
             const std::size_t end = (count + 15) / 16 * 16;
             const std::size_t value = i < count ? i + 1 : i < end ? count : 0;
             EXPECT_EQ(batch.x[i], static_cast<float>(value)) << count << " " << i;
@@ -122,14 +122,14 @@ TEST(RayShadows, TheLightIsWhereTheViewHasIt) {
         plan::SceneFacts facts;
         facts.bounds = {{-10, 0, -10}, {10, 2, 10}};
         plan::FramePlan plan = plan::planFrame(view, {}, facts).plan;
-        FrameDrawing drawing;
+        DrawInputs drawing;
         drawing.plan = &plan;
         drawing.grid = {{-1, -2, -3}, -4};
         drawing.space.originCell = {16, 32, 48};
         const glm::vec3 somewhere(random.uniform(-9, 9), 1, 2);
         EXPECT_EQ(lightSource(drawing).from(somewhere), glm::vec3(view.light().unit()));
         EXPECT_FALSE(lightSource(drawing).distance(somewhere) < 1e30F);
-        plan.view.pointLight = {{3, 4, 12}, 1}; // from the origin of draw space, at 0, 0, 0
+        plan.view.pointLight = {{3, 4, 12}, 1}; // from the origin of camera-relative space, at 0, 0, 0
         const raytrace::LightSource lamp = lightSource(drawing);
         EXPECT_LT(glm::length(lamp.from(glm::vec3(0)) - glm::vec3(3, 4, 12) / 13.0F), 1e-6F);
         EXPECT_EQ(lamp.distance(glm::vec3(3, 4, 2)), 10);

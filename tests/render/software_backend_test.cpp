@@ -38,7 +38,7 @@ BackendDifference compareSeeds(
         plan::View view = field.view(seed);
         if (light == ComparedLight::Lamp) view.pointLight = lampOver(field, seed);
         const plan::FramePlan plan = field.plan(view, fieldQuality(seed));
-        FrameDrawing frame = field.drawing(plan);
+        DrawInputs frame = field.drawing(plan);
         if (overlays) frame.overlay = static_cast<Overlay>(1 + seed % 7);
         if (frame.overlay == Overlay::Residency) frame.substitutes = field.someSubstitutes();
         ours->draw(frame);
@@ -101,7 +101,7 @@ TEST(SlowSoftwareBackend, DrawsAndPaintsWhatGlDoesByTheLightOfALamp) {
 TEST(SoftwareBackend, OneThreadAndTwoDrawTheSamePicture) {
     const Field field;
     const plan::FramePlan plan = field.plan(field.view(5), fieldQuality(5));
-    FrameDrawing frame = field.drawing(plan);
+    DrawInputs frame = field.drawing(plan);
     frame.wantsSurfaces = true;
     std::array<std::unique_ptr<Backend>, 2> backends = {makeSoftwareBackend(), makeSoftwareBackend()};
     for (int threads : {1, 2})
@@ -128,7 +128,7 @@ TEST(Onlooker, SeesTheFramesGeometryFromWhereItStands) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
         const plan::FramePlan watched = field.plan(field.view(seed), fieldQuality(seed));
         const plan::FramePlan watching = field.plan(field.view(seed + 102), fieldQuality(seed));
-        FrameDrawing fromOutside = field.drawing(watched);
+        DrawInputs fromOutside = field.drawing(watched);
         fromOutside.observerCamera = watching.view.camera;
         for (Backend* backend : {ours.get(), gl.get()}) {
             backend->draw(field.drawing(watching));
@@ -146,7 +146,7 @@ TEST(Onlooker, InTheCamerasPlaceChangesNothing) {
     const std::unique_ptr<Backend> backend = makeSoftwareBackend();
     backend->draw(field.drawing(plan));
     const Picture expected = backend->picture();
-    FrameDrawing drawing = field.drawing(plan);
+    DrawInputs drawing = field.drawing(plan);
     drawing.observerCamera = plan.view.camera;
     backend->draw(drawing);
     EXPECT_EQ(backend->picture().pixels, expected.pixels);

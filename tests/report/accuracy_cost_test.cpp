@@ -127,25 +127,25 @@ TEST(AccuracyCost, BudgetAndBoundMeetBruteForce) {
     for (int trial = 0; trial < 500; ++trial) {
         const auto runs = randomRuns(random);
         const double limit = random.uniform(0, 9);
-        double leastError = std::numeric_limits<double>::infinity();
-        double leastTime = std::numeric_limits<double>::infinity();
+        double minError = std::numeric_limits<double>::infinity();
+        double minTime = std::numeric_limits<double>::infinity();
         for (const auto& candidate : runs) {
             const auto error = candidate.errors.find(kKind);
             if (error == candidate.errors.end()) continue;
             if (candidate.p50Ms * (1 + candidate.noise.value_or(0)) <= limit)
-                leastError = std::min(leastError, error->second);
-            if (error->second <= limit) leastTime = std::min(leastTime, candidate.p50Ms);
+                minError = std::min(minError, error->second);
+            if (error->second <= limit) minTime = std::min(minTime, candidate.p50Ms);
         }
         const auto best = bestUnderBudget(runs, kKind, limit);
-        ASSERT_EQ(best.has_value(), std::isfinite(leastError));
+        ASSERT_EQ(best.has_value(), std::isfinite(minError));
         if (best) {
-            EXPECT_EQ(runs[*best].errors.at(kKind), leastError);
+            EXPECT_EQ(runs[*best].errors.at(kKind), minError);
             EXPECT_LE(timeToExpectMs(runs[*best]), limit);
         }
         const auto cheapest = cheapestUnderError(runs, kKind, limit);
-        ASSERT_EQ(cheapest.has_value(), std::isfinite(leastTime));
+        ASSERT_EQ(cheapest.has_value(), std::isfinite(minTime));
         if (cheapest) {
-            EXPECT_EQ(runs[*cheapest].p50Ms, leastTime);
+            EXPECT_EQ(runs[*cheapest].p50Ms, minTime);
             EXPECT_LE(runs[*cheapest].errors.at(kKind), limit);
         }
     }
@@ -162,21 +162,21 @@ TEST(AccuracyCost, ABudgetIsKeptTwice) {
         for (RunSummary& walked : again)
             walked.p50Ms *= random.uniform(0.8, 1.5);
         const double limit = random.uniform(0, 9);
-        std::optional<double> leastError;
+        std::optional<double> minError;
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const auto error = runs[i].errors.find(kKind);
             if (error == runs[i].errors.end()) continue;
             if (timeToExpectMs(runs[i]) > limit || timeToExpectMs(again[i]) > limit) continue;
-            leastError = std::min(leastError.value_or(error->second), error->second);
+            minError = std::min(minError.value_or(error->second), error->second);
         }
         std::size_t walks = 0;
         const auto choice = confirmedUnderBudget(runs, kKind, limit, [&](std::size_t i) {
             ++walks;
             return again[i];
         });
-        ASSERT_EQ(choice.has_value(), leastError.has_value());
+        ASSERT_EQ(choice.has_value(), minError.has_value());
         if (!choice) continue;
-        EXPECT_EQ(runs[choice->run].errors.at(kKind), *leastError);
+        EXPECT_EQ(runs[choice->run].errors.at(kKind), *minError);
         EXPECT_LE(timeToExpectMs(runs[choice->run]), limit);
         EXPECT_LE(timeToExpectMs(again[choice->run]), limit);
         EXPECT_EQ(choice->p50MsAgain, again[choice->run].p50Ms);
@@ -189,15 +189,15 @@ TEST(AccuracyCost, RankCorrelationOfAgreeingAndOpposedErrors) {
     std::vector<RunSummary> runs;
     for (int i = 0; i < 9; ++i) {
         RunSummary r = run(1, i * i);
-        r.errors[ErrorKind::PromisedAliasing] = i;
+        r.errors[ErrorKind::AliasingBound] = i;
         r.errors[ErrorKind::ShadowEdge] = -i;
         runs.push_back(r);
     }
-    EXPECT_NEAR(correlation(runs, kKind, ErrorKind::PromisedAliasing).rank, 1.0, 1e-12);
-    EXPECT_TRUE(correlation(runs, kKind, ErrorKind::PromisedAliasing).disobedient.empty());
+    EXPECT_NEAR(correlation(runs, kKind, ErrorKind::AliasingBound).rank, 1.0, 1e-12);
+    EXPECT_TRUE(correlation(runs, kKind, ErrorKind::AliasingBound).outliers.empty());
     const Correlation opposed = correlation(runs, kKind, ErrorKind::ShadowEdge);
     EXPECT_NEAR(opposed.rank, -1.0, 1e-12);
-    EXPECT_EQ(opposed.disobedient, (std::vector<std::size_t>{0, 1, 2, 6, 7, 8}));
+    EXPECT_EQ(opposed.outliers, (std::vector<std::size_t>{0, 1, 2, 6, 7, 8}));
 }
 
 TEST(AccuracyCost, EdgeDistancesSpeakOnlyWhereWrongPixelsAreUnknown) {
@@ -244,7 +244,7 @@ TEST(RandomErrors, AreComparedByTheFirstThatAllRunsKnow) {
         std::vector<RunSummary> withMaps;
         for (const RunSummary& run : runs)
             if (run.shadowMaps > 0) withMaps.push_back(run);
-        ErrorKind expected = ErrorKind::PromisedAliasing;
+        ErrorKind expected = ErrorKind::AliasingBound;
         if (!withMaps.empty() && allKnow(withMaps, ErrorKind::ShadowEdge)) expected = ErrorKind::ShadowEdge;
         if (!withMaps.empty() && allKnow(withMaps, ErrorKind::WrongShadow)) expected = ErrorKind::WrongShadow;
         EXPECT_EQ(shadowError(runs), expected);
@@ -276,17 +276,17 @@ TEST(RandomErrors, CorrelateByTheirCountedRanks) {
         std::vector<double> b;
         std::vector<std::size_t> both;
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            if (!knows(runs[i], ErrorKind::PromisedAliasing) || !knows(runs[i], ErrorKind::WrongShadow)) continue;
+            if (!knows(runs[i], ErrorKind::AliasingBound) || !knows(runs[i], ErrorKind::WrongShadow)) continue;
             both.push_back(i);
-            a.push_back(runs[i].errors.at(ErrorKind::PromisedAliasing));
+            a.push_back(runs[i].errors.at(ErrorKind::AliasingBound));
             b.push_back(runs[i].errors.at(ErrorKind::WrongShadow));
         }
-        const Correlation found = correlation(runs, ErrorKind::PromisedAliasing, ErrorKind::WrongShadow);
+        const Correlation found = correlation(runs, ErrorKind::AliasingBound, ErrorKind::WrongShadow);
         EXPECT_EQ(found.runs, both.size());
         EXPECT_LE(std::abs(found.rank), 1 + 1e-12);
         if (both.size() < 3) {
             EXPECT_EQ(found.rank, 0);
-            EXPECT_TRUE(found.disobedient.empty());
+            EXPECT_TRUE(found.outliers.empty());
             continue;
         }
         const std::vector<double> ranksA = countedRanks(a);
@@ -294,16 +294,16 @@ TEST(RandomErrors, CorrelateByTheirCountedRanks) {
         double product = 0;
         double squareA = 0;
         double squareB = 0;
-        std::vector<std::size_t> disobedient;
+        std::vector<std::size_t> outliers;
         for (std::size_t i = 0; i < both.size(); ++i) {
             product += (ranksA[i] - mean(ranksA)) * (ranksB[i] - mean(ranksB));
             squareA += std::pow(ranksA[i] - mean(ranksA), 2);
             squareB += std::pow(ranksB[i] - mean(ranksB), 2);
-            if (3 * std::abs(ranksA[i] - ranksB[i]) > static_cast<double>(both.size())) disobedient.push_back(both[i]);
+            if (3 * std::abs(ranksA[i] - ranksB[i]) > static_cast<double>(both.size())) outliers.push_back(both[i]);
         }
         const double expected = squareA > 0 && squareB > 0 ? product / std::sqrt(squareA * squareB) : 0;
         EXPECT_NEAR(found.rank, expected, 1e-12);
-        EXPECT_EQ(found.disobedient, disobedient);
+        EXPECT_EQ(found.outliers, outliers);
     }
 }
 

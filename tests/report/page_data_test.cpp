@@ -68,7 +68,7 @@ Report anyReport(Random& random) {
             if (random.below(3) != 0) run.errors[kind] = random.unit();
         if (random.below(2) == 0) run.crawl = random.unit();
         run.storageFactor = random.uniform(1, 100);
-        run.promiseKept = random.below(2) == 0;
+        run.isBoundKept = random.below(2) == 0;
         run.frameMs = {random.unit(), random.unit()};
         report.runs.push_back(run);
         report.storage.push_back({anyName(random), static_cast<int>(i), random.uniform(1, 100)});
@@ -108,7 +108,7 @@ TEST(PageData, HasEveryFigureOfEveryRun) {
             EXPECT_EQ(told["image_triangles"], run.imageTriangles);
             EXPECT_EQ(told["shadow_triangles"], run.shadowTriangles);
             EXPECT_EQ(told["storage_factor"], run.storageFactor);
-            EXPECT_EQ(told["promise_kept"], run.promiseKept);
+            EXPECT_EQ(told["promise_kept"], run.isBoundKept);
             EXPECT_EQ(told["frames"], nlohmann::json(run.frameMs));
             EXPECT_EQ(told["errors"].size(), run.errors.size());
             for (const auto& [kind, value] : run.errors)
@@ -154,7 +154,7 @@ TEST(PageData, HasFrontsSentencesAndPointsAsTheyAreReckoned) {
 TEST(PageData, QuotesTheModelOfTheCommandThatItRecommends) {
     Report report;
     RunSummary& run = report.runs.emplace_back();
-    run.errors[ErrorKind::PromisedAliasing] = 1;
+    run.errors[ErrorKind::AliasingBound] = 1;
     run.options = "--z-partitions 1";
     report.context["model"] = "plant.gnm";
     EXPECT_EQ(pageData(report)["recommended"]["command"], "gnomon render plant.gnm -o picture.png --z-partitions 1");

@@ -25,7 +25,7 @@ Report exampleReport() {
         if (maps > 1) run.noise = 0.01 * maps;
         run.stages = {0.1, 0.3, 0.2, 0, 20.0 + maps, 80};
         run.errors = {
-            {ErrorKind::PromisedAliasing, 30.0 / maps},
+            {ErrorKind::AliasingBound, 30.0 / maps},
             {ErrorKind::MeasuredAliasing, 25.0 / maps},
             {ErrorKind::WrongShadow, 0.02 / maps},
             {ErrorKind::ShadowEdge, 12.0 / maps}};

@@ -96,7 +96,7 @@ std::optional<Comparison> parsed(const std::string& sentence) {
 ErrorKind kindOf(const std::string& words) {
     if (words.ends_with("wrong pixels")) return ErrorKind::WrongPixels;
     if (words.ends_with("wrong shadow pixels")) return ErrorKind::WrongShadow;
-    return words.starts_with("shadow edges") ? ErrorKind::ShadowEdge : ErrorKind::PromisedAliasing;
+    return words.starts_with("shadow edges") ? ErrorKind::ShadowEdge : ErrorKind::AliasingBound;
 }
 
 bool isShare(ErrorKind kind) {
@@ -115,18 +115,18 @@ void expectTimes(const std::string& words, const RunSummary& a, const RunSummary
         return;
     }
     EXPECT_NE(told, 0) << sentence;
-    const double least = a.p50Ms * std::max(1 - a.noise.value_or(0.1), 0.0) / (b.p50Ms * (1 + b.noise.value_or(0.1)));
-    const double most = a.p50Ms * (1 + a.noise.value_or(0.1)) / (b.p50Ms * std::max(1 - b.noise.value_or(0.1), 0.0));
+    const double lowest = a.p50Ms * std::max(1 - a.noise.value_or(0.1), 0.0) / (b.p50Ms * (1 + b.noise.value_or(0.1)));
+    const double highest = a.p50Ms * (1 + a.noise.value_or(0.1)) / (b.p50Ms * std::max(1 - b.noise.value_or(0.1), 0.0));
     static const std::regex range("(at least )?([0-9.e+]+)(?: to ([0-9.e+]+))? times the frame time");
     ASSERT_TRUE(std::regex_match(words, m, range)) << sentence;
     const double low = std::stod(m[2]);
-    EXPECT_LE(low, least * (1 + 1e-9)) << sentence;
+    EXPECT_LE(low, lowest * (1 + 1e-9)) << sentence;
     if (m[1].matched) {
-        EXPECT_TRUE(std::isinf(most)) << sentence;
+        EXPECT_TRUE(std::isinf(highest)) << sentence;
     } else {
         const double high = m[3].matched ? std::stod(m[3]) : low;
-        EXPECT_GE(high, most * (1 - 1e-9)) << sentence;
-        EXPECT_LE(high - most, 0.1 * high + 0.01) << sentence << " is finer in the table";
+        EXPECT_GE(high, highest * (1 - 1e-9)) << sentence;
+        EXPECT_LE(high - highest, 0.1 * high + 0.01) << sentence << " is finer in the table";
         if (told < 0) {
             EXPECT_LE(high, 1) << sentence;
         }
@@ -169,7 +169,7 @@ bool expectTrue(const std::string& sentence, const std::vector<RunSummary>& tabl
 }
 
 /// Holds "Two maps are enough here: ..." against the table. Returns whether that is what `sentence` says.
-bool expectEnough(const std::string& sentence, const std::vector<RunSummary>& table) {
+bool expectSufficient(const std::string& sentence, const std::vector<RunSummary>& table) {
     std::string lower = sentence;
     lower[0] = static_cast<char>(std::tolower(lower[0]));
     std::smatch m;
@@ -192,7 +192,7 @@ bool expectEnough(const std::string& sentence, const std::vector<RunSummary>& ta
 
 void expectAllTrue(const std::vector<std::string>& told, const std::vector<RunSummary>& table) {
     for (const std::string& sentence : told)
-        EXPECT_TRUE(expectTrue(sentence, table) || expectEnough(sentence, table)) << "no known form: " << sentence;
+        EXPECT_TRUE(expectTrue(sentence, table) || expectSufficient(sentence, table)) << "no known form: " << sentence;
 }
 
 TEST(RandomSentences, SayWhatTheTableSays) {

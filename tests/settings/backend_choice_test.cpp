@@ -97,7 +97,7 @@ TEST(BackendChoice, EveryNeedNamesItsOptionAndItsReason) {
         EXPECT_EQ(need->reason, onlySoftware(each.capability));
         Capabilities capable;
         capable.*each.capability = true;
-        EXPECT_FALSE(unmetNeed(settings, colors, capable)) << each.option;
+        EXPECT_FALSE(missingCapability(settings, colors, capable)) << each.option;
         for (const Backend backend : {Backend::Auto, Backend::Software}) {
             settings.backend = backend;
             EXPECT_NO_THROW(requireCapable(settings, colors)) << each.option;

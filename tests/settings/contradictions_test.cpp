@@ -227,7 +227,7 @@ TEST(Samples, AreOneBesideAnOutputOfOneFrame) {
     EXPECT_EQ(samplesOf({.samples = 5, .reference = "a.png"}), 5) << "pictures may be compared";
     EXPECT_EQ(samplesOf({.depth = "a.pfm"}), 1);
     EXPECT_EQ(samplesOf({.shadowDepth = "maps"}), 1);
-    EXPECT_EQ(samplesOf({.oracle = validation::Oracle::Exact}), 1);
+    EXPECT_EQ(samplesOf({.groundTruth = validation::GroundTruth::Exact}), 1);
 }
 
 } // namespace

@@ -222,15 +222,15 @@ TEST(EveryRow, OfferedByTheWindowHasEndsThatItTakes) {
         const bool isNumber = each.kind() == Kind::Whole || each.kind() == Kind::WholeOrAuto ||
                               each.kind() == Kind::Number || each.kind() == Kind::Size;
         if (offer.title.empty() || !isNumber) continue;
-        EXPECT_LT(offer.least, offer.most) << each.name();
-        for (const double end : {offer.least, offer.most}) {
+        EXPECT_LT(offer.min, offer.max) << each.name();
+        for (const double end : {offer.min, offer.max}) {
             std::string value = shortest(end);
             if (each.kind() == Kind::Size) value.append("x").append(shortest(end));
             EXPECT_EQ(refusal(each.name(), value), "");
         }
         for (const int step : offer.steps) {
             EXPECT_EQ(refusal(each.name(), std::to_string(step)), "");
-            EXPECT_TRUE(step >= offer.least && step <= offer.most) << each.name();
+            EXPECT_TRUE(step >= offer.min && step <= offer.max) << each.name();
         }
     }
 }

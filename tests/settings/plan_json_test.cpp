@@ -78,10 +78,10 @@ TEST(PlanJson, HasEveryFieldOfTheContract) {
         EXPECT_EQ(json["near_from"], sourceInWords(plan.nearFrom));
         EXPECT_EQ(json["far_from"], sourceInWords(plan.farFrom));
         EXPECT_NEAR(json["light_angle"].get<double>(), plan.lightAngleRadians * 180 / std::numbers::pi, 1e-9);
-        EXPECT_EQ(json["promise_kept"], plan.promiseKept);
+        EXPECT_EQ(json["promise_kept"], plan.isBoundKept);
         EXPECT_EQ(json["scheme"], plan::schemeName(plan));
         EXPECT_EQ(json["cost"], plan.cost);
-        EXPECT_EQ(json["texels_that_would_do"].is_null(), plan.texelsThatWouldDo == 0);
+        EXPECT_EQ(json["texels_that_would_do"].is_null(), plan.requiredTexels == 0);
         ASSERT_EQ(json["omitted"].size(), plan.omitted.size());
         for (std::size_t i = 0; i < plan.omitted.size(); ++i)
             EXPECT_EQ(
@@ -100,10 +100,10 @@ TEST(PlanJson, HasEveryFieldOfTheContract) {
                 told["rectangle"],
                 (ordered_json{map.rectangle.x, map.rectangle.y, map.rectangle.width, map.rectangle.height}));
             EXPECT_EQ(told["kappa"], map.warped.kappa);
-            EXPECT_EQ(told["promised_aliasing_x"], map.promised.x);
-            EXPECT_EQ(told["promised_aliasing_z"], map.promised.z);
-            EXPECT_EQ(told["promised_aliasing_z_sheared"], map.promised.sheared);
-            EXPECT_GE(map.promised.sheared, map.promised.z * (1 - 1e-12));
+            EXPECT_EQ(told["promised_aliasing_x"], map.aliasingBound.x);
+            EXPECT_EQ(told["promised_aliasing_z"], map.aliasingBound.z);
+            EXPECT_EQ(told["promised_aliasing_z_sheared"], map.aliasingBound.sheared);
+            EXPECT_GE(map.aliasingBound.sheared, map.aliasingBound.z * (1 - 1e-12));
             EXPECT_EQ(told["covered_near"], map.region.covered.near);
             EXPECT_EQ(told["covered_far"], map.region.covered.far);
             EXPECT_EQ(told["light_clip_from_world"].size(), 16U);
@@ -185,18 +185,18 @@ TEST(PlanText, HasALineForEachMapAndEachOmission) {
         std::string line;
         std::size_t maps = 0;
         std::size_t omitted = 0;
-        bool isLeftOut = false;
+        bool isSkipped = false;
         while (std::getline(lines, line)) {
             EXPECT_LT(line.size(), 300U);
             const bool isMap = !line.empty() && line.front() >= '0' && line.front() <= '9';
             maps += isMap ? 1 : 0;
-            omitted += isLeftOut ? 1 : 0;
-            isLeftOut = isLeftOut || line == "left out";
+            omitted += isSkipped ? 1 : 0;
+            isSkipped = isSkipped || line == "left out";
         }
         EXPECT_EQ(maps, plan.passes.size()) << text;
         EXPECT_EQ(omitted, plan.omitted.size()) << text;
-        for (const plan::Omission& omission : plan.omitted)
-            EXPECT_NE(text.find(reasonInWords(omission)), std::string::npos) << text;
+        for (const plan::SkippedEffect& skipped : plan.omitted)
+            EXPECT_NE(text.find(reasonInWords(skipped)), std::string::npos) << text;
         EXPECT_NE(text.find(sourceInWords(plan.nearFrom)), std::string::npos);
         EXPECT_EQ(text.find("promise x") != std::string::npos, !plan.passes.empty());
     }
@@ -207,14 +207,14 @@ TEST(PlanText, SaysWhereAPromiseIsNotKept) {
     plan::FramePlan plan = anyPlan(random);
     while (plan.passes.empty())
         plan = anyPlan(random);
-    plan.promiseKept = true;
-    plan.texelsThatWouldDo = 123456;
+    plan.isBoundKept = true;
+    plan.requiredTexels = 123456;
     EXPECT_EQ(planText(plan, {Backend::Software, "a reason"}).find("NOT"), std::string::npos);
     EXPECT_NE(
         planText(plan, {Backend::Software, "a reason"}).find("; 123456 texels would do for 4\n"), std::string::npos)
         << planText(plan, {Backend::Software, "a reason"});
-    plan.promiseKept = false;
-    plan.texelsThatWouldDo = 0;
+    plan.isBoundKept = false;
+    plan.requiredTexels = 0;
     EXPECT_NE(
         planText(plan, {Backend::Software, "a reason"}).find("which is NOT what was asked for"), std::string::npos);
     EXPECT_NE(

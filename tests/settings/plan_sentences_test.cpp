@@ -10,17 +10,17 @@ namespace gnomon::settings {
 namespace {
 
 using plan::Effect;
-using plan::Omission;
-using plan::OmissionReason;
+using plan::SkippedEffect;
+using plan::SkipReason;
 
 TEST(PlanSentences, NameEffectAndReason) {
     struct Row {
-        Omission omission;
+        SkippedEffect skipped;
         const char* effect;
         const char* reason;
     };
 
-    using Reason = OmissionReason;
+    using Reason = SkipReason;
     const std::vector<Row> table{
         {{Effect::ShadowMaps, Reason::SwitchedOff}, "shadow maps", "switched off"},
         {{Effect::ShadowMaps, Reason::RayTraced}, "shadow maps", "shadows are ray-traced"},
@@ -87,8 +87,8 @@ TEST(PlanSentences, NameEffectAndReason) {
          "nothing stands between what is seen and the sky"},
     };
     for (const Row& row : table) {
-        EXPECT_EQ(effectInWords(row.omission), row.effect);
-        EXPECT_EQ(reasonInWords(row.omission), row.reason);
+        EXPECT_EQ(effectInWords(row.skipped), row.effect);
+        EXPECT_EQ(reasonInWords(row.skipped), row.reason);
     }
 }
 
@@ -108,7 +108,7 @@ TEST(PlanSentences, SayWhichShadowsAndWhy) {
     plan::FramePlan plan;
     plan.quality.shadows = plan::ShadowMode::Exact;
     EXPECT_EQ(shadowsInWords(plan), "shadows exact: they are requested\n");
-    const Omission nothing{Effect::ExactShadows, OmissionReason::NothingFacesLight};
+    const SkippedEffect nothing{Effect::ExactShadows, SkipReason::NothingFacesLight};
     EXPECT_EQ(
         effectInWords(nothing) + ": " + reasonInWords(nothing), "exact shadows: no visible surface faces the light");
 }

@@ -146,11 +146,11 @@ TEST(Auto, IsTheLeastOfADenseScan) {
     Random random(7);
     for (int i = 0; i < 300; ++i) {
         const LightFit fit = fitSlice(lightFrame(randomDirection(random)), randomFrustum(random));
-        const double most = kappaMinimax(fit);
-        double least = storageFactor(fit, 0);
+        const double max = kappaMinimax(fit);
+        double min = storageFactor(fit, 0);
         for (int step = 1; step <= 1000; ++step)
-            least = std::min(least, storageFactor(fit, most * step / 1000));
-        EXPECT_LE(storageFactor(fit, kappaAuto(fit)), least * (1 + 1e-6));
+            min = std::min(min, storageFactor(fit, max * step / 1000));
+        EXPECT_LE(storageFactor(fit, kappaAuto(fit)), min * (1 + 1e-6));
     }
 }
 
@@ -164,7 +164,7 @@ TEST(Warps, MinimaxIsTheLeastWhateverTheMapCoversBeyondItsSlice) {
     Random random(10);
     for (int i = 0; i < 300; ++i) {
         const ViewFrustum frustum = randomFrustum(random);
-        const LightFit fit = coveringFit(frustum, randomDirection(random), shownBeyond(random, frustum));
+        const LightFit fit = coveringFit(frustum, randomDirection(random), shownOutside(random, frustum));
         const double found = worstAliasing(fit, kappaMinimax(fit)).z;
         for (double growth = 1e-4; growth < 1e5; growth *= 1.3)
             ASSERT_LE(found, worstAliasing(fit, growth / fit.length).z * (1 + 1e-9)) << i << " " << growth;
@@ -178,10 +178,10 @@ TEST(Warps, TheLeastStorageIsFoundHoweverWeakTheWarpThatHasIt) {
         const LightFit fit = fitSlice(lightFrame(randomDirection(random)), kFrusta[random.below(kFrusta.size())]);
         const double growth = logGrowth(fit);
         if (!(growth > 0.002 && growth < 0.02)) continue; // where the warp begins as the light turns
-        double least = storageFactor(fit, 0);
+        double min = storageFactor(fit, 0);
         for (int step = 1; step <= 2000; ++step)
-            least = std::min(least, storageFactor(fit, std::expm1(2e-5 * step) / fit.length));
-        EXPECT_LE(storageFactor(fit, kappaLeastStorage(fit)), least * (1 + 1e-9)) << "at a growth of e^" << growth;
+            min = std::min(min, storageFactor(fit, std::expm1(2e-5 * step) / fit.length));
+        EXPECT_LE(storageFactor(fit, kappaMinStorage(fit)), min * (1 + 1e-9)) << "at a growth of e^" << growth;
         ++weak;
     }
     EXPECT_GT(weak, 20);
@@ -201,14 +201,14 @@ TEST(Warps, TsmPutsItsFocusAtFourFifths) {
 }
 
 /// The largest promise of a frame of depth ratio 1000, the light straight overhead, under `rule` with `slices` maps.
-double worstPromise(WarpRule rule, int slices) {
+double worstBound(WarpRule rule, int slices) {
     ShadowView view;
     view.frustum = {1, 1000, radiansFromDegrees(20), 1};
     ShadowOptions options;
     options.scheme.warp.rule = rule;
     options.scheme.slices = slices;
-    const PromisedAliasing promise = shadowMapSetup(view, options).worst();
-    return std::max(promise.x, promise.z);
+    const AliasingBound bound = shadowMapSetup(view, options).worst();
+    return std::max(bound.x, bound.z);
 }
 
 TEST(Warps, TsmWithoutAFocusTakesTheMeanDepthOfItsSlice) {
@@ -223,8 +223,8 @@ TEST(Warps, TsmWithoutAFocusTakesTheMeanDepthOfItsSlice) {
         ASSERT_NEAR(kappaOf(tsm, fit), expected, 1e-9 * (expected + 1 / fit.length));
     }
     // A focus of 0 is the pole of the rule: it promised 450 and 8.1 where LSPSM promises 14.5 and 2.0.
-    EXPECT_LT(worstPromise(WarpRule::Tsm, 1), 2 * worstPromise(WarpRule::Lspsm, 1));
-    EXPECT_LT(worstPromise(WarpRule::Tsm, 4), 2 * worstPromise(WarpRule::Lspsm, 4));
+    EXPECT_LT(worstBound(WarpRule::Tsm, 1), 2 * worstBound(WarpRule::Lspsm, 1));
+    EXPECT_LT(worstBound(WarpRule::Tsm, 4), 2 * worstBound(WarpRule::Lspsm, 4));
 }
 
 } // namespace

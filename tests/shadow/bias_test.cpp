@@ -10,7 +10,7 @@
 namespace gnomon::shadow {
 namespace {
 
-std::optional<Receiver> randomReceiver(Random& random, double leastCosine) {
+std::optional<Receiver> randomReceiver(Random& random, double minCosine) {
     const ShadowView view = randomView(random);
     const ShadowOptions options = randomOptions(random, view.frustum);
     const ShadowMapSetup setup = shadowMapSetup(view, options);
@@ -21,7 +21,7 @@ std::optional<Receiver> randomReceiver(Random& random, double leastCosine) {
     result.p = result.map.region.vertices[random.below(result.map.region.vertices.size())].position;
     result.normal = randomDirection(random);
     result.cosine = glm::dot(result.normal, view.towardsLight);
-    if (result.cosine < leastCosine) return std::nullopt;
+    if (result.cosine < minCosine) return std::nullopt;
     return result;
 }
 
@@ -42,7 +42,7 @@ TEST(Bias, IsWhatTheReceiversOwnPlaneAsksForAndItsUnevenNeighbours) {
     int tested = 0;
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
         Random random(seed);
-        const std::optional<Receiver> receiver = randomReceiver(random, kLeastCosine);
+        const std::optional<Receiver> receiver = randomReceiver(random, kMinCosine);
         if (!receiver) continue;
         ++tested;
         const double bias = receiver->bias();
@@ -67,7 +67,7 @@ TEST(Bias, IsWhatTheReceiversOwnPlaneAsksForAndItsUnevenNeighbours) {
 TEST(Bias, UnevennessIsItsSlopeOverATexel) {
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         Random random(seed);
-        const std::optional<Receiver> receiver = randomReceiver(random, kLeastCosine);
+        const std::optional<Receiver> receiver = randomReceiver(random, kMinCosine);
         if (!receiver) continue;
         const ShadowMap& map = receiver->map;
         const DoubleMapImage image = cameraImage(map);
@@ -98,14 +98,14 @@ TEST(Bias, IsContinuousAndBoundedAsTheReceiverTurnsEdgeOn) {
     const auto at = [&](double cosine) {
         return receiverBias(image, p, frame.x * std::sqrt(1 - cosine * cosine) + frame.y * cosine, cosine);
     };
-    EXPECT_NEAR(at(kLeastCosine - 1e-9) / at(kLeastCosine + 1e-9), 1, 1e-6);
+    EXPECT_NEAR(at(kMinCosine - 1e-9) / at(kMinCosine + 1e-9), 1, 1e-6);
     for (double cosine = 1e-9; cosine < 1; cosine *= 1.3)
-        EXPECT_LE(at(cosine), at(kLeastCosine) * 1.02) << cosine;
-    EXPECT_GE(at(1e-9), at(kLeastCosine));
+        EXPECT_LE(at(cosine), at(kMinCosine) * 1.02) << cosine;
+    EXPECT_GE(at(1e-9), at(kMinCosine));
 }
 
 TEST(Bias, TheDepthRangeHasRoomForItAndLittleMore) {
-    double leastRoom = 1;
+    double minRoom = 1;
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         Random random(seed);
         const std::optional<Receiver> receiver = randomReceiver(random, 1e-3);
@@ -113,9 +113,9 @@ TEST(Bias, TheDepthRangeHasRoomForItAndLittleMore) {
         const double depth = mapPoint(receiver->map.warped, receiver->p).depth;
         const double bias = receiver->bias();
         EXPECT_GE(depth - bias, -1e-6) << "seed " << seed;
-        if (!receiver->map.stable && depth < 0.5) leastRoom = std::min(leastRoom, (depth - bias) / depth);
+        if (!receiver->map.stable && depth < 0.5) minRoom = std::min(minRoom, (depth - bias) / depth);
     }
-    EXPECT_LT(leastRoom, 0.5) << "the range is grown by more than twice the largest bias";
+    EXPECT_LT(minRoom, 0.5) << "the range is grown by more than twice the largest bias";
 }
 
 TEST(Bias, NeverAsksForMoreThanHalfOfTheRange) {

@@ -163,7 +163,7 @@ TEST(Budget, TooSmallABudgetIsRefused) {
     EXPECT_THROW(splitTexels(demands, {100, 1, 4, 16384, 0}), Error);
 }
 
-TEST(Budget, TheTexelsThatWouldDoDo) {
+TEST(Budget, TheRequiredTexelsSuffice) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         Random random(seed);
         const ShadowView view = randomView(random);
@@ -171,12 +171,12 @@ TEST(Budget, TheTexelsThatWouldDoDo) {
         const ShadowMapSetup setup = shadowMapSetup(view, options);
         const double now = setup.worst().worst();
         const double wanted = now * random.uniform(0.5, 0.9);
-        const std::uint64_t enough = texelsThatWouldDo(setup, options, wanted);
+        const std::uint64_t required = requiredTexels(setup, options, wanted);
         // Where none would do, the most that the sides allow do not either.
         const auto side = static_cast<std::uint64_t>(options.maxSide);
-        options.texels = enough > 0 ? enough : side * side;
+        options.texels = required > 0 ? required : side * side;
         const ShadowMapSetup then = shadowMapSetup(view, options);
-        EXPECT_EQ(then.worst().worst() <= wanted * (1 + 1e-9), enough > 0) << "seed " << seed;
+        EXPECT_EQ(then.worst().worst() <= wanted * (1 + 1e-9), required > 0) << "seed " << seed;
     }
 }
 

@@ -33,10 +33,10 @@ Chord shadowChord(const ConvexVolume& volume, const glm::dvec3& p, const glm::dv
 
 /// The least signed distance of `p` to the planes of `volume`.
 double depthInside(const ConvexVolume& volume, const glm::dvec3& p) {
-    double least = std::numeric_limits<double>::infinity();
+    double minDistance = std::numeric_limits<double>::infinity();
     for (const Plane& plane : volume.planes)
-        least = std::min(least, plane.signedDistance(p));
-    return least;
+        minDistance = std::min(minDistance, plane.signedDistance(p));
+    return minDistance;
 }
 
 struct Case {
@@ -101,10 +101,10 @@ TEST(Casters, NoPlaneCanBeMovedIn) {
             EXPECT_GE(sweep.planes.size(), 3U);
             for (const Plane& plane : sweep.planes) {
                 EXPECT_NEAR(glm::length(plane.normal), 1, 1e-12);
-                double least = std::numeric_limits<double>::infinity();
+                double minDistance = std::numeric_limits<double>::infinity();
                 for (const FitVertex& vertex : map.region.vertices)
-                    least = std::min(least, plane.signedDistance(vertex.position));
-                EXPECT_NEAR(least / map.region.frustum.far, 0, 1e-9) << "seed " << seed;
+                    minDistance = std::min(minDistance, plane.signedDistance(vertex.position));
+                EXPECT_NEAR(minDistance / map.region.frustum.far, 0, 1e-9) << "seed " << seed;
             }
         }
     }
@@ -129,10 +129,10 @@ TEST(PointCasters, AreTheHullOfCornersAndLight) {
         EXPECT_GE(hull.planes.size(), 5U);
         const double size = far + reach;
         for (const Plane& plane : hull.planes) {
-            double least = std::numeric_limits<double>::infinity();
+            double minDistance = std::numeric_limits<double>::infinity();
             for (const glm::dvec3& point : points)
-                least = std::min(least, plane.signedDistance(point));
-            EXPECT_NEAR(least / size, 0, 1e-12) << "a plane that can be moved in, or cuts";
+                minDistance = std::min(minDistance, plane.signedDistance(point));
+            EXPECT_NEAR(minDistance / size, 0, 1e-12) << "a plane that can be moved in, or cuts";
         }
         for (int i = 0; i < 50; ++i) {
             glm::dvec3 mixed(0);
@@ -144,8 +144,8 @@ TEST(PointCasters, AreTheHullOfCornersAndLight) {
             }
             EXPECT_GE(depthInside(hull, mixed / sum) / size, -1e-12);
             // Beyond the light nothing stands between it and what is seen.
-            const glm::dvec3 beyond = light + 0.1 * (light - points[static_cast<std::size_t>(i) % 8]);
-            outside += depthInside(hull, beyond) < 0 ? 1 : 0;
+            const glm::dvec3 farther = light + 0.1 * (light - points[static_cast<std::size_t>(i) % 8]);
+            outside += depthInside(hull, farther) < 0 ? 1 : 0;
         }
     }
     EXPECT_GT(outside, 12000);
@@ -168,9 +168,9 @@ std::optional<glm::dvec3> readBeside(
 
 /// The same as far as a lookup of `map` reaches, at any depth that can throw a shadow.
 std::optional<glm::dvec3> randomRead(Random& random, const ShadowMap& map, const glm::dvec3& p) {
-    const double most = map.gutter * 0.999;
-    const double x = random.uniform(-most, most);
-    const double y = random.uniform(-most, most);
+    const double limit = map.gutter * 0.999;
+    const double x = random.uniform(-limit, limit);
+    const double y = random.uniform(-limit, limit);
     return readBeside(cameraImage(map), p, {x, y}, random.uniform(-1, 0.999));
 }
 
@@ -228,10 +228,10 @@ TEST(Casters, NoPlaneOfTheGrownVolumeCanBeMovedIn) {
                 size = std::max(size, glm::length(p));
             EXPECT_GE(map.casterVolume.planes.size(), 4U);
             for (const Plane& plane : map.casterVolume.planes) {
-                double least = std::numeric_limits<double>::infinity();
+                double minDistance = std::numeric_limits<double>::infinity();
                 for (const glm::dvec3& p : lookups)
-                    least = std::min(least, plane.signedDistance(p));
-                EXPECT_NEAR(least / size, 0, 1e-6) << "seed " << seed;
+                    minDistance = std::min(minDistance, plane.signedDistance(p));
+                EXPECT_NEAR(minDistance / size, 0, 1e-6) << "seed " << seed;
                 ++tested;
             }
         }
@@ -240,8 +240,8 @@ TEST(Casters, NoPlaneOfTheGrownVolumeCanBeMovedIn) {
 }
 
 /// Boxes at random in the frustum, each seen at all the depths that it spans, or at some of them.
-std::vector<SeenPart> randomSeen(Random& random, const ShadowView& view) {
-    std::vector<SeenPart> seen;
+std::vector<VisibleSlab> randomSeen(Random& random, const ShadowView& view) {
+    std::vector<VisibleSlab> seen;
     const std::uint64_t count = 1 + random.below(4);
     for (std::uint64_t i = 0; i < count; ++i) {
         const glm::dvec3 middle = randomPointIn(random, view.frustum);
@@ -268,7 +268,7 @@ glm::dvec3 randomPointIn(Random& random, const Box& box) {
 /// What in `map` lies beside, or before, where a seen point is looked up, as far as a lookup reaches; nothing if that
 /// is past the vanishing line, or no point was found in the map's region.
 std::optional<glm::dvec3> randomSeenRead(Random& random, const Case& chosen, const ShadowMap& map) {
-    const SeenPart& part = chosen.view.seen[random.below(chosen.view.seen.size())];
+    const VisibleSlab& part = chosen.view.seen[random.below(chosen.view.seen.size())];
     const glm::dvec3 p = toCamera(chosen.view.anchor.basis, randomPointIn(random, part.box));
     if (!contains(map.region.volume, p) || p.z < part.depths.near || p.z > part.depths.far) return std::nullopt;
     return randomRead(random, map, p);

@@ -55,7 +55,7 @@ void checkSeed(std::uint64_t seed, int points, Shown shown = Shown::TheFrustum) 
     Random random(seed);
     ShadowView view = randomView(random);
     const ShadowOptions options = randomOptions(random, view.frustum);
-    if (shown == Shown::MoreThanThat) view.shown = shownBeyond(random, view.frustum);
+    if (shown == Shown::MoreThanThat) view.shown = shownOutside(random, view.frustum);
     const DepthSpan all = view.shown.value_or(DepthSpan{view.frustum.near, view.frustum.far});
     const ShadowMapSetup setup = shadowMapSetup(view, options);
     for (int i = 0; i < points; ++i) {

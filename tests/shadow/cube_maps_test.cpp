@@ -12,7 +12,7 @@ namespace {
 
 /// Boxes that a view between two depths sees, a lamp among them or far beyond, and its maps.
 struct LampScene {
-    std::vector<SeenPart> seen;
+    std::vector<VisibleSlab> seen;
     LampView view;
     ShadowOptions options;
     ShadowMapSetup setup;
@@ -48,7 +48,7 @@ struct LampScene {
     /// A point that is seen, in camera space; nothing if this try finds none.
     std::optional<glm::dvec3> seenPoint(Random& random) const {
         if (seen.empty()) return std::nullopt;
-        const SeenPart& part = seen[random.below(seen.size())];
+        const VisibleSlab& part = seen[random.below(seen.size())];
         const glm::dvec3 p = toCamera(view.basis, randomPoint(random, part.box));
         const bool isIn = p.z >= part.depths.near && p.z <= part.depths.far &&
                           std::abs(p.x) <= tanHalfX(view.frustum) * p.z &&
@@ -80,7 +80,7 @@ TEST(CubeMaps, HoldWhatIsSeenAndPromiseTheWidthOfItsTexels) {
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         const LampScene scene(seed);
         Random random(seed + 1000);
-        double most = 0; // of the share of its promise that any point has
+        double max = 0; // of the share of its promise that any point has
         for (int i = 0; i < 400; ++i) {
             const std::optional<glm::dvec3> p = scene.seenPoint(random);
             if (!p) continue;
@@ -94,12 +94,12 @@ TEST(CubeMaps, HoldWhatIsSeenAndPromiseTheWidthOfItsTexels) {
             if (p->z < scene.view.frustum.near || p->z > scene.view.frustum.far) continue;
             const double pixel = imageBeamWidth(scene.view.frustum, p->z, scene.view.imageHeight);
             const glm::dvec2 widths = texelWidths(*map, *p) * std::max(1.0, scene.options.filterTexels) / pixel;
-            ASSERT_LE(widths.x, map->promised.x * (1 + 1e-4)) << seed;
-            ASSERT_LE(widths.y, map->promised.z * (1 + 1e-4)) << seed;
-            most = std::max(most, widths.x / map->promised.x);
+            ASSERT_LE(widths.x, map->aliasingBound.x * (1 + 1e-4)) << seed;
+            ASSERT_LE(widths.y, map->aliasingBound.z * (1 + 1e-4)) << seed;
+            max = std::max(max, widths.x / map->aliasingBound.x);
             ++measured;
         }
-        tight += most > 0.5 ? 1 : 0;
+        tight += max > 0.5 ? 1 : 0;
     }
     EXPECT_GT(measured, 10000);
     EXPECT_GT(tight, 100); // not a bound of anything, either
@@ -149,7 +149,7 @@ TEST(CubeMaps, LetNoPlaneShadowItselfOverTheReachOfALookup) {
             glm::dvec3 normal = randomDirection(random);
             if (glm::dot(normal, towards) < 0) normal = -normal;
             const double cosine = glm::dot(normal, towards);
-            if (cosine < kLeastCosine) continue;
+            if (cosine < kMinCosine) continue;
             const DoubleMapImage image = cameraImage(map);
             const MapTexel<double> at = texelAt(image, *p);
             const double biased = at.depth - receiverBias(image, *p, normal, cosine);

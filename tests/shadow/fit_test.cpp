@@ -99,22 +99,22 @@ TEST(LightFit, ZetaRunsFromZeroToItsLength) {
     Random random(2);
     for (int i = 0; i < 1000; ++i) {
         const auto [frustum, fit, kappa] = randomFit(random);
-        double least = std::numeric_limits<double>::infinity();
-        double most = -least;
+        double min = std::numeric_limits<double>::infinity();
+        double max = -min;
         ASSERT_EQ(fit.points().size(), 8U);
         const auto points = corners(frustum);
         for (std::size_t corner = 0; corner < 8; ++corner) {
             const FitPoint& point = fit.points()[corner];
-            least = std::min(least, point.zeta);
-            most = std::max(most, point.zeta);
+            min = std::min(min, point.zeta);
+            max = std::max(max, point.zeta);
             const glm::dvec3 inLight = toLight(fit.frame, points[corner]);
             EXPECT_NEAR(inLight.x, point.x, 1e-12 * frustum.far);
             EXPECT_NEAR(inLight.z, point.zeta + fit.zMin, 1e-9 * frustum.far);
             EXPECT_EQ(point.end, corner < 4 ? DepthEnd::Near : DepthEnd::Far);
             EXPECT_EQ(point.depth, points[corner].z);
         }
-        EXPECT_EQ(least, 0);
-        EXPECT_EQ(most, fit.length);
+        EXPECT_EQ(min, 0);
+        EXPECT_EQ(max, fit.length);
     }
 }
 
@@ -144,7 +144,7 @@ TEST(LightFit, ExtentsAndErrorsAreReachedAndNotPassed) {
         const LightFit& fit = fitted.fit;
         const double kappa = fitted.kappa;
         const WarpedExtent extent = warpedExtent(fit, kappa);
-        const Aliasing promised = worstAliasing(fit, kappa);
+        const Aliasing aliasingBound = worstAliasing(fit, kappa);
         const double sheared = worstShearedAliasing(fit, kappa);
         const WarpedMap map = warpedMap(fit, kappa);
         WarpedExtent found{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -166,14 +166,14 @@ TEST(LightFit, ExtentsAndErrorsAreReachedAndNotPassed) {
         const double size = extent.width();
         EXPECT_NEAR(found.min, extent.min, 1e-9 * size);
         EXPECT_NEAR(found.max, extent.max, 1e-9 * size);
-        EXPECT_NEAR(worst.x / promised.x, 1, 1e-9);
-        EXPECT_NEAR(worst.z / promised.z, 1, 1e-9);
-        EXPECT_NEAR(storageFactor(fit, kappa) / (promised.x * promised.z), 1, 1e-12);
+        EXPECT_NEAR(worst.x / aliasingBound.x, 1, 1e-9);
+        EXPECT_NEAR(worst.z / aliasingBound.z, 1, 1e-9);
+        EXPECT_NEAR(storageFactor(fit, kappa) / (aliasingBound.x * aliasingBound.z), 1, 1e-12);
         const double shear = kappa * std::max(std::abs(extent.min), std::abs(extent.max));
         EXPECT_LE(worstSheared, sheared * (1 + 1e-9));
         const double slack = shear > std::sqrt(2.0) ? std::sqrt(1 + shear * shear) : 1;
         EXPECT_GE(worstSheared * slack, sheared * (1 - 1e-9));
-        EXPECT_GE(sheared, promised.z * (1 - 1e-12));
+        EXPECT_GE(sheared, aliasingBound.z * (1 - 1e-12));
     }
 }
 

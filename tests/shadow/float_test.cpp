@@ -54,7 +54,7 @@ WarpedMap randomMap(Random& random, const ViewFrustum& frustum, const glm::dvec3
 /// In about two points in a million, terms a hundred times as large as w cancel, and float sums lose some more.
 TEST(Float, IsWithinAHundredthOfATexelButForAFewPointsInAMillion) {
     double worst = 0;
-    int beyond = 0;
+    int exceeding = 0;
     for (std::uint64_t seed = 0; seed < 20000; ++seed) {
         Random random(seed);
         ViewFrustum frustum;
@@ -71,13 +71,13 @@ TEST(Float, IsWithinAHundredthOfATexelButForAFewPointsInAMillion) {
             const glm::dvec3 p = world - eye;
             const double off = texelsOff(map, glm::dvec3(0), p);
             worst = std::max(worst, off);
-            beyond += off < 0.01 ? 0 : 1;
+            exceeding += off < 0.01 ? 0 : 1;
             ASSERT_LT(off, 0.04) << "seed " << seed << " ratio " << frustum.depthRatio() << " theta "
                                  << frustum.halfFovYRadians * 180 / kPi << " kappa d "
                                  << map.warped.kappa * map.warped.length;
         }
     }
-    EXPECT_LE(beyond, 2) << "of 160000";
+    EXPECT_LE(exceeding, 2) << "of 160000";
     RecordProperty("worst_texels_of_4096", std::to_string(worst));
     std::printf("worst %g texels of 4096\n", worst);
 }

@@ -24,7 +24,7 @@ void expectSound(const ShadowView& view) {
         options.stabilized = kind == 4;
         const ShadowMapSetup setup = shadowMapSetup(view, options);
         for (const ShadowMap& map : setup.maps)
-            EXPECT_TRUE(isFinite(map.lightClipFromCamera()) && std::isfinite(map.promised.worst()));
+            EXPECT_TRUE(isFinite(map.lightClipFromCamera()) && std::isfinite(map.aliasingBound.worst()));
         for (const glm::dvec3& p : corners(view.frustum)) {
             const glm::dvec4 clip = setup.maps.at(setup.mapOf(p)).lightClipFromCamera() * glm::dvec4(p, 1);
             EXPECT_GT(clip.w, 0);
@@ -295,7 +295,7 @@ void steepWarp() {
 }
 
 /// A far depth of a fifteenth and a near one of seventy times what is in view.
-void shownBeyondTheGivenRange() {
+void shownOutsideTheGivenRange() {
     for (const glm::dvec3& light : {glm::dvec3(0, 1, 0), glm::dvec3(0.1, 0.3, -1), glm::dvec3(0, 0, 1)})
         for (const bool isStable : {false, true}) {
             ShadowView view = viewWithLight(light);
@@ -372,7 +372,7 @@ constexpr std::array<HardCase, 25> kCases{{
     {"nearest surface exactly on a quantised step of near", "rounding flips near back and forth", nearOnAStep},
     {"near and far given so that surfaces lie outside",
      "they read the edge of a map that ends before them: all that is beyond far is dark, all that is before near lit",
-     shownBeyondTheGivenRange},
+     shownOutsideTheGivenRange},
     {"a light 1e-12 off the plane between two kinds of faces",
      "lit and unlit sides swap, faces flip from front to back",
      [] {

@@ -55,7 +55,7 @@ TEST(LogWarp, OnFacesEveryLightTakesTheClosedForm) {
     double worst = 0;
     double sum = 0;
     double worstSheared = 0;
-    std::size_t most = 0;
+    std::size_t max = 0;
     constexpr int kLights = 100000;
     for (int i = 0; i < kLights; ++i) {
         const glm::dvec3 light = i % 4 == 0 ? randomLight(random) : randomDirection(random);
@@ -66,7 +66,7 @@ TEST(LogWarp, OnFacesEveryLightTakesTheClosedForm) {
         ASSERT_NEAR(sheared / logShearedStorageFactor(frustum, light), 1, 1e-9);
         worst = std::max(worst, found);
         worstSheared = std::max(worstSheared, sheared);
-        most = std::max(most, maps.size());
+        max = std::max(max, maps.size());
         if (i % 4 != 0) sum += found;
     }
     EXPECT_LE(worst, 15.6);
@@ -75,24 +75,24 @@ TEST(LogWarp, OnFacesEveryLightTakesTheClosedForm) {
     EXPECT_NEAR(sum / kSummed, 14.05, 0.02);
     EXPECT_LE(worstSheared, 29.7);
     EXPECT_GE(worstSheared, 29.4);
-    EXPECT_EQ(most, 5U);
+    EXPECT_EQ(max, 5U);
 }
 
 constexpr std::array kAllFaces{Face::Top, Face::Bottom, Face::Left, Face::Right, Face::Near};
 
 /// The least sine of the angle from `light` to a face.
-double leastSine(const ViewFrustum& frustum, const glm::dvec3& light) {
-    double least = 1;
+double minSine(const ViewFrustum& frustum, const glm::dvec3& light) {
+    double min = 1;
     for (const Face face : kAllFaces)
-        least = std::min(least, std::abs(glm::dot(outwardNormal(frustum, face), light)));
-    return least;
+        min = std::min(min, std::abs(glm::dot(outwardNormal(frustum, face), light)));
+    return min;
 }
 
 /// Whether a face or the near square of `frustum` has no map.
 bool isLeftToNeighbours(const ViewFrustum& frustum, const glm::dvec3& light) {
     return std::any_of(kAllFaces.begin(), kAllFaces.end(), [&](Face face) {
-        const double least = face == Face::Near ? kGrazing : leastGrazing(frustum, RowSpacing::Logarithmic);
-        return std::abs(glm::dot(outwardNormal(frustum, face), light)) <= least;
+        const double min = face == Face::Near ? kGrazing : minGrazing(frustum, RowSpacing::Logarithmic);
+        return std::abs(glm::dot(outwardNormal(frustum, face), light)) <= min;
     });
 }
 
@@ -141,7 +141,7 @@ void checkDrawnStorage(std::uint64_t seed, int lights) {
             ++leftToNeighbours;
             continue;
         }
-        const double rounding = 1e-6 + 1e-7 / leastSine(view.frustum, view.towardsLight);
+        const double rounding = 1e-6 + 1e-7 / minSine(view.frustum, view.towardsLight);
         ASSERT_NEAR(found.x / logStorageFactor(view.frustum, view.towardsLight), 1, rounding) << i;
     }
     std::printf("worst %g, sheared %g\n", worst.x, worst.z);

@@ -94,10 +94,10 @@ double depthInside(const Region& region, const glm::dvec3& p) {
 
 /// The distance of a region's nearest corner from one of its planes; 0 where the plane touches it.
 double slack(const Region& region, const Plane& plane) {
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (const FitVertex& vertex : region.vertices)
-        least = std::min(least, plane.signedDistance(vertex.position));
-    return least;
+        min = std::min(min, plane.signedDistance(vertex.position));
+    return min;
 }
 
 /// A region holds what its partition owns, and what lies inside it by a margin nobody else owns.
@@ -122,7 +122,7 @@ TEST(Regions, AreNoLargerThanWhatTheirPartitionOwns) {
             const glm::dvec3 p = pointOf(random, region);
             if (depthInside(region, p) < 2e-3 * region.frustum.far) continue; // merged slivers: a thousandth off
             ++tested;
-            EXPECT_EQ(ownerOf(selector, p), i) << "seed " << seed << " " << name(region.face);
+            EXPECT_EQ(partitionIndex(selector, p), i) << "seed " << seed << " " << name(region.face);
         }
     }
     EXPECT_GT(tested, 200);
@@ -136,7 +136,7 @@ TEST(Regions, SeenCornersHoldEachOfManyParts) {
         const PartitionSelector selector =
             partitionSelector(view.frustum, view.towardsLight, {view.frustum.near, view.frustum.far}, FaceMaps::None);
         const Region region = partitionRegion(view.frustum, selector, 0);
-        std::vector<SeenPart> seen;
+        std::vector<VisibleSlab> seen;
         std::vector<glm::dvec3> inside;
         for (int i = 0; i < 20; ++i) {
             const glm::dvec3 middle = randomPointIn(random, view.frustum);
@@ -172,7 +172,7 @@ TEST(Regions, SeenCornersHoldWhatIsSeenAndNothingFurther) {
         const double half = middle.z * random.uniform(0.01, 0.3);
         const glm::dvec3 inWorld = toWorld(view.anchor.basis, middle);
         const DepthSpan depths{middle.z - half * random.unit(), middle.z + half * random.unit()};
-        const std::vector<SeenPart> seen{{depths, {inWorld - half, inWorld + half}}};
+        const std::vector<VisibleSlab> seen{{depths, {inWorld - half, inWorld + half}}};
         const std::vector<glm::dvec3> points = seenCorners(region, seen, view.anchor.basis);
         const double slack = 1e-6 * (frustum.far + half);
         for (const glm::dvec3& p : points) {

@@ -15,7 +15,7 @@
 
 namespace gnomon::shadow {
 
-inline constexpr double kPromiseBits = 0x1p-24;
+inline constexpr double kBoundBits = 0x1p-24;
 
 /// Returns true if the light is at the jump of the plain orientation, where the sine of light and view is 1e-12
 /// (lightFrame).
@@ -33,8 +33,9 @@ inline double marginOf(const PartitionSelector& selector, const glm::dvec3& p) {
         for (const glm::dvec3& plane : {face.first, face.second})
             if (plane != glm::dvec3(0))
                 margin = std::min(margin, std::abs(glm::dot(plane, p)) / (glm::length(plane) * glm::length(p)));
-        const double beyond = glm::dot(face.edge, p) - face.edgeOffset * nearDepth;
-        if (selector.ownNear) margin = std::min(margin, std::abs(beyond) / (glm::length(face.edge) * glm::length(p)));
+        const double edgeDistance = glm::dot(face.edge, p) - face.edgeOffset * nearDepth;
+        if (selector.ownNear)
+            margin = std::min(margin, std::abs(edgeDistance) / (glm::length(face.edge) * glm::length(p)));
     }
     return margin;
 }
@@ -54,7 +55,7 @@ struct RoundingCounts {
     std::uint64_t ties = 0;        // set-ups in which the search chose another warp
     double worstTie = 0;           // relative difference of their bounds
     double worstMargin = 0;        // largest margin of the moved points
-    double worstPromise = 0;       // relative difference
+    double worstBound = 0;         // relative difference
     std::uint64_t conditioned = 0; // maps whose bound differs by more, but within its condition number
     double worstConditioned = 0;   // relative difference of their bounds
 };
@@ -71,7 +72,7 @@ struct RoundedCase {
     std::vector<std::size_t> owners(const PartitionSelector& selector) const {
         std::vector<std::size_t> result;
         for (const glm::dvec3& p : points)
-            result.push_back(ownerOf(selector, p));
+            result.push_back(partitionIndex(selector, p));
         return result;
     }
 
@@ -89,7 +90,7 @@ inline void expectSameOwners(
     for (std::size_t i = 0; i < given.points.size(); ++i) {
         const glm::dvec3& p = given.points[i];
         const std::size_t owner = owners[i];
-        if (owner == ownerOf(usual.selector, p)) continue;
+        if (owner == partitionIndex(usual.selector, p)) continue;
         const double margin = marginOf(usual.selector, p);
         ++counts.moved;
         counts.worstMargin = std::max(counts.worstMargin, margin);
@@ -121,23 +122,23 @@ inline void expectSameDemands(const ShadowMapSetup& usual, const ShadowMapSetup&
     for (std::size_t i = 0; i < usual.maps.size(); ++i) {
         const ShadowMap& a = usual.maps[i];
         const ShadowMap& b = other.maps[i];
-        EXPECT_NEAR(other.demands[i].s / usual.demands[i].s, 1, kPromiseBits);
-        EXPECT_NEAR(other.demands[i].t / usual.demands[i].t, 1, kPromiseBits);
+        EXPECT_NEAR(other.demands[i].s / usual.demands[i].s, 1, kBoundBits);
+        EXPECT_NEAR(other.demands[i].t / usual.demands[i].t, 1, kBoundBits);
         if (a.stable) continue; // snapping uses a part of a texel
-        const double forTexelS = b.promised.x * b.texels().s / (a.promised.x * a.texels().s);
-        const double forTexelT = b.promised.z * b.texels().t / (a.promised.z * a.texels().t);
-        EXPECT_NEAR(forTexelS, 1, kPromiseBits) << "map " << i;
-        EXPECT_NEAR(forTexelT, 1, kPromiseBits) << "map " << i;
+        const double forTexelS = b.aliasingBound.x * b.texels().s / (a.aliasingBound.x * a.texels().s);
+        const double forTexelT = b.aliasingBound.z * b.texels().t / (a.aliasingBound.z * a.texels().t);
+        EXPECT_NEAR(forTexelS, 1, kBoundBits) << "map " << i;
+        EXPECT_NEAR(forTexelT, 1, kBoundBits) << "map " << i;
     }
-    const double promise = std::abs(other.worst().worst() / usual.worst().worst() - 1);
-    counts.worstLayout = std::max(counts.worstLayout, promise);
-    EXPECT_LE(promise, 0.1) << "one packing is not as good as the other";
+    const double bound = std::abs(other.worst().worst() / usual.worst().worst() - 1);
+    counts.worstLayout = std::max(counts.worstLayout, bound);
+    EXPECT_LE(bound, 0.1) << "one packing is not as good as the other";
 }
 
 /// Returns the condition number of a bound: the relative change of the bound per relative error of the vertices. w is 1
 /// at the min z. A vertex next to it can be as distant as the far plane, with an error proportional to its own
 /// distance.
-inline double conditionOfPromise(const ShadowMap& map) {
+inline double conditionOfBound(const ShadowMap& map) {
     double farthest = 0;
     for (const FitVertex& vertex : map.region.vertices)
         farthest = std::max(farthest, glm::length(vertex.position));
@@ -149,9 +150,9 @@ inline void expectSameMaps(const ShadowMapSetup& usual, const ShadowMapSetup& ot
     ASSERT_EQ(other.maps.size(), usual.maps.size());
     if (isAnotherWarp(usual, other)) {
         ++counts.ties;
-        const double promise = std::abs(other.worst().sheared / usual.worst().sheared - 1);
-        counts.worstTie = std::max(counts.worstTie, promise);
-        EXPECT_LE(promise, 1e-3) << "what a texel more or less comes to";
+        const double bound = std::abs(other.worst().sheared / usual.worst().sheared - 1);
+        counts.worstTie = std::max(counts.worstTie, bound);
+        EXPECT_LE(bound, 1e-3) << "what a texel more or less comes to";
         return;
     }
     bool isSameLayout = other.textureWidth == usual.textureWidth && other.textureHeight == usual.textureHeight;
@@ -170,17 +171,17 @@ inline void expectSameMaps(const ShadowMapSetup& usual, const ShadowMapSetup& ot
         EXPECT_EQ(b.rectangle, a.rectangle);
         EXPECT_EQ(b.warped.kappa > 0, a.warped.kappa > 0);
         EXPECT_EQ(b.warped.rows, a.warped.rows);
-        const double promise = std::max(
-            {std::abs(b.promised.x / a.promised.x - 1),
-             std::abs(b.promised.z / a.promised.z - 1),
-             std::abs(b.promised.sheared / a.promised.sheared - 1)});
-        if (promise > kPromiseBits) {
+        const double bound = std::max(
+            {std::abs(b.aliasingBound.x / a.aliasingBound.x - 1),
+             std::abs(b.aliasingBound.z / a.aliasingBound.z - 1),
+             std::abs(b.aliasingBound.sheared / a.aliasingBound.sheared - 1)});
+        if (bound > kBoundBits) {
             ++counts.conditioned;
-            counts.worstConditioned = std::max(counts.worstConditioned, promise);
+            counts.worstConditioned = std::max(counts.worstConditioned, bound);
         } else {
-            counts.worstPromise = std::max(counts.worstPromise, promise);
+            counts.worstBound = std::max(counts.worstBound, bound);
         }
-        EXPECT_LE(promise, std::max(kPromiseBits, conditionOfPromise(a) * 0x1p-52)) << "map " << i;
+        EXPECT_LE(bound, std::max(kBoundBits, conditionOfBound(a) * 0x1p-52)) << "map " << i;
     }
 }
 
@@ -227,7 +228,7 @@ inline void report(const RoundingCounts& counts) {
               << " times another partition, at most " << counts.worstMargin << " from its edge; " << counts.layouts
               << " set-ups whose layout changed, promises off by at most " << counts.worstLayout << ", " << counts.ties
               << " whose search ended elsewhere, promises off by at most " << counts.worstTie << ", of the others "
-              << counts.worstPromise << "; " << counts.conditioned << " maps within their condition, off by at most "
+              << counts.worstBound << "; " << counts.conditioned << " maps within their condition, off by at most "
               << counts.worstConditioned << "\n";
 }
 

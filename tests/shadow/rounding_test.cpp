@@ -35,7 +35,7 @@ glm::dvec3 sharedCorner(const ViewFrustum& frustum, Face a, Face b) {
 /// The owner of `p` when it is asked for in a rounding mode.
 std::size_t ownerIn(int mode, const PartitionSelector& selector, const glm::dvec3& p) {
     const tests::RoundingMode rounding(mode);
-    return ownerOf(selector, p);
+    return partitionIndex(selector, p);
 }
 
 TEST(Rounding, APointBetweenTwoFacesBelongsToOneOfThem) {

@@ -52,7 +52,7 @@ public:
     void expectSame() const {
         ASSERT_EQ(queue_.isEmpty(), order_.empty());
         if (!order_.empty()) {
-            EXPECT_EQ(queue_.leastCost(), order_.begin()->first);
+            EXPECT_EQ(queue_.minCost(), order_.begin()->first);
         }
         for (std::uint32_t vertex = 0; vertex < vertices_; ++vertex) {
             const auto found = costs_.find(vertex);

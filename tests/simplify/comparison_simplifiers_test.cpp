@@ -1,5 +1,5 @@
 // The simplifiers that ours is compared with: that each is given what it needs and gets its due.
-#include "preprocess/simplify/deviation.h"
+#include "preprocess/simplify/hausdorff_bound.h"
 #include "preprocess/simplify/simplify.h"
 #include "tests/support/patches.h"
 
@@ -52,9 +52,9 @@ TEST(ComparisonSimplifiers, KeepEveryLockedPositionHoweverMany) {
 TEST(ComparisonSimplifiers, MeshoptClaimsAnErrorInStepsOfTheGrid) {
     const Patch rough = unlocked(read::bumpySheet(16));
     const SimplifiedPatch simplified = simplifyMeshopt(rough, 200);
-    const double measured = measureDeviation(rough, simplified, 0).worst;
-    EXPECT_GT(simplified.claimedError, measured / 20);
-    EXPECT_LT(simplified.claimedError, measured * 2);
+    const double measured = measureHausdorffBound(rough, simplified, 0).worst;
+    EXPECT_GT(simplified.estimatedError, measured / 20);
+    EXPECT_LT(simplified.estimatedError, measured * 2);
     for (std::uint32_t p = 0; p < rough.positions.size(); ++p)
         EXPECT_EQ(simplified.movedTo[p], p);
     EXPECT_EQ(simplified.origin, std::vector<std::uint32_t>(simplified.triangles.size(), kNone));

@@ -136,10 +136,10 @@ TEST(TriangleDistance, TheFastAnswerIsTheSlowOneEvenForSlivers) {
         const glm::dvec3 p = randomVector(random, 2);
         const double slow = proximity::distanceToTriangle(p, t[0], t[1], t[2]).square;
         EXPECT_NEAR(proximity::squaredDistance(p, t[0], t[1], t[2]), slow, 1e-12) << run;
-        double least = std::numeric_limits<double>::infinity();
+        double min = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < 3; ++i)
-            least = std::min(least, proximity::squaredDistance(p, t.at(i), t.at((i + 1) % 3)));
-        EXPECT_GE(least, slow - 1e-12) << run;
+            min = std::min(min, proximity::squaredDistance(p, t.at(i), t.at((i + 1) % 3)));
+        EXPECT_GE(min, slow - 1e-12) << run;
     }
 }
 

@@ -1,7 +1,7 @@
 // The simplifier by itself: what it may never do.
 #include "core/random.h"
 #include "preprocess/simplify/cost_estimate.h"
-#include "preprocess/simplify/deviation.h"
+#include "preprocess/simplify/hausdorff_bound.h"
 #include "preprocess/simplify/locked_edge_check.h"
 #include "preprocess/simplify/simplify.h"
 #include "tests/support/patches.h"
@@ -64,7 +64,7 @@ TEST(Simplify, TheErrorsOfItsTrianglesHoldForEveryPointOfBothSurfaces) {
 TEST(Simplify, WhatTheSimplifierBoundsIsNearToWhatIsMeasuredAfterwards) {
     const Patch patch = patchOf(read::bumpySheet(30));
     const SimplifiedPatch simplified = simplifyQuadric(patch, patch.triangles.size() / 2);
-    const Deviation measured = measureDeviation(patch, simplified, 0);
+    const HausdorffBound measured = measureHausdorffBound(patch, simplified, 0);
     expectHonest(patch, simplified.triangles, measured.errors);
     double bounded = 0;
     for (const TriangleError& error : simplified.errors)
@@ -79,7 +79,7 @@ TEST(Simplify, WhatIsMeasuredAfterwardsUpToAGoalHoldsForEveryPointOfBothSurfaces
         patch.errors = errors;
         const SimplifiedPatch simplified = simplifyQuadric(patch, patch.triangles.size() / 3);
         for (const double goal : {10.0, 30.0, 200.0}) {
-            const Deviation measured = measureDeviation(patch, simplified, goal);
+            const HausdorffBound measured = measureHausdorffBound(patch, simplified, goal);
             expectHonest(patch, simplified.triangles, measured.errors);
             for (std::size_t t = 0; t < simplified.triangles.size(); ++t) {
                 if (simplified.errors[t].toSource > goal) continue;
@@ -98,7 +98,7 @@ TEST(Simplify, TheOthersToBeComparedWithKeepWhatOtherGroupsCountOnAndAreMeasured
             const SimplifiedPatch simplified = simplify(patch, patch.triangles.size() / 2, simplifier);
             EXPECT_TRUE(keepsLockedEdges(patch, simplified.triangles));
             EXPECT_TRUE(simplified.errors.empty());
-            expectHonest(patch, simplified.triangles, measureDeviation(patch, simplified, 1).errors);
+            expectHonest(patch, simplified.triangles, measureHausdorffBound(patch, simplified, 1).errors);
         }
         const Patch sheet = patchOf(read::bumpySheet(20));
         EXPECT_LT(simplify(sheet, 400, simplifier).triangles.size(), 480U);

@@ -50,10 +50,10 @@ TEST(Surface, TheNearestTriangleIsNoFartherThanAnyOther) {
         const double x = random.uniform(900, 2100);
         const double y = random.uniform(900, 2100);
         const glm::dvec3 p(x, y, random.uniform(900, 2100));
-        double least = std::numeric_limits<double>::infinity();
+        double min = std::numeric_limits<double>::infinity();
         for (std::uint32_t t = 0; t < patch.triangles.size(); ++t)
-            least = std::min(least, surface.squaredDistance(p, t));
-        ASSERT_EQ(surface.squaredDistance(p, surface.nearest(p)), least);
+            min = std::min(min, surface.squaredDistance(p, t));
+        ASSERT_EQ(surface.squaredDistance(p, surface.nearest(p)), min);
     }
 }
 

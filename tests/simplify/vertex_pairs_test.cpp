@@ -20,10 +20,10 @@ std::vector<std::uint32_t> componentsOf(const Patch& patch) {
     for (bool changed = true; changed;) {
         changed = false;
         for (const Triangle& t : patch.triangles) {
-            const std::uint32_t least = std::min({component[t[0]], component[t[1]], component[t[2]]});
+            const std::uint32_t min = std::min({component[t[0]], component[t[1]], component[t[2]]});
             for (const std::uint32_t p : t) {
-                changed = changed || component[p] != least;
-                component[p] = least;
+                changed = changed || component[p] != min;
+                component[p] = min;
             }
         }
     }
@@ -96,8 +96,8 @@ TEST(UnionFind, TheLeastIdIsTheRootInAnyOrderOfUnions) {
             const auto a = static_cast<std::uint32_t>(random.below(count));
             const auto b = static_cast<std::uint32_t>(random.below(count));
             sets.unite(a, b);
-            const auto [least, most] = std::minmax(plain[a], plain[b]);
-            std::replace(plain.begin(), plain.end(), std::uint32_t{most}, std::uint32_t{least});
+            const auto [min, max] = std::minmax(plain[a], plain[b]);
+            std::replace(plain.begin(), plain.end(), std::uint32_t{max}, std::uint32_t{min});
         }
         std::uint32_t roots = 0;
         for (std::uint32_t id = 0; id < count; ++id) {

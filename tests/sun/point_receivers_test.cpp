@@ -16,7 +16,7 @@ namespace gnomon::sun {
 namespace {
 
 /// Where the line from `point` along `light` meets the plane of `corners`, which are relative to it.
-glm::dvec3 metPlace(const exact::Corners& corners, const glm::i64vec3& point, const IntegerLight& light) {
+glm::dvec3 hitPlace(const exact::Corners& corners, const glm::i64vec3& point, const IntegerLight& light) {
     const glm::dvec3 a(corners[0]);
     const glm::dvec3 normal = glm::cross(glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a);
     const glm::dvec3 way = light.unit();
@@ -36,10 +36,10 @@ bool isLitPlainly(
             const hierarchy::GridPoint& p = vertices[triangle[k]].position;
             corners[k] = glm::i64vec3(p.x, p.y, p.z) - point;
         }
-        if (exact::meet(corners, light, glm::i64vec3(0), render::tolerance(light)).meeting != exact::Meeting::Ahead)
+        if (exact::intersect(corners, light, glm::i64vec3(0), render::tolerance(light)).kind != exact::Hit::Ahead)
             continue;
         const bool isKept = std::all_of(sections.begin(), sections.end(), [&](const Plane& plane) {
-            return plane.signedDistance(metPlace(corners, point, light)) >= 0;
+            return plane.signedDistance(hitPlace(corners, point, light)) >= 0;
         });
         if (isKept) return false;
     }
@@ -67,14 +67,14 @@ TEST(PointReceivers, AreLitUnlessATriangleByItselfStandsAhead) {
         ASSERT_EQ(receivers.count(), points.size());
         std::vector<std::uint8_t> isLit(points.size());
         std::vector<std::uint8_t> isTrulyLit(points.size());
-        std::vector<std::uint8_t> isAsked(points.size());
+        std::vector<std::uint8_t> isRequested(points.size());
         for (std::size_t i = 0; i < points.size(); i += 3)
-            isAsked[i] = 1;
+            isRequested[i] = 1;
         for (const IntegerLight& light : yard.lights) {
-            receivers.decide(light, isLit);
-            receivers.decidePlainly(light, isAsked, isTrulyLit);
+            receivers.resolve(light, isLit);
+            receivers.resolvePlainly(light, isRequested, isTrulyLit);
             for (std::size_t i = 0; i < points.size(); ++i)
-                ASSERT_EQ(isTrulyLit[i], isAsked[i] != 0 ? isLit[i] : 0) << "seed " << seed << ", point " << i;
+                ASSERT_EQ(isTrulyLit[i], isRequested[i] != 0 ? isLit[i] : 0) << "seed " << seed << ", point " << i;
             for (std::size_t i = 0; i < points.size(); ++i) {
                 ASSERT_EQ(isLit[i] != 0, isLitPlainly(cut, points[i], light)) << "seed " << seed << ", point " << i;
                 ++(isLit[i] != 0 ? lit : dark);
@@ -112,8 +112,8 @@ TEST(PointReceivers, SeePastWhatSectionsCutAway) {
     std::size_t unlike = 0;
     std::size_t changed = 0;
     for (const IntegerLight& light : yard.lights) {
-        receivers.decide(light, isLit);
-        whole.decide(light, isLitByWhole);
+        receivers.resolve(light, isLit);
+        whole.resolve(light, isLitByWhole);
         for (std::size_t i = 0; i < points.size(); ++i) {
             unlike += (isLit[i] != 0) != isLitPlainly(cut, points[i], light, sections) ? 1 : 0;
             changed += isLit[i] != isLitByWhole[i] ? 1 : 0;
@@ -123,7 +123,7 @@ TEST(PointReceivers, SeePastWhatSectionsCutAway) {
     EXPECT_GT(changed, 100U);
     const Plane nothing{{0, -1, 0}, -1e9};
     PointReceivers open(cut, points, std::array{nothing});
-    open.decide(yard.lights.front(), isLit);
+    open.resolve(yard.lights.front(), isLit);
     EXPECT_EQ(std::count(isLit.begin(), isLit.end(), 1), static_cast<std::ptrdiff_t>(points.size()));
 }
 

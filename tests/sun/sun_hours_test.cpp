@@ -101,8 +101,8 @@ TEST(SunView, LightsWhatFramesAndPlainIntegersDo) {
         std::vector<std::uint8_t> plain(receivers.count(), 7);
         const std::vector<std::uint8_t> all(receivers.count(), 1);
         for (std::size_t i = 0; i < yard.lights.size(); ++i) {
-            const exact::ExactStatistics statistics = receivers.decide(yard.lights[i], lit);
-            receivers.decidePlainly(yard.lights[i], all, plain);
+            const exact::ExactStatistics statistics = receivers.resolve(yard.lights[i], lit);
+            receivers.resolvePlainly(yard.lights[i], all, plain);
             EXPECT_EQ(lit, plain) << "seed " << seed << ", light " << i;
             EXPECT_EQ(lit, expected[i]) << "seed " << seed << ", light " << i;
             litPixels += static_cast<std::size_t>(std::count(lit.begin(), lit.end(), 1));
@@ -123,7 +123,7 @@ TEST(SunView, HangsOnNoThreadsAndNoLightBefore) {
                 yard.lights.size(), std::vector<std::uint8_t>(receivers.count()));
             for (std::size_t i = 0; i < lit.size(); ++i) {
                 const std::size_t at = threads == 2 ? lit.size() - 1 - i : i;
-                receivers.decide(yard.lights[at], lit[at]);
+                receivers.resolve(yard.lights[at], lit[at]);
             }
             if (before.empty()) before = lit;
             EXPECT_EQ(lit, before) << threads << " threads";
@@ -151,7 +151,7 @@ class Dice final : public Receivers {
 public:
     std::size_t count() const override { return 1000; }
 
-    exact::ExactStatistics decide(const IntegerLight& light, std::span<std::uint8_t> isLit) override {
+    exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) override {
         ++decided;
         for (std::size_t i = 0; i < isLit.size(); ++i)
             isLit[i] = mix64(i ^ mix64(static_cast<std::uint64_t>(light.direction.x))) % 3 == 0 ? 1 : 0;
@@ -232,7 +232,7 @@ TEST(LitSteps, CountEachStepAndKeepTheFirstAndTheLast) {
     expected.stepsUp = static_cast<std::uint32_t>(lightsOf(steps).size());
     for (std::uint32_t s = 0; s < steps.size(); ++s) {
         if (!steps[s].isUp) continue;
-        dice.decide(steps[s].light, lit);
+        dice.resolve(steps[s].light, lit);
         for (std::size_t i = 0; i < lit.size(); ++i) {
             expected.count[i] += lit[i];
             if (lit[i] != 0 && expected.first[i] == LitSteps::kNever) expected.first[i] = s;
@@ -325,7 +325,7 @@ TEST(LitSteps, OfRanksAddUpAndAreResumedByAnyNumberOfThem) {
     std::vector<std::uint8_t> expected(dice.count());
     for (std::size_t light = 0; light < lights; ++light) {
         EXPECT_TRUE(logs.read(light, lit));
-        dice.decide(lightsOf(steps)[light], expected);
+        dice.resolve(lightsOf(steps)[light], expected);
         EXPECT_EQ(lit, expected) << light;
     }
     EXPECT_FALSE(logs.read(lights, lit));

@@ -11,11 +11,11 @@ namespace {
 
 /// The largest difference between `map` at (x, y) and the texels about it.
 double steepest(const FloatPicture& map, int x, int y) {
-    double most = 0;
+    double max = 0;
     for (int row = std::max(y - 1, 0); row <= std::min(y + 1, map.height - 1); ++row)
         for (int column = std::max(x - 1, 0); column <= std::min(x + 1, map.width - 1); ++column)
-            most = std::max(most, std::abs(double{map.at(column, row)} - double{map.at(x, y)}));
-    return most;
+            max = std::max(max, std::abs(double{map.at(column, row)} - double{map.at(x, y)}));
+    return max;
 }
 
 void compareMaps(const FloatPicture& a, const FloatPicture& b, BackendDifference& found) {

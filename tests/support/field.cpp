@@ -60,11 +60,11 @@ plan::View Field::view(std::uint64_t seed) const {
     return plan::distantView(view, bounds);
 }
 
-FrameDrawing Field::drawing(const plan::FramePlan& plan) const {
-    FrameDrawing frame;
+DrawInputs Field::drawing(const plan::FramePlan& plan) const {
+    DrawInputs frame;
     frame.plan = &plan;
     frame.grid = model_.summary.grid;
-    frame.space = drawSpace(plan.view, frame.grid, model_.summary.bounds);
+    frame.space = cameraRelativeSpace(plan.view, frame.grid, model_.summary.bounds);
     frame.image = &all_;
     frame.casters.assign(plan.passes.size(), &all_);
     frame.pages = [this](std::uint32_t page) -> const hierarchy::Page& { return model_.pages[page]; };

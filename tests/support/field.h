@@ -19,7 +19,7 @@ public:
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality) const;
 
     /// Returns the drawing of a plan, which must outlive it.
-    FrameDrawing drawing(const plan::FramePlan& plan) const;
+    DrawInputs drawing(const plan::FramePlan& plan) const;
 
     /// Returns every third cluster, alternately pending and damaged.
     std::vector<LodSubstitute> someSubstitutes() const;

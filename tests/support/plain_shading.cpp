@@ -143,7 +143,7 @@ void shadeOne(const ShadingFrame& f, PixelBatch& batch, std::size_t i) {
     const vec3 received = ambientLight(*f.frame, smooth, eyeDirection) + f.frame->sun * direct;
     vec3 shaded(0);
     for (int c = 0; c < 3; ++c)
-        shaded[c] = displayFromLinear(shoulder(*f.frame, linearFromDisplay(color[c] * (1 / 255.0F)) * received[c]));
+        shaded[c] = displayFromLinear(toneMapped(*f.frame, linearFromDisplay(color[c] * (1 / 255.0F)) * received[c]));
     put(position, batch.position, i);
     put(flat, batch.flatNormal, i);
     put(shaded, batch.shaded, i);

@@ -12,8 +12,8 @@ void plainShade(const ShadingFrame& frame, PixelBatch& batch);
 /// view depth.
 int plainPassOf(const ShadingFrame& f, const glm::vec3& p, float z);
 
-/// Returns the lit fraction, from 0 to 1, at `position` (draw space) of a surface with `normal`. `cosine` is the cosine
-/// to the light.
+/// Returns the lit fraction, from 0 to 1, at `position` (camera-relative space) of a surface with `normal`. `cosine` is
+/// the cosine to the light.
 float plainLitFraction(
     const ShadingFrame& frame, int pass, const glm::vec3& position, const glm::vec3& normal, float cosine);
 

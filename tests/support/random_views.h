@@ -114,7 +114,7 @@ ShadowOptions randomOptions(Source& random, const ViewFrustum& frustum) {
 
 /// Returns a depth range that exceeds one end or both ends of `frustum` by a factor of up to ten.
 template <class Source>
-DepthSpan shownBeyond(Source& random, const ViewFrustum& frustum) {
+DepthSpan shownOutside(Source& random, const ViewFrustum& frustum) {
     const std::uint64_t ends = 1 + random.below(3);
     const double nearer = (ends & 1U) != 0 ? std::pow(10.0, random.unit()) : 1;
     const double further = (ends & 2U) != 0 ? std::pow(10.0, random.unit()) : 1;

@@ -227,7 +227,7 @@ Level coarser(const Ground& ground, Level& level, const Level* finer, const Tiny
 std::vector<Level> makeLevels(const Ground& ground, const TinyModelOptions& options) {
     std::vector<Level> levels(1);
     levels[0].pieces = cutIntoPieces(ground, ground.triangles, options.clusterTriangles, kNone);
-    constexpr std::size_t kMostLevels = 24;
+    constexpr std::size_t kMaxLevels = 24;
     while (true) {
         const double share = levels.size() % 2 == 1 ? 0.5 : 0.38;
         const Level* finer = levels.size() > 1 ? &levels[levels.size() - 2] : nullptr;
@@ -235,7 +235,7 @@ std::vector<Level> makeLevels(const Ground& ground, const TinyModelOptions& opti
         groupPieces(ground, level, options, share);
         for (PieceGroup& group : level.groups)
             boundGroup(ground, level, finer, group);
-        if (level.groups.size() == 1 || levels.size() == kMostLevels) return levels;
+        if (level.groups.size() == 1 || levels.size() == kMaxLevels) return levels;
         Level next = coarser(ground, level, finer, options);
         levels.push_back(std::move(next));
     }

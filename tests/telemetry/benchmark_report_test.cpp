@@ -41,11 +41,11 @@ TEST(RandomQuantile, HangsNeitherOnTheOrderNorJumps) {
         const double before = quantile(values, at);
         std::reverse(values.begin(), values.end());
         EXPECT_EQ(quantile(values, at), before);
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        EXPECT_EQ(quantile(values, 0), *least);
-        EXPECT_EQ(quantile(values, 1), *most);
-        double last = *least;
-        const double largestStep = (*most - *least) * 0.01 * static_cast<double>(values.size()) + 1e-9;
+        const auto [min, max] = std::minmax_element(values.begin(), values.end());
+        EXPECT_EQ(quantile(values, 0), *min);
+        EXPECT_EQ(quantile(values, 1), *max);
+        double last = *min;
+        const double largestStep = (*max - *min) * 0.01 * static_cast<double>(values.size()) + 1e-9;
         for (int i = 0; i <= 100; ++i) {
             const double here = quantile(values, i / 100.0);
             EXPECT_GE(here, last - 1e-12);

@@ -18,10 +18,11 @@ namespace {
 void fillMeasured(FrameRow& row) {
     std::int64_t whole = 1000;
     for (std::optional<std::int64_t>* field :
-         {&row.imageTriangles, &row.shadowTriangles, &row.shadowFragments, &row.castersTested,   &row.castersKept,
-          &row.drawCalls,      &row.residentBytes,   &row.gpuBytes,        &row.bytesRead,       &row.pagesMissing,
-          &row.pagesDamaged,   &row.shadowSamples,   &row.shadowCells,     &row.sampleTests,     &row.exactDecisions,
-          &row.touchingPixels, &row.clustersHidden,  &row.imageWidthDrawn, &row.samplesPerPixel, &row.trianglesSetUp})
+         {&row.imageTriangles, &row.shadowTriangles, &row.shadowFragments, &row.castersTested,
+          &row.castersKept,    &row.drawCalls,       &row.residentBytes,   &row.gpuBytes,
+          &row.bytesRead,      &row.pagesMissing,    &row.pagesDamaged,    &row.shadowSamples,
+          &row.shadowCells,    &row.sampleTests,     &row.exactDecisions,  &row.pixelsWithinTolerance,
+          &row.clustersHidden, &row.imageWidthDrawn, &row.samplesPerPixel, &row.trianglesSetUp})
         *field = ++whole;
     double real = 0.5;
     for (std::optional<double>* field :
@@ -38,8 +39,8 @@ void fillMeasured(FrameRow& row) {
           &row.depthRatio,
           &row.lightAngle,
           &row.storageFactor,
-          &row.promisedAliasingX,
-          &row.promisedAliasingZ,
+          &row.aliasingBoundX,
+          &row.aliasingBoundZ,
           &row.measuredAliasing,
           &row.wrongShadowFraction,
           &row.shadowEdgeP99Px,
@@ -80,7 +81,7 @@ FrameRow fullRow() {
     row.timeS = 1.25;
     row.errorPixels = 2.25;
     fillMeasured(row);
-    row.promiseKept = true;
+    row.isBoundKept = true;
     row.stabilize = true;
     row.cullCasters = "receivers";
     return row;
@@ -133,8 +134,8 @@ TEST(Columns, HoldTheFieldsThatTheirNamesSay) {
     EXPECT_EQ(object.at("casters_kept"), *row.castersKept);
     EXPECT_EQ(object.at("pages_missing"), *row.pagesMissing);
     EXPECT_EQ(object.at("pages_damaged"), *row.pagesDamaged);
-    EXPECT_EQ(object.at("promised_aliasing_x"), *row.promisedAliasingX);
-    EXPECT_EQ(object.at("promised_aliasing_z"), *row.promisedAliasingZ);
+    EXPECT_EQ(object.at("promised_aliasing_x"), *row.aliasingBoundX);
+    EXPECT_EQ(object.at("promised_aliasing_z"), *row.aliasingBoundZ);
     EXPECT_EQ(object.at("promise_kept"), true);
     EXPECT_EQ(object.at("wrong_shadow_fraction"), *row.wrongShadowFraction);
     EXPECT_EQ(object.at("missed_shadow_fraction"), *row.missedShadowFraction);

@@ -46,10 +46,10 @@ Doubles with(Doubles inputs, std::initializer_list<double> more) {
 /// A view and n' from near to infinity, on both sides of n'_LSPSM and at it.
 Doubles drawWarped(Random& random) {
     Doubles in = drawView(random);
-    const double least = shadow::nPrimeLspsm(frustumOf(in));
+    const double min = shadow::nPrimeLspsm(frustumOf(in));
     const double n = in[0];
-    const double inside = std::min(least, n + (least - n) * random.unit());
-    const std::array<double, 5> choices{n, inside, least, least * std::pow(10, random.uniform(0, 9)), INFINITY};
+    const double inside = std::min(min, n + (min - n) * random.unit());
+    const std::array<double, 5> choices{n, inside, min, min * std::pow(10, random.uniform(0, 9)), INFINITY};
     in.push_back(choices[random.below(choices.size())]);
     return in;
 }

@@ -17,7 +17,7 @@ namespace gnomon::theory {
 namespace {
 
 /// The most that a closed form may be off where the condition number of its inputs does not say more, in ulps.
-constexpr double kMostUlps = 64;
+constexpr double kMaxUlps = 64;
 
 /// The condition number of output `index` at `in`: how much more it changes, relatively, than inputs do that change
 /// by 2^-53, all at once in the worst way. So small a step is also what a kink or a jump nearby shows in.
@@ -27,13 +27,13 @@ double conditionOf(const ClosedForm& form, const Doubles& in, std::size_t index)
     Real sum = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (i >= form.wholeFrom || in[i] == 0 || !std::isfinite(in[i])) continue;
-        Real most = 0;
+        Real max = 0;
         for (const double step : {-0x1p-53, 0x1p-53}) {
             Reals moved = inputs;
             moved[i] = moved[i] * (1 + Real(step));
-            most = greater(most, magnitude(form.exact(moved)[index] - at));
+            max = greater(max, magnitude(form.exact(moved)[index] - at));
         }
-        sum += most;
+        sum += max;
     }
     return (sum / (magnitude(at) * 0x1p-53)).rounded();
 }
@@ -58,11 +58,10 @@ std::string wordsOf(const Doubles& in) {
 }
 
 void add(Worst& worst, const ClosedForm& form, const Doubles& in, std::size_t index, double ulps) {
-    const double condition = ulps > kMostUlps ? conditionOf(form, in, index) : 0;
-    worst.above += ulps > kMostUlps ? 1 : 0;
-    worst.share = std::max(worst.share, ulps / std::max(kMostUlps, condition));
-    EXPECT_LE(ulps, std::max(kMostUlps, condition))
-        << form.name << ": " << form.outputs[index] << " at " << wordsOf(in);
+    const double condition = ulps > kMaxUlps ? conditionOf(form, in, index) : 0;
+    worst.above += ulps > kMaxUlps ? 1 : 0;
+    worst.share = std::max(worst.share, ulps / std::max(kMaxUlps, condition));
+    EXPECT_LE(ulps, std::max(kMaxUlps, condition)) << form.name << ": " << form.outputs[index] << " at " << wordsOf(in);
     if (ulps < worst.ulps) return;
     worst.ulps = ulps;
     worst.condition = condition;
@@ -99,7 +98,7 @@ TEST(ClosedForms, KeepWhatWasMended) {
     struct Kept {
         std::string_view form;
         Doubles in;
-        double most;
+        double max;
     };
 
     const std::vector<Kept> kKept = {
@@ -131,7 +130,7 @@ TEST(ClosedForms, KeepWhatWasMended) {
         const Doubles ours = form->ours(kept.in);
         const Reals exact = form->exact({kept.in.begin(), kept.in.end()});
         for (std::size_t j = 0; j < ours.size(); ++j)
-            EXPECT_LE(ulpsOff(ours[j], exact[j]), kept.most) << kept.form << " at " << wordsOf(kept.in);
+            EXPECT_LE(ulpsOff(ours[j], exact[j]), kept.max) << kept.form << " at " << wordsOf(kept.in);
     }
 }
 

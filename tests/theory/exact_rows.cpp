@@ -142,11 +142,11 @@ json aspectExpects(const json& inputs) {
     return result;
 }
 
-json leastExpects(const json& inputs) {
+json minExpects(const json& inputs) {
     const exact::Fit fit = exact::fitSlice(frustumOf(inputs), lightOf(inputs));
-    std::optional<Real> most;
-    if (inputs["policy"] == "auto") most = exact::kappaMinimax(fit);
-    return {{"S", exact::leastStorage(fit, most).rounded()}};
+    std::optional<Real> max;
+    if (inputs["policy"] == "auto") max = exact::kappaMinimax(fit);
+    return {{"S", exact::minStorage(fit, max).rounded()}};
 }
 
 json mapExpects(const json& inputs) {
@@ -229,8 +229,8 @@ json exactRow(const json& row) {
         {"eq9_eq10_eq12_overhead", overheadExpects},
         {"general_frustum", generalExpects},
         {"general_frustum_aspect", aspectExpects},
-        {"general_frustum_auto", leastExpects},
-        {"general_frustum_sopt", leastExpects},
+        {"general_frustum_auto", minExpects},
+        {"general_frustum_sopt", minExpects},
         {"point_map", mapExpects},
         {"scheme_zp", slicesExpect},
         {"scheme_fp", facesExpect},

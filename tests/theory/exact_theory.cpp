@@ -119,9 +119,9 @@ Real nPrimeOfEta(const Frustum& v, const Real& eta) {
 }
 
 Real etaOfNPrime(const Frustum& v, const Real& nPrime) {
-    const Real least = worstOverhead(v, nPrimeLspsm(v)).z;
+    const Real min = worstOverhead(v, nPrimeLspsm(v)).z;
     const Real end = worstOverhead(v, nPrime > nPrimeLspsm(v) ? kInfinity : v.n).z;
-    const Real eta = (worstOverhead(v, nPrime).z - least) / (end - least);
+    const Real eta = (worstOverhead(v, nPrime).z - min) / (end - min);
     return nPrime > nPrimeLspsm(v) ? -eta : eta;
 }
 
@@ -278,9 +278,9 @@ Real kappaLspsm(const Fit& fit) {
 Real kappaTsm(const Fit& fit, const Real& focusZeta, const Real& fraction) {
     const Real room = fraction * fit.d - focusZeta;
     if (room <= 0) return 0;
-    Real most = 1e6 / fit.d;
-    if (focusZeta <= 0) return most;
-    return lesser(most, room / ((1 - fraction) * fit.d * focusZeta));
+    Real max = 1e6 / fit.d;
+    if (focusZeta <= 0) return max;
+    return lesser(max, room / ((1 - fraction) * fit.d * focusZeta));
 }
 
 Real kappaMinimax(const Fit& fit) {
@@ -301,51 +301,51 @@ Real kappaMinimax(const Real& near, const Real& far, const Real& d, const Real& 
     return lesser(lesser(first, second), 1e6 / d);
 }
 
-Real leastStorage(const Fit& fit, const std::optional<Real>& most) {
+Real minStorage(const Fit& fit, const std::optional<Real>& max) {
     const auto storage = [&](const Real& growth) {
         const Measures found = measures(fit, (exponential(growth) - 1) / fit.d);
         return found.mx * found.mz;
     };
     Real low = 0;
-    Real high = logarithm(1 + (most ? *most * fit.d : Real(1e6)));
-    if (!most) {
+    Real high = logarithm(1 + (max ? *max * fit.d : Real(1e6)));
+    if (!max) {
         // A scan first: over all kappa S has more than one minimum.
         constexpr int kSteps = 2000;
         const Real step = high / kSteps;
         int best = 0;
-        double least = std::numeric_limits<double>::infinity();
+        double min = std::numeric_limits<double>::infinity();
         for (int i = 0; i <= kSteps; ++i) {
             const double found = storage(step * i).rounded();
-            if (found < least) best = i;
-            least = found < least ? found : least;
+            if (found < min) best = i;
+            min = found < min ? found : min;
         }
         low = greater(0, step * (best - 1));
         high = step * (best + 1);
     }
     const Real golden = (root(Real(5)) - 1) / 2;
-    Real least = lesser(storage(low), storage(high));
+    Real min = lesser(storage(low), storage(high));
     for (int i = 0; i < 180; ++i) {
         const Real width = golden * (high - low);
         const Real atHigh = storage(low + width);
         const Real atLow = storage(high - width);
-        least = lesser(least, lesser(atLow, atHigh));
+        min = lesser(min, lesser(atLow, atHigh));
         (atLow <= atHigh ? high : low) = atLow <= atHigh ? low + width : high - width;
     }
-    return least;
+    return min;
 }
 
 Map mapOf(const Fit& fit, const Real& kappa) {
-    Real least = kInfinity;
+    Real min = kInfinity;
     Real low = kInfinity;
     Real high = -kInfinity;
     for (const Point& point : fit.points) {
         const Real w = 1 + kappa * point.zeta;
-        least = lesser(least, point.x / w);
+        min = lesser(min, point.x / w);
         low = lesser(low, -point.y / w);
         high = greater(high, -point.y / w);
     }
     const Real width = measures(fit, kappa).width;
-    return {fit.frame, kappa, fit.zMin, fit.d, least, width, low, high - low, fit.hasLogRows && kappa > 0};
+    return {fit.frame, kappa, fit.zMin, fit.d, min, width, low, high - low, fit.hasLogRows && kappa > 0};
 }
 
 std::array<Real, 6> pointOf(const Map& map, const Vector& p) {

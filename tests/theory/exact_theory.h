@@ -87,8 +87,8 @@ Real kappaMinimax(const Fit& fit);
 /// Returns the minimax kappa for a slice from `near` to `far` in zeta.
 Real kappaMinimax(const Real& near, const Real& far, const Real& d, const Real& depthRatio);
 
-/// Returns the min S for kappa from 0 to `most`, where S is unimodal. Without `most`, returns the min for all kappa.
-Real leastStorage(const Fit& fit, const std::optional<Real>& most);
+/// Returns the min S for kappa from 0 to `max`, where S is unimodal. Without `max`, returns the min for all kappa.
+Real minStorage(const Fit& fit, const std::optional<Real>& max);
 
 /// The map of a fit, with the names of shadow::WarpedMap.
 struct Map {

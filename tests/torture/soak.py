@@ -41,8 +41,8 @@ def box_of(model):
 def random_path(model, frames, chance):
     centre, radius = box_of(model)
 
-    def place(most):
-        return [c + radius * chance.uniform(-most, most) for c in centre]
+    def place(limit):
+        return [c + radius * chance.uniform(-limit, limit) for c in centre]
 
     keys = []
     while len(keys) < frames:
@@ -112,7 +112,7 @@ def main():
             run("build", folder / "plant.ply", "-o", folder / "plant.gnm")
             models = [folder / "plant.gnm"]
         for model, shadows in itertools.product(models, SHADOWS):
-            grown, most, wrong = soak(model, folder, given.frames, shadows, random.Random(f"{given.seed} {model.name}"))
+            grown, limit, wrong = soak(model, folder, given.frames, shadows, random.Random(f"{given.seed} {model.name}"))
             print(f"{model.name} {' '.join(shadows)}: {given.frames} frames, resident {most / 2**20:.0f} MiB at most, grown by "
                   f"{grown:.1%}, {len(wrong)} frames that a fresh process draws otherwise {wrong or ''}")  # fmt: skip
             # A short run is all beginning: what it grows by says nothing.

@@ -30,13 +30,13 @@ inline std::vector<std::uint64_t> countsOf(const Shot& shot) {
         s.cells,
         s.dark,
         s.darkWithoutTolerance,
-        s.touching,
-        s.cast.clustersTested,
-        s.cast.clustersKept,
-        s.cast.triangles,
-        s.cast.trianglesCast,
-        s.cast.sampleTests,
-        s.cast.exactDecisions};
+        s.withinTolerance,
+        s.counts.clustersTested,
+        s.counts.clustersKept,
+        s.counts.triangles,
+        s.counts.trianglesRasterized,
+        s.counts.sampleTests,
+        s.counts.exactDecisions};
 }
 
 /// Returns true if the surface is lit. A surface that is half lit counts as lit.
@@ -67,7 +67,7 @@ public:
     Shot judged(const frame::PreparedFrame& frame, frame::FrameOptions options = {}) {
         options.wantsSurfaces = true;
         Shot shot = draw(frame, options);
-        render::FrameDrawing drawing = renderer_.drawing(frame, options);
+        render::DrawInputs drawing = renderer_.drawing(frame, options);
         drawing.exactCasters = &frame.cut.lists.casters.at(0);
         const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
         EXPECT_EQ(truth.pixels.size(), shot.surfaces.pixels.size());

@@ -175,7 +175,7 @@ void expectTrueViews(Stage& stage) {
         EXPECT_FALSE(each.isEmpty);
         EXPECT_LE(judged.exact->dark, judged.exact->samples);
         EXPECT_LE(judged.exact->dark, judged.exact->darkWithoutTolerance);
-        EXPECT_LE(judged.exact->darkWithoutTolerance - judged.exact->dark, judged.exact->touching);
+        EXPECT_LE(judged.exact->darkWithoutTolerance - judged.exact->dark, judged.exact->withinTolerance);
         const Shot plain = stage.draw(frame, options);
         EXPECT_TRUE(plain.picture.pixels == judged.picture.pixels);
         EXPECT_EQ(countsOf(plain), countsOf(judged));

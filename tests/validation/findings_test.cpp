@@ -40,7 +40,7 @@ protected:
 
     const frame::FrameOptions options = withSurfaces();
     const frame::Frame frame = model.draw(frame::overGround(), frame::inSlices(1), options);
-    const render::FrameDrawing drawing = model.renderer().drawing(frame, options);
+    const render::DrawInputs drawing = model.renderer().drawing(frame, options);
     const render::Raster<render::SurfaceSample> surfaces = model.backend().surfaces();
 };
 
@@ -63,12 +63,12 @@ TEST_F(DrawnCrate, DoesNotCrawlWhileNothingMovesAndAllOfItsShadowDoesWhereAllIsL
 TEST_F(DrawnCrate, HasNoMoreAliasingThanItsPlanPromises) {
     const MeasuredAliasing found = measuredAliasing(drawing, surfaces);
     EXPECT_GT(found.pixelsMeasured, 1000U);
-    EXPECT_EQ(found.pixelsUnpromised, 0U);
+    EXPECT_EQ(found.pixelsWithoutBound, 0U);
     EXPECT_GT(found.worst(), 0);
-    EXPECT_LE(found.overPromise, 1.001);
+    EXPECT_LE(found.overBound, 1.001);
     const shadow::ShadowMap& map = frame.plan.passes.at(0).map;
-    EXPECT_LE(found.x, map.promised.x * 1.001);
-    EXPECT_LE(found.z, map.promised.z * 1.001);
+    EXPECT_LE(found.x, map.aliasingBound.x * 1.001);
+    EXPECT_LE(found.z, map.aliasingBound.z * 1.001);
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 #include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
 #include "tests/support/tested_platform.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 /// What a lamp's frames came to, together.
 struct LampTally {
     int drawn = 0;
-    double overPromise = 0;
+    double overBound = 0;
     std::uint64_t litSide = 0;
     std::uint64_t wrong = 0;
     std::uint64_t judged = 0;
@@ -51,12 +51,12 @@ public:
         if (frame.plan.passes.empty()) return;
         EXPECT_EQ(plan::schemeName(frame.plan), "cube");
         const render::Picture picture = backend_->picture();
-        ProofOptions options;
-        options.oracle = Oracle::SameDetail;
+        ValidationOptions options;
+        options.groundTruth = GroundTruth::SameDetail;
         options.measuresAliasing = true;
-        const FrameProof proof = prove(renderer_, frame, options);
+        const FrameValidation proof = validate(renderer_, frame, options);
         ++tally.drawn;
-        tally.overPromise = std::max(tally.overPromise, proof.aliasing->overPromise);
+        tally.overBound = std::max(tally.overBound, proof.aliasing->overBound);
         for (const plan::CasterCulling culling : {plan::CasterCulling::Off, plan::CasterCulling::Receivers}) {
             quality.cullCasters = culling;
             render(index, quality);
@@ -81,20 +81,20 @@ private:
     frame::Renderer renderer_{model_.file(), *backend_, {}};
 };
 
-/// Without `mostUnexplained` nothing says why a pixel is wrong, as nothing does of OpenGL's.
+/// Without `maxUnexplained` nothing says why a pixel is wrong, as nothing does of OpenGL's.
 void expectLampsKept(
-    LampStage& stage, std::uint64_t lamps, double mostWrong, std::optional<double> mostUnexplained = 5e-4) {
+    LampStage& stage, std::uint64_t lamps, double maxWrong, std::optional<double> maxUnexplained = 5e-4) {
     LampTally tally;
     for (std::uint64_t i = 0; i < lamps; ++i)
         stage.add(i, tally);
     EXPECT_GE(tally.drawn * 3, static_cast<int>(lamps));
-    EXPECT_LE(tally.overPromise, 1 + 1e-3);
-    EXPECT_GE(tally.overPromise, 0.5);
-    if (mostUnexplained) {
+    EXPECT_LE(tally.overBound, 1 + 1e-3);
+    EXPECT_GE(tally.overBound, 0.5);
+    if (maxUnexplained) {
         EXPECT_GT(tally.judged, 1000U);
-        EXPECT_LE(static_cast<double>(tally.unexplained), *mostUnexplained * static_cast<double>(tally.judged));
+        EXPECT_LE(static_cast<double>(tally.unexplained), *maxUnexplained * static_cast<double>(tally.judged));
     }
-    EXPECT_LE(static_cast<double>(tally.wrong), mostWrong * static_cast<double>(tally.litSide));
+    EXPECT_LE(static_cast<double>(tally.wrong), maxWrong * static_cast<double>(tally.litSide));
 }
 
 TEST(LampMaps, KeepTheirPromiseAndTheShadowsOfRaysInAPlant) {

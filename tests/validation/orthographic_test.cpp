@@ -6,11 +6,11 @@
 #include "lod/error_rule.h"
 #include "plan/distant_view.h"
 #include "render/software_backend.h"
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 #include "tests/support/made_model.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ void drawPlainly(const std::array<glm::dvec3, 3>& p, render::FloatPicture& depth
 render::FloatPicture plainDepths(const frame::Renderer& renderer, const frame::Frame& frame, const plan::View& asked) {
     const CameraBasis basis = cameraBasis(asked.camera);
     const double perUnit = asked.height / (2 * halfHeightAtTarget(asked.camera));
-    const render::FrameDrawing drawing = renderer.drawing(frame, {});
+    const render::DrawInputs drawing = renderer.drawing(frame, {});
     render::FloatPicture depths(asked.width, asked.height, std::numeric_limits<float>::infinity());
     const auto inPixels = [&](const hierarchy::GridPoint& cell) {
         const glm::dvec3 p = toCamera(basis, drawing.grid.origin + drawing.grid.local(cell) - asked.camera.eye);
@@ -154,18 +154,18 @@ TEST(Orthographic, ALensFindsThePointsThatItsImageStores) {
     GNOMON_TOO_LONG_FOR_SANITIZERS();
     Random random(6);
     for (int i = 0; i < 200; ++i) {
-        render::Lens lens;
-        lens.half = {random.uniform(0.1, 3), random.uniform(0.1, 3)};
-        lens.depth = {i % 2 == 0, {random.uniform(0.5, 2), random.uniform(3, 9)}, random.uniform(0, 5)};
+        render::ImageProjection projection;
+        projection.half = {random.uniform(0.1, 3), random.uniform(0.1, 3)};
+        projection.depth = {i % 2 == 0, {random.uniform(0.5, 2), random.uniform(3, 9)}, random.uniform(0, 5)};
         const glm::dvec2 at(random.uniform(-1, 1), random.uniform(-1, 1));
         const double depth = random.uniform(2, 3);
         const glm::dvec2 moved(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01));
-        const glm::dvec4 clip = lens.clipFromCamera(moved) * glm::dvec4(lens.seenAt(at, depth), 1);
+        const glm::dvec4 clip = projection.clipFromCamera(moved) * glm::dvec4(projection.visiblePoint(at, depth), 1);
         EXPECT_LT(glm::length(glm::dvec2(clip) / clip.w - at - moved), 1e-12);
         const auto stored = static_cast<float>(clip.z / clip.w);
-        EXPECT_NEAR(lens.depth.fromEye(stored), depth, 1e-5);
-        EXPECT_NEAR(lens.depth.asked(stored), depth - lens.depth.eyeMovedBack, 1e-5);
-        EXPECT_TRUE(std::isinf(lens.depth.asked(0)));
+        EXPECT_NEAR(projection.depth.fromEye(stored), depth, 1e-5);
+        EXPECT_NEAR(projection.depth.asked(stored), depth - projection.depth.eyeMovedBack, 1e-5);
+        EXPECT_TRUE(std::isinf(projection.depth.asked(0)));
     }
 }
 
@@ -213,14 +213,14 @@ void seeFrom(plan::View& view, double fovYRadians) {
 /// Over 20 views, each changed by `change`.
 template <class Change>
 ParallelTruth truthOver(ParallelStage& stage, const Change& change) {
-    ProofOptions options;
-    options.oracle = Oracle::SameDetail;
+    ValidationOptions options;
+    options.groundTruth = GroundTruth::SameDetail;
     ParallelTruth sum;
     for (std::uint64_t i = 0; i < 20; ++i) {
         tests::ShadowTriple triple = tests::withDefaults(parallelTriple(stage.bounds(), i));
         change(triple.view);
         const frame::Frame frame = stage.render(triple);
-        const FrameProof proof = prove(stage.renderer(), frame, options);
+        const FrameValidation proof = validate(stage.renderer(), frame, options);
         if (!proof.truth) continue;
         sum.judged += proof.truth->judgedPixels;
         sum.unexplained += proof.truth->unexplainedPixels;
@@ -253,7 +253,7 @@ TEST(Orthographic, MapsAreAsTrueAsThoseOfPerspectiveViews) {
 TEST(Orthographic, PromisesAreKeptWhateverTheScheme) {
     GNOMON_TOO_LONG_FOR_SANITIZERS();
     ParallelStage stage("plant", 20000);
-    ProofOptions options;
+    ValidationOptions options;
     options.measuresAliasing = true;
     int measured = 0;
     for (std::uint64_t i = 0; i < 40; ++i) {
@@ -263,10 +263,10 @@ TEST(Orthographic, PromisesAreKeptWhateverTheScheme) {
         for (const plan::ShadowPass& pass : frame.plan.passes)
             EXPECT_EQ(pass.map.warped.kappa, 0) << i;
         EXPECT_FALSE(frame.plan.hasFaces);
-        const FrameProof proof = prove(stage.renderer(), frame, options);
+        const FrameValidation proof = validate(stage.renderer(), frame, options);
         if (!proof.aliasing || proof.aliasing->pixelsMeasured == 0) continue;
         ++measured;
-        EXPECT_LE(proof.aliasing->overPromise, 1.001) << i << ": " << tests::describe(triple);
+        EXPECT_LE(proof.aliasing->overBound, 1.001) << i << ": " << tests::describe(triple);
     }
     EXPECT_GE(measured, 30);
 }

@@ -5,7 +5,7 @@
 #include "tests/support/made_model.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/shadow_triples.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 #include "validation/texel_footprint.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ void expectSane(const Shot& shot) {
         ASSERT_TRUE(std::isfinite(surface.partitionAndLit) && std::isfinite(surface.position.x));
     }
     for (const plan::ShadowPass& pass : shot.frame.plan.passes)
-        ASSERT_TRUE(std::isfinite(pass.map.promised.x) && std::isfinite(pass.map.promised.z));
+        ASSERT_TRUE(std::isfinite(pass.map.aliasingBound.x) && std::isfinite(pass.map.aliasingBound.z));
 }
 
 /// Whether there was something to cull, and it was.
@@ -198,9 +198,9 @@ TEST(PartitionCulling, IsNotSeenUnderLightsAlongTheAxesAndBesideThem) {
 
 /// Shows that maps are no further from rays than a texel's footprint, and that nothing in them is not a number.
 void expectTrueShadows(frame::DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
-    ProofOptions options;
-    options.oracle = Oracle::SameDetail;
-    const FrameProof proof = prove(model.renderer(), model.draw(view, quality), options);
+    ValidationOptions options;
+    options.groundTruth = GroundTruth::SameDetail;
+    const FrameValidation proof = validate(model.renderer(), model.draw(view, quality), options);
     if (proof.truth) {
         const auto bar = 5e-4 * static_cast<double>(proof.truth->judgedPixels);
         EXPECT_LE(static_cast<double>(proof.truth->unexplainedPixels), bar);

@@ -3,7 +3,7 @@
 #include "render/software_backend.h"
 #include "tests/support/made_model.h"
 #include "tests/support/shadow_triples.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 #include "validation/ray_memory.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace gnomon::validation {
 namespace {
 
 /// A model and what its finest level seen whole is held against.
-class FullOracle : public testing::Test {
+class FullGroundTruth : public testing::Test {
 protected:
     static constexpr std::uint64_t kTriangles = 60000;
 
@@ -32,10 +32,10 @@ protected:
         const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
         frame::Renderer renderer(model.file(), *backend, {.memory = memory, .onDamaged = {}});
         const frame::Frame frame = renderer.render(triple().view, triple().quality, {});
-        ProofOptions options;
-        options.oracle = Oracle::FullDetail;
+        ValidationOptions options;
+        options.groundTruth = GroundTruth::FullDetail;
         try {
-            return {prove(renderer, frame, options).truth.value().shadows.wrongFraction, {}};
+            return {validate(renderer, frame, options).truth.value().shadows.wrongFraction, {}};
         } catch (const Error& error) {
             return {-1, error.what()};
         }
@@ -44,21 +44,22 @@ protected:
     const tests::BuiltFile model{"plant", kTriangles};
 };
 
-TEST_F(FullOracle, RefusesWhatTheMemoryDoesNotHoldAndNamesWhatWouldDo) {
+TEST_F(FullGroundTruth, RefusesWhatTheMemoryDoesNotHoldAndNamesWhatWouldDo) {
     const Answer whole = answer(gibibytes(1));
     ASSERT_EQ(whole.refusal, "");
     const Answer partial = answer(mebibytes(1)); // less than the pages alone take
     EXPECT_EQ(partial.wrong, -1);
     const std::size_t figure = partial.refusal.find("at least ");
     ASSERT_NE(figure, std::string::npos) << partial.refusal;
-    const Bytes enough = parseBytes(partial.refusal.substr(figure + 9, partial.refusal.find(',') - figure - 9)).value();
-    EXPECT_GT(enough.count, kTriangles * 83 / 2);
-    EXPECT_EQ(answer(enough).wrong, whole.wrong);
-    const Answer withoutRays = answer({enough.count / 3}); // the pages fit, the rays beside them do not
+    const Bytes sufficient =
+        parseBytes(partial.refusal.substr(figure + 9, partial.refusal.find(',') - figure - 9)).value();
+    EXPECT_GT(sufficient.count, kTriangles * 83 / 2);
+    EXPECT_EQ(answer(sufficient).wrong, whole.wrong);
+    const Answer withoutRays = answer({sufficient.count / 3}); // the pages fit, the rays beside them do not
     EXPECT_NE(withoutRays.refusal.find("rays against it take more than the page memory"), std::string::npos);
 }
 
-TEST_F(FullOracle, KeepsRoomForItsRays) {
+TEST_F(FullGroundTruth, KeepsRoomForItsRays) {
     const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
     const auto prepared = [&](frame::Renderer& renderer) {
         plan::Quality quality = triple().quality;
@@ -78,7 +79,7 @@ TEST_F(FullOracle, KeepsRoomForItsRays) {
     EXPECT_LE(tight.residency().statistics().resident.count + tables.count + needed.rays.count, needed.all().count);
 }
 
-TEST_F(FullOracle, RefusesAFinestLevelThatIsDamaged) {
+TEST_F(FullGroundTruth, RefusesAFinestLevelThatIsDamaged) {
     const hierarchy::PageInfo& last = model.file().pages().back();
     ASSERT_EQ(last.level, 0U);
     std::fstream file(model.file().path(), std::ios::in | std::ios::out | std::ios::binary);

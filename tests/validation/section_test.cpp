@@ -8,13 +8,13 @@
 #include "render/software_backend.h"
 #include "render/view/cap_buffers.h"
 #include "render/view/drawn_cluster.h"
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 #include "render/view/section_caps.h"
 #include "render/view/section_cut.h"
 #include "render/view/section_lines.h"
 #include "render/view/section_memory.h"
 #include "tests/support/made_model.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ public:
     /// How much of the picture of an exact frame, the last one, changes where integers decide its shadows one by one.
     double changedByIntegers(const frame::Frame& frame) {
         const render::Picture exact = backend_->picture();
-        render::FrameDrawing drawing = renderer_.drawing(frame, {});
+        render::DrawInputs drawing = renderer_.drawing(frame, {});
         drawing.exactCasters = &frame.cut.lists.casters[0];
         const render::Raster<std::uint8_t> lit = render::litByIntegers(drawing);
         drawing.litMask = &lit;
@@ -82,7 +82,7 @@ std::vector<Corners> trianglesOf(SectionStage& stage) {
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Off;
     const frame::Frame frame = stage.render(view, quality);
-    const render::FrameDrawing drawing = stage.renderer().drawing(frame, {});
+    const render::DrawInputs drawing = stage.renderer().drawing(frame, {});
     std::vector<Corners> triangles;
     for (const lod::ClusterRange& range : drawing.image->ranges) {
         const hierarchy::Page& page = drawing.pages(range.page);
@@ -101,7 +101,7 @@ std::vector<Corners> trianglesOf(SectionStage& stage) {
 }
 
 /// Where the line from `eye` along `way` meets a triangle; never where it does not.
-double meetingOf(const Corners& p, const glm::dvec3& eye, const glm::dvec3& way) {
+double hitOf(const Corners& p, const glm::dvec3& eye, const glm::dvec3& way) {
     const glm::dvec3 a = p[1] - p[0];
     const glm::dvec3 b = p[2] - p[0];
     const glm::dvec3 h = glm::cross(way, b);
@@ -151,7 +151,7 @@ PlainSight plainSight(
         if (const double slope = glm::dot(plane.normal, way); slope > 0)
             sight.enters = std::max(sight.enters, -plane.signedDistance(eye) / slope);
     for (const Corners& p : triangles) {
-        const double at = meetingOf(p, eye, way);
+        const double at = hitOf(p, eye, way);
         if (!(at >= sight.enters) || at == kNever) continue;
         sight.around += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), way) > 0 ? 1 : -1;
         if (isKept(view, eye + way * (at * (1 + 1e-12)))) sight.depth = std::min(sight.depth, at);
@@ -244,7 +244,7 @@ constexpr double kNearlyTouchingPixels = 0.02; // for rays beside integers, whic
 /// How many of the pixels of the last frame that face the light get another verdict from rays than from integers, a
 /// share.
 double raysUnlikeIntegers(SectionStage& stage, const frame::Frame& frame) {
-    render::FrameDrawing drawing = stage.renderer().drawing(frame, {});
+    render::DrawInputs drawing = stage.renderer().drawing(frame, {});
     drawing.exactCasters = &frame.cut.lists.casters[0];
     const render::Raster<render::SurfaceSample> surfaces = stage.backend().surfaces();
     const std::array lists = {drawing.image, drawing.exactCasters};
@@ -276,10 +276,10 @@ TEST(Sections, AreCutForTheRaysOfOraclesToo) {
         quality.shadows = plan::ShadowMode::Exact;
         EXPECT_LE(raysUnlikeIntegers(stage, stage.render(view, quality, true)), 0.01) << trial;
         quality.shadows = plan::ShadowMode::Maps;
-        for (const Oracle oracle : {Oracle::SameDetail, Oracle::FullDetail}) {
-            ProofOptions options;
-            options.oracle = oracle;
-            const FrameProof proof = prove(stage.renderer(), stage.render(view, quality), options);
+        for (const GroundTruth groundTruth : {GroundTruth::SameDetail, GroundTruth::FullDetail}) {
+            ValidationOptions options;
+            options.groundTruth = groundTruth;
+            const FrameValidation proof = validate(stage.renderer(), stage.render(view, quality), options);
             ASSERT_TRUE(proof.truth) << trial;
             EXPECT_GT(proof.truth->shadows.litSidePixels, 100U) << trial;
             EXPECT_LE(proof.truth->shadows.wrongFraction, 0.12) << trial;
@@ -316,7 +316,7 @@ bool isGroundShadowed(const plan::View& view, const std::vector<Corners>& triang
     if (!(at > 0)) return false;
     const glm::dvec3 light = view.light().unit();
     return std::any_of(triangles.begin(), triangles.end(), [&](const Corners& p) {
-        const double met = meetingOf(p, view.camera.eye + way * at, light);
+        const double met = hitOf(p, view.camera.eye + way * at, light);
         return met > 0 && met != kNever;
     });
 }

@@ -9,7 +9,7 @@
 #include "tests/support/plain_shading.h"
 #include "tests/support/scene_mesh.h"
 #include "tests/support/tested_platform.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ void compareLookups(render::Backend& gl, const render::Field& field, std::uint64
     plan::View view = field.view(seed);
     view.towardsLight.y *= 0.2; // so low that hills shade one another
     const plan::FramePlan plan = field.plan(view, render::fieldQuality(seed));
-    render::FrameDrawing frame = field.drawing(plan);
+    render::DrawInputs frame = field.drawing(plan);
     frame.wantsSurfaces = true;
     gl.draw(frame);
     if (plan.passes.empty()) return;
@@ -59,18 +59,18 @@ TEST(ShadowLookup, OfOpenGlIsThatOfPlainCodeOverTheSameMaps) {
 }
 
 /// A frame with its maps, ready to be asked anywhere.
-class AskedFrame {
+class RequestedFrame {
 public:
-    AskedFrame(
+    RequestedFrame(
         frame::Renderer& renderer, frame::DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
         render::Backend& backend = model.backend();
         frame::FrameOptions options;
         options.wantsSurfaces = true;
         options.wantsWholeMaps = true;
         frame_ = renderer.render(view, quality, options);
-        ProofOptions proofOptions;
-        proofOptions.measuresCrawl = true;
-        crawl_ = prove(renderer, frame_, proofOptions).crawl;
+        ValidationOptions validationOptions;
+        validationOptions.measuresCrawl = true;
+        crawl_ = validate(renderer, frame_, validationOptions).crawl;
         surfaces_ = backend.surfaces();
         maps_ = backend.shadowDepth();
         drawing_.plan = &frame_.plan;
@@ -83,7 +83,7 @@ public:
 
     const render::Raster<render::SurfaceSample>& surfaces() const { return surfaces_; }
 
-    const render::DrawSpace& space() const { return frame_.space; }
+    const render::CameraRelativeSpace& space() const { return frame_.space; }
 
     /// What the proof found since the frame before.
     const std::optional<Crawl>& crawl() const { return crawl_; }
@@ -94,7 +94,7 @@ public:
         return p.z > 0 && std::abs(p.x / p.z) <= view.tanHalfX() && std::abs(p.y / p.z) <= view.tanHalfY();
     }
 
-    /// The map that a point of draw space asks, and what it answers.
+    /// The map that a point of camera-relative space asks, and what it answers.
     std::pair<int, float> lit(const glm::vec3& position, const glm::vec3& normal) const {
         const render::ShadingFrame& f = shading_->frame();
         const float depth = glm::dot(f.frame->viewDirection, position) + f.frame->originDepth;
@@ -108,7 +108,7 @@ private:
     std::optional<Crawl> crawl_;
     render::Raster<render::SurfaceSample> surfaces_{0, 0};
     render::FloatPicture maps_{0, 0};
-    render::FrameDrawing drawing_;
+    render::DrawInputs drawing_;
     std::unique_ptr<render::Shading> shading_;
 };
 
@@ -119,7 +119,7 @@ struct SlowCrawl {
     std::uint64_t changed = 0;
 };
 
-SlowCrawl crawlBetween(const AskedFrame& before, const AskedFrame& now) {
+SlowCrawl crawlBetween(const RequestedFrame& before, const RequestedFrame& now) {
     SlowCrawl crawl;
     const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
     const glm::vec3 offset((cells(before.space().originCell) - cells(now.space().originCell)) * before.space().step);
@@ -158,11 +158,11 @@ SlowCrawl crawlOfASlowWalk(bool stabilize) {
     quality.far = 96; // behind all that is in view
     quality.shadowTexelsWidth = quality.shadowTexelsHeight = 512;
     SlowCrawl crawl;
-    std::unique_ptr<AskedFrame> before;
+    std::unique_ptr<RequestedFrame> before;
     for (int frame = 0; frame < 12; ++frame) {
         view.camera.eye = {0.31 + 0.0173 * frame, 3 + 0.004 * frame, 17 - 0.0291 * frame};
         view.camera.target = view.camera.eye + glm::dvec3(0.02 * frame, -2, -10);
-        auto now = std::make_unique<AskedFrame>(renderer, model, view, quality);
+        auto now = std::make_unique<RequestedFrame>(renderer, model, view, quality);
         if (before) {
             const SlowCrawl step = crawlBetween(*before, *now);
             EXPECT_EQ(now->crawl()->points, step.points);

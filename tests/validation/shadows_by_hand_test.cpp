@@ -1,7 +1,7 @@
 // Shadows that are known by hand, from maps and from rays; and what is too fine for a map, counted apart.
 #include "tests/support/crate_scene.h"
 #include "tests/support/drawn_model.h"
-#include "validation/frame_proof.h"
+#include "validation/frame_validation.h"
 
 #include <gtest/gtest.h>
 
@@ -96,21 +96,21 @@ TEST(ShadowsByHand, OfABoxAHundredFrustaUpTheLight) {
 }
 
 /// A frame of few texels, beside what rays say of it.
-FrameProof judgedWithCoarseTexels(const tests::SceneMesh& scene) {
+FrameValidation judgedWithCoarseTexels(const tests::SceneMesh& scene) {
     frame::DrawnModel model(scene.model());
     plan::View view = frame::overGround();
     view.towardsLight = {0.3, 1, 0.2};
     plan::Quality quality = frame::inSlices(1);
     quality.shadowTexelsWidth = quality.shadowTexelsHeight = 128;
-    ProofOptions options;
-    options.oracle = Oracle::SameDetail;
-    return prove(model.renderer(), model.draw(view, quality), options);
+    ValidationOptions options;
+    options.groundTruth = GroundTruth::SameDetail;
+    return validate(model.renderer(), model.draw(view, quality), options);
 }
 
 TEST(ShadowTruth, CountsABarThinnerThanATexelApart) {
     tests::SceneMesh scene = frame::crateOnGround();
     scene.addBox({-20, 3, 4}, {20, 3.03, 4.03});
-    const FrameProof proof = judgedWithCoarseTexels(scene);
+    const FrameValidation proof = judgedWithCoarseTexels(scene);
     ASSERT_TRUE(proof.truth);
     const ShadowTruth& truth = *proof.truth;
     EXPECT_GT(truth.missedPixels, 20U);
@@ -128,7 +128,7 @@ TEST(ShadowTruth, CountsTheEdgesOfASlitNarrowerThanATexelApart) {
     tests::SceneMesh scene = frame::crateOnGround();
     scene.addBox({-20, 3, -3}, {20, 3.1, -0.06});
     scene.addBox({-20, 3, 0.06}, {20, 3.1, 3});
-    const FrameProof proof = judgedWithCoarseTexels(scene);
+    const FrameValidation proof = judgedWithCoarseTexels(scene);
     ASSERT_TRUE(proof.truth);
     EXPECT_GT(proof.truth->answerable.edgePixelsApart, proof.truth->missedPixels + 50);
 }

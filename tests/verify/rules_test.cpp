@@ -105,10 +105,10 @@ TEST(BoundsInCut, AreTheLargestErrorOfWhatStandsForAGroup) {
         ASSERT_EQ(bounds.size(), errorOf.size());
         const std::function<double(std::uint32_t)> slow = [&](std::uint32_t group) {
             if (errorOf[group] > limit) return 0.0;
-            double most = errorOf[group];
+            double max = errorOf[group];
             for (const std::uint32_t above : coarser[group])
-                most = std::max(most, slow(above));
-            return most;
+                max = std::max(max, slow(above));
+            return max;
         };
         for (std::uint32_t group = 0; group < bounds.size(); ++group)
             EXPECT_EQ(bounds[group], slow(group)) << group << " at " << limit;
@@ -151,11 +151,11 @@ TEST(CrackCells, FillTheGridAndHaveAllPagesThatMeetThem) {
     const std::string path = testing::TempDir() + "gnomon_crack_cells.gnm";
     tests::writeModel(tiny, path);
     const ModelFile file(path);
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (const std::uint64_t memory : {1ULL << 40U, 1ULL << 21U, 1ULL << 19U, 1ULL << 17U, 1ULL}) {
         const std::vector<CrackCell> cells = crackCells(file.pages(), {memory});
-        EXPECT_GE(cells.size(), most);
-        most = cells.size();
+        EXPECT_GE(cells.size(), max);
+        max = cells.size();
         double volume = 0;
         for (const CrackCell& cell : cells) {
             const auto length = [](std::uint32_t low, std::uint32_t high) { return std::ldexp(high - low + 1U, -31); };
@@ -172,7 +172,7 @@ TEST(CrackCells, FillTheGridAndHaveAllPagesThatMeetThem) {
         }
         EXPECT_EQ(volume, 1) << "none twice, none left out";
     }
-    EXPECT_GT(most, 4U);
+    EXPECT_GT(max, 4U);
 }
 
 // What a whole model in memory has, any number of cells has.

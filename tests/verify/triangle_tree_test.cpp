@@ -34,12 +34,11 @@ TEST(TriangleTree, FindsWhatALookAtAllFinds) {
         std::uint32_t hint = 0xFFFFFFFFU;
         for (int i = 0; i < (count > 10000 ? 50 : 300); ++i) {
             const glm::dvec3 point = randomPoint(random, 15);
-            double least = std::numeric_limits<double>::infinity();
+            double min = std::numeric_limits<double>::infinity();
             for (std::uint32_t t = 0; t < count; ++t)
-                least =
-                    std::min(least, squaredDistance(point, soup.corner(t, 0), soup.corner(t, 1), soup.corner(t, 2)));
+                min = std::min(min, squaredDistance(point, soup.corner(t, 0), soup.corner(t, 1), soup.corner(t, 2)));
             const TriangleTree::Nearest found = tree.nearest(point, hint);
-            EXPECT_DOUBLE_EQ(found.distance, std::sqrt(least));
+            EXPECT_DOUBLE_EQ(found.distance, std::sqrt(min));
             hint = found.triangle;
         }
     }
@@ -56,16 +55,16 @@ TEST(SquaredDistance, IsThatOfTheNearestOfManyPoints) {
     for (int i = 0; i < 60; ++i) {
         const TriangleSoup soup = randomSoup(random, 1, 4);
         const glm::dvec3 point = soup.positions[0] + randomPoint(random, 4);
-        double least = std::numeric_limits<double>::infinity();
+        double min = std::numeric_limits<double>::infinity();
         for (int a = 0; a <= kSteps; ++a)
             for (int b = 0; a + b <= kSteps; ++b)
-                least = std::min(
-                    least,
+                min = std::min(
+                    min,
                     glm::length(
                         point - soup.point(0, static_cast<double>(a) / kSteps, static_cast<double>(b) / kSteps)));
         const double found = std::sqrt(squaredDistance(point, soup.positions[0], soup.positions[1], soup.positions[2]));
-        EXPECT_LE(found, least + 1e-12);
-        EXPECT_GE(found, least - 0.12);
+        EXPECT_LE(found, min + 1e-12);
+        EXPECT_GE(found, min - 0.12);
     }
 }
 

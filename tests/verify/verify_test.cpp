@@ -242,11 +242,11 @@ TEST(Verify, AClaimOfTooLittleErrorFailsErrorBound) {
     GNOMON_TOO_LONG_FOR_SANITIZERS();
     TinyModel model = soundModel();
     const std::string source = sourceOf(model);
-    const double claimed = model.summary.grid.snapError() * 1.5;
+    const double estimated = model.summary.grid.snapError() * 1.5;
     for (std::uint32_t p = 0; p < model.pages.size(); ++p)
         for (std::uint32_t g = 0; g < model.pages[p].groups.size(); ++g)
             if (model.pages[p].level == 0)
-                changeGroup(model, p, g, [claimed](Sphere&, double& error) { error = claimed; });
+                changeGroup(model, p, g, [estimated](Sphere&, double& error) { error = estimated; });
     mend(model);
     const Verification verification = verified(model, source);
     EXPECT_EQ(failures(verification), "error_bound ");

@@ -80,7 +80,7 @@ TEST(KeyTable, ALevelSectionComesMovesAndGoes) {
     EXPECT_TRUE(settings.sections.empty());
     EXPECT_EQ(press(Action::MoveSection, -50), "section: 3 above the lowest point");
     EXPECT_TRUE(press(Action::ToggleSection, 0) && press(Action::ToggleSection, 1));
-    ASSERT_EQ(settings.sections.size(), settings::kMostSections);
+    ASSERT_EQ(settings.sections.size(), settings::kMaxSections);
     const double top = bounds.max.y;
     EXPECT_TRUE(press(Action::MoveSection, -100)); // of a box its lid
     EXPECT_EQ(settings.sections.back().normal, glm::dvec3(0, 1, 0));

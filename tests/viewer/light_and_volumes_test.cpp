@@ -1,6 +1,6 @@
 // The light's pad and the wire frames against what is obviously right.
 #include "core/random.h"
-#include "viewer/panel/storage_pad.h"
+#include "viewer/panel/texel_plot.h"
 #include "viewer/panel/wire_frames.h"
 
 #include <gtest/gtest.h>
@@ -43,39 +43,39 @@ TEST(LightDisc, HasThePoleInTheMiddleAndAheadAtTheTop) {
     EXPECT_LE(glm::length(disc.direction({1, 0}) - glm::dvec3(0, 0, 1)), 1e-12); // right of looking along x
 }
 
-TEST(StoragePad, HoldsTheStorageFactorOfEveryLightOnceItIsComplete) {
+TEST(TexelPlot, HoldsTheStorageFactorOfEveryLightOnceItIsComplete) {
     Random random(2);
-    StorageQuestion question;
+    TexelPlotInput input;
     const Camera camera = randomCamera(random);
-    question.disc = lightDisc(camera, false);
-    question.basis = cameraBasis(camera);
-    question.frustum = {0.5, 60, camera.fovYRadians / 2, 1.3};
-    question.scheme.slices = 2;
-    StoragePad pad(9);
-    pad.ask(question);
+    input.disc = lightDisc(camera, false);
+    input.basis = cameraBasis(camera);
+    input.frustum = {0.5, 60, camera.fovYRadians / 2, 1.3};
+    input.scheme.slices = 2;
+    TexelPlot plot(9);
+    plot.ask(input);
     int rounds = 0;
-    while (!pad.isComplete() && ++rounds < 100)
-        pad.improve(5);
-    EXPECT_TRUE(pad.isComplete());
+    while (!plot.isComplete() && ++rounds < 100)
+        plot.improve(5);
+    EXPECT_TRUE(plot.isComplete());
     EXPECT_GT(rounds, 5);
-    for (int row = 0; row < pad.side(); ++row)
-        for (int column = 0; column < pad.side(); ++column) {
-            const glm::dvec2 at = pad.middle(column, row);
-            ASSERT_EQ(pad.at(column, row).has_value(), glm::length(at) <= 1);
-            if (!pad.at(column, row)) continue;
-            const glm::dvec3 light = toCamera(question.basis, question.disc.direction(at));
+    for (int row = 0; row < plot.side(); ++row)
+        for (int column = 0; column < plot.side(); ++column) {
+            const glm::dvec2 at = plot.middle(column, row);
+            ASSERT_EQ(plot.at(column, row).has_value(), glm::length(at) <= 1);
+            if (!plot.at(column, row)) continue;
+            const glm::dvec3 light = toCamera(input.basis, input.disc.direction(at));
             EXPECT_EQ(
-                *pad.at(column, row),
-                shadow::storageFactor(shadow::schemeMaps(question.frustum, glm::normalize(light), question.scheme)));
+                *plot.at(column, row),
+                shadow::storageFactor(shadow::schemeMaps(input.frustum, glm::normalize(light), input.scheme)));
         }
-    pad.ask(question);
-    EXPECT_TRUE(pad.isComplete());
-    question.scheme.slices = 3;
-    pad.ask(question);
-    EXPECT_FALSE(pad.isComplete());
-    pad.ask(std::nullopt); // nobody waits for an answer any more
-    EXPECT_TRUE(pad.isComplete());
-    EXPECT_TRUE(pad.at(4, 4).has_value());
+    plot.ask(input);
+    EXPECT_TRUE(plot.isComplete());
+    input.scheme.slices = 3;
+    plot.ask(input);
+    EXPECT_FALSE(plot.isComplete());
+    plot.ask(std::nullopt); // nobody waits for an answer any more
+    EXPECT_TRUE(plot.isComplete());
+    EXPECT_TRUE(plot.at(4, 4).has_value());
 }
 
 /// A convex volume around the origin.

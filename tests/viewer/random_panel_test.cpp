@@ -9,7 +9,7 @@
 #include "viewer/messages.h"
 #include "viewer/panel/frame_history.h"
 #include "viewer/panel/plan_words.h"
-#include "viewer/panel/storage_pad.h"
+#include "viewer/panel/texel_plot.h"
 #include "viewer/panel/wire_frames.h"
 
 #include <gtest/gtest.h>
@@ -256,40 +256,40 @@ struct PadCells {
     std::vector<double> found;
 };
 
-PadCells cellsOf(const StoragePad& pad, int side) {
+PadCells cellsOf(const TexelPlot& plot, int side) {
     PadCells cells;
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
-            cells.inDisc += glm::length(pad.middle(column, row)) <= 1 ? 1 : 0;
-            if (const auto value = pad.at(column, row)) cells.found.push_back(*value);
+            cells.inDisc += glm::length(plot.middle(column, row)) <= 1 ? 1 : 0;
+            if (const auto value = plot.at(column, row)) cells.found.push_back(*value);
         }
     return cells;
 }
 
-TEST(RandomStoragePad, FindsEachCellOnceAndAsManyAsItIsAskedFor) {
+TEST(RandomTexelPlot, FindsEachCellOnceAndAsManyAsItIsAskedFor) {
     Random random(7);
     for (const int side : {1, 2, 5, 8, 16}) {
-        StoragePad pad(side);
-        EXPECT_TRUE(pad.isComplete()) << "nobody has asked";
-        EXPECT_FALSE(pad.range());
-        StorageQuestion question;
-        question.frustum = {1, 50, 0.5, 1};
-        question.scheme.slices = 1;
-        pad.ask(question);
-        const std::size_t inDisc = cellsOf(pad, side).inDisc;
+        TexelPlot plot(side);
+        EXPECT_TRUE(plot.isComplete()) << "nobody has asked";
+        EXPECT_FALSE(plot.range());
+        TexelPlotInput input;
+        input.frustum = {1, 50, 0.5, 1};
+        input.scheme.slices = 1;
+        plot.ask(input);
+        const std::size_t inDisc = cellsOf(plot, side).inDisc;
         std::size_t asked = 0;
-        while (!pad.isComplete()) {
+        while (!plot.isComplete()) {
             const std::size_t count = 1 + random.below(4);
-            pad.improve(static_cast<int>(count));
+            plot.improve(static_cast<int>(count));
             asked += count;
-            ASSERT_EQ(cellsOf(pad, side).found.size(), std::min(asked, inDisc)) << side;
-            pad.ask(question); // again, which changes nothing
+            ASSERT_EQ(cellsOf(plot, side).found.size(), std::min(asked, inDisc)) << side;
+            plot.ask(input); // again, which changes nothing
             ASSERT_LE(asked, inDisc + 8) << "it never ends";
         }
-        ASSERT_TRUE(pad.range());
-        const std::vector<double> found = cellsOf(pad, side).found;
-        EXPECT_EQ(pad.range()->least, *std::min_element(found.begin(), found.end()));
-        EXPECT_EQ(pad.range()->largest, *std::max_element(found.begin(), found.end()));
+        ASSERT_TRUE(plot.range());
+        const std::vector<double> found = cellsOf(plot, side).found;
+        EXPECT_EQ(plot.range()->min, *std::min_element(found.begin(), found.end()));
+        EXPECT_EQ(plot.range()->max, *std::max_element(found.begin(), found.end()));
     }
 }
 

@@ -2,7 +2,7 @@
 #include "core/random.h"
 #include "viewer/input/section_drag.h"
 #include "viewer/input/steering.h"
-#include "viewer/panel/storage_pad.h"
+#include "viewer/panel/texel_plot.h"
 
 #include <gtest/gtest.h>
 
@@ -150,8 +150,8 @@ TEST(SectionDrag, KeepsWhatWasTakenHoldOfUnderTheCursor) {
     const Box bounds{{-2, -3, -4}, {2, 3, 4}};
     int moved = 0;
     for (int trial = 0; trial < 300; ++trial) {
-        const auto within = [&](double most) {
-            return glm::dvec3(random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most));
+        const auto within = [&](double max) {
+            return glm::dvec3(random.uniform(-max, max), random.uniform(-max, max), random.uniform(-max, max));
         };
         Camera camera{12.0 * glm::normalize(within(1)), within(0.5), {0, 1, 0}, 1};
         std::vector<settings::Section> sections = {{within(1), within(2)}, {within(1), within(2)}};
@@ -186,7 +186,7 @@ TEST(SectionDrag, KeepsWhatWasTakenHoldOfUnderTheCursor) {
 TEST(SectionDrag, ABoxCutsNothingOffAndStaysWithinReach) {
     const Box bounds{{-2, -3, -4}, {2, 3, 5}};
     std::vector<settings::Section> sections = sectionBox(bounds);
-    ASSERT_EQ(sections.size(), settings::kMostSections);
+    ASSERT_EQ(sections.size(), settings::kMaxSections);
     for (const settings::Section& section : sections) {
         EXPECT_GT(glm::dot(section.normal, section.point), glm::dot(glm::abs(section.normal), bounds.extent()) * 0.4);
         EXPECT_EQ(sectionInWords(section, bounds).find("section: "), 0U);

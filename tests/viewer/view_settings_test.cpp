@@ -86,8 +86,8 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
     facts.visible = {18, 44, true};
     const plan::FramePlan plan = plan::planFrame(view, {}, facts).plan;
     telemetry::FrameRow row;
-    row.promisedAliasingX = 1.25;
-    row.promisedAliasingZ = 2.5;
+    row.aliasingBoundX = 1.25;
+    row.aliasingBoundZ = 2.5;
     row.storageFactor = 3;
     std::string all;
     for (const std::string& line : planInWords(plan, row))
@@ -95,8 +95,8 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
     EXPECT_NE(all.find("4 maps, 4 slices, warp auto"), std::string::npos) << all;
     EXPECT_NE(all.find("promised aliasing 1.25 across, 2.5 along"), std::string::npos) << all;
     EXPECT_NE(all.find("measured aliasing: not yet"), std::string::npos) << all;
-    for (const plan::Omission& omission : plan.omitted)
-        EXPECT_NE(all.find(settings::reasonInWords(omission)), std::string::npos) << all;
+    for (const plan::SkippedEffect& skipped : plan.omitted)
+        EXPECT_NE(all.find(settings::reasonInWords(skipped)), std::string::npos) << all;
     row.measuredAliasing = 2.25;
     EXPECT_NE(testing::PrintToString(planInWords(plan, row)).find("measured aliasing 2.25"), std::string::npos);
 

@@ -184,7 +184,7 @@ TEST(RecentViews, KeepTheLastHundredOfThoseThatStoodForHalfASecond) {
     double last = 149.3;
     for (auto camera = views.back(); camera; camera = views.back(), ++count)
         EXPECT_LT(std::exchange(last, camera->eye.x), 149.4);
-    EXPECT_EQ(count, static_cast<int>(RecentViews::kMost));
+    EXPECT_EQ(count, static_cast<int>(RecentViews::kMaxViews));
     EXPECT_NEAR(last, 48.3, 1e-9); // 57.3 and 107.3 went too soon
 }
 
@@ -234,7 +234,7 @@ TEST(KeptViews, ComeBackInTheNextWindow) {
     EXPECT_TRUE(again.back()->isParallel());
     EXPECT_EQ(again.back()->eye, cameraAtX(2).eye);
     EXPECT_EQ(again.back()->target, cameraAtX(1).target);
-    EXPECT_EQ(RecentViews(std::vector<Camera>(130, cameraAtX(1))).cameras().size(), RecentViews::kMost);
+    EXPECT_EQ(RecentViews(std::vector<Camera>(130, cameraAtX(1))).cameras().size(), RecentViews::kMaxViews);
     KeptViews nowhere("");
     nowhere.save("a.gnm", views.cameras());
     EXPECT_TRUE(nowhere.load("a.gnm").empty());
@@ -252,7 +252,7 @@ TEST(KeptViews, TakeNothingFromWhatIsNoViews) {
           std::string(R"({"model": 1, "views": []})"),
           R"({"model": ")" + model + R"(", "views": [{"eye": [0, 0, 0], "target": [0, 0, 0]}]})",
           R"({"model": ")" + model + R"(", "views": [{"eye": [0, 1e999, 0], "target": [0, 0, 0]}]})",
-          std::string(KeptViews::kMostBytes + 1, ' '),
+          std::string(KeptViews::kMaxBytes + 1, ' '),
           std::string(100000, '[')}) {
         folder.overwrite(text);
         EXPECT_THROW(kept.load("a.gnm"), Error) << text.substr(0, 80);
@@ -270,11 +270,11 @@ TEST(KeptViews, AreOfTheLastModelsAndFailWhereNothingCanBeWritten) {
     const std::string theirs = folder.views() + "/notes.json";
     writeTextFile(theirs, "somebody's own");
     std::filesystem::last_write_time(theirs, std::filesystem::file_time_type()); // the oldest
-    for (std::size_t i = 0; i < KeptViews::kMostModels + 5; ++i)
+    for (std::size_t i = 0; i < KeptViews::kMaxModels + 5; ++i)
         kept.save(std::to_string(i) + ".gnm", {cameraAtX(1)});
     EXPECT_TRUE(std::filesystem::remove(theirs)) << "it is no file of views";
-    EXPECT_EQ(folder.fileCount(), KeptViews::kMostModels);
-    EXPECT_EQ(kept.load(std::to_string(KeptViews::kMostModels + 4) + ".gnm").size(), 1U);
+    EXPECT_EQ(folder.fileCount(), KeptViews::kMaxModels);
+    EXPECT_EQ(kept.load(std::to_string(KeptViews::kMaxModels + 4) + ".gnm").size(), 1U);
     EXPECT_THROW(KeptViews("/dev/null/views").save("a.gnm", {cameraAtX(1)}), Error);
 }
 

@@ -67,10 +67,10 @@ def check_every_key(display, program, folder, model):
     assert session.complaints() == [], session.complaints()
     rows = rows_of(session.folder / "keys.csv")
     print(f"  first picture {float(rows[0]['since_start_ms']) / 1000:.2f} s after the start")
-    for column, least in {"scheme": 4, "warp": 2, "z_partitions": 2, "face_partitions": 2, "shadow_texels": 2,
+    for column, minimum in {"scheme": 4, "warp": 2, "z_partitions": 2, "face_partitions": 2, "shadow_texels": 2,
                           "error_pixels": 2, "cull_casters": 2, "stabilize": 2, "filter": 2}.items():
         seen = {row[column] for row in rows}
-        assert len(seen) >= least, f"{column}: {seen}"
+        assert len(seen) >= minimum, f"{column}: {seen}"
     return first
 
 

@@ -79,9 +79,9 @@ std::vector<double> limitsOf(const std::vector<TileCluster>& clusters, std::uint
         cuts.back().triangles = sum;
     }
     std::vector<double> limits;
-    for (auto most = static_cast<std::int64_t>(triangles);; most *= 4) {
-        const auto found =
-            std::find_if(cuts.begin(), cuts.end(), [most](const Change& cut) { return cut.triangles <= most; });
+    for (auto maxTriangles = static_cast<std::int64_t>(triangles);; maxTriangles *= 4) {
+        const auto found = std::find_if(
+            cuts.begin(), cuts.end(), [maxTriangles](const Change& cut) { return cut.triangles <= maxTriangles; });
         const double limit = found == cuts.end() ? cuts.back().error : found->error;
         if (limit <= 0) break;
         if (limits.empty() || limit < limits.back()) limits.push_back(limit);

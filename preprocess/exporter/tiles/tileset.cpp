@@ -97,17 +97,17 @@ struct TileRoom {
 /// not even one tile fits.
 TileRoom roomFor(const std::vector<CellContent>& cells, Bytes memory, const std::string& model) {
     constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // the current page and the next one
-    constexpr std::uint64_t kLeastPages = kPagesInHand + (std::uint64_t{4} << 20U);
+    constexpr std::uint64_t kMinPages = kPagesInHand + (std::uint64_t{4} << 20U);
     std::uint64_t tile = 0;
     for (const CellContent& cell : cells)
         tile = std::max(tile, tileBytes(cell));
     returnFreedMemory();
-    requireRoom({tile + kLeastPages}, memory, model, "its tiles");
+    requireRoom({tile + kMinPages}, memory, model, "its tiles");
     const std::uint64_t room = memory.count - residentSize().count;
-    const auto most =
+    const auto maxTiles =
         static_cast<std::uint64_t>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     const std::uint64_t threads =
-        std::clamp<std::uint64_t>(room / 2 / std::max(tile, kLeastPages), 1, std::max<std::uint64_t>(most, 1));
+        std::clamp<std::uint64_t>(room / 2 / std::max(tile, kMinPages), 1, std::max<std::uint64_t>(maxTiles, 1));
     return {static_cast<int>(threads), {room / threads - tile - kPagesInHand}};
 }
 

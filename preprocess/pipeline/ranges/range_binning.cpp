@@ -13,14 +13,14 @@ namespace {
 /// The number of ranges per thread, so that all threads end at about the same time.
 constexpr std::uint64_t kRangesPerThread = 4;
 
-constexpr std::uint64_t kLeastRows = std::uint64_t{1} << 16U;
-constexpr std::uint64_t kMostRows = std::uint64_t{1} << 22U;
+constexpr std::uint64_t kMinRows = std::uint64_t{1} << 16U;
+constexpr std::uint64_t kMaxRows = std::uint64_t{1} << 22U;
 constexpr std::uint64_t kBytesPerCorner = 64; // per polygon corner: its number twice during sorting, and its position
 
 /// Returns the number of rows of a range, a multiple of the page size.
-std::uint64_t rowsOfRange(std::uint64_t rows, std::uint64_t threads, std::uint64_t most) {
-    const std::uint64_t wanted = std::clamp(rows / (threads * kRangesPerThread) + 1, kLeastRows, kMostRows);
-    return std::max(std::min(wanted, most) / kPageVertices, std::uint64_t{1}) * kPageVertices;
+std::uint64_t rowsOfRange(std::uint64_t rows, std::uint64_t threads, std::uint64_t maxRows) {
+    const std::uint64_t wanted = std::clamp(rows / (threads * kRangesPerThread) + 1, kMinRows, kMaxRows);
+    return std::max(std::min(wanted, maxRows) / kPageVertices, std::uint64_t{1}) * kPageVertices;
 }
 
 template <class T>
@@ -38,7 +38,7 @@ RangeBinning::RangeBinning(const RangeMeans& means) : means_(means) {
     tableBytes_ = share - (each.count - MemoryNeeds::minRangeTables(source).count);
     const std::uint64_t threads = means_.threads * means_.processes;
     verticesOfRange_ = rowsOfRange(source.vertexCount, threads, tableBytes_ / 4);
-    facesOfRange_ = rowsOfRange(source.faceCount, threads, kMostRows);
+    facesOfRange_ = rowsOfRange(source.faceCount, threads, kMaxRows);
 }
 
 std::uint32_t RangeBinning::rangeCount(bool isOfFaces) const {
@@ -137,8 +137,8 @@ Box RangeBinning::measure(
         survey.badNormals += measure.badNormals;
         for (std::size_t i = 0; i < survey.fields.size(); ++i) {
             hierarchy::Field& field = survey.fields[i];
-            field.least = std::min(field.least, measure.fields.at(i)[0]);
-            field.greatest = std::max(field.greatest, measure.fields.at(i)[1]);
+            field.min = std::min(field.min, measure.fields.at(i)[0]);
+            field.max = std::max(field.max, measure.fields.at(i)[1]);
         }
         append(positions, means_.scratch.read(measure.positions));
         release(measure.positions);
@@ -255,7 +255,7 @@ chunk::BinnedSize RangeBinning::bin(
     means_.progress.stage("bin", "faces", means_.source.summary().faceCount);
     std::vector<BinnedRange> ofFaces(rangeCount(true));
     const std::uint64_t pageBytes = tableBytes_ / (hasPolygons_ ? 4 : 2);
-    const std::uint64_t mostCorners = hasPolygons_ ? tableBytes_ / 4 / kBytesPerCorner : 0;
+    const std::uint64_t maxCorners = hasPolygons_ ? tableBytes_ / 4 / kBytesPerCorner : 0;
     run(
         TaskKind::BinFaces,
         true,
@@ -265,7 +265,7 @@ chunk::BinnedSize RangeBinning::bin(
                 tree.chunkCount(),
                 numbers,
                 pageBytes / (kPageVertices * numberBytes),
-                mostCorners,
+                maxCorners,
                 block});
         },
         [&](std::uint32_t task, std::span<const std::byte> result) { ofFaces[task] = decodedBinnedRange(result); });

@@ -49,16 +49,16 @@ Box takeBox(ByteReader& in) {
 void putFacts(ByteWriter& out, const SortFacts& facts) {
     putVector(out, facts.grid.origin);
     out.put(facts.grid.stepExponent);
-    for (const std::uint32_t most : {facts.furthest.x, facts.furthest.y, facts.furthest.z})
-        out.putVarint(most);
+    for (const std::uint32_t coordinate : {facts.furthest.x, facts.furthest.y, facts.furthest.z})
+        out.putVarint(coordinate);
 }
 
 SortFacts takeFacts(ByteReader& in) {
     SortFacts facts;
     facts.grid.origin = takeVector(in);
     facts.grid.stepExponent = in.take<decltype(facts.grid.stepExponent)>();
-    for (std::uint32_t* most : {&facts.furthest.x, &facts.furthest.y, &facts.furthest.z})
-        *most = static_cast<std::uint32_t>(in.takeVarint());
+    for (std::uint32_t* coordinate : {&facts.furthest.x, &facts.furthest.y, &facts.furthest.z})
+        *coordinate = static_cast<std::uint32_t>(in.takeVarint());
     return facts;
 }
 
@@ -106,14 +106,14 @@ read::RowIndex decodedRowIndex(std::span<const std::byte> bytes) {
 std::vector<std::byte> encoded(const CountInput& input) {
     ByteWriter out;
     putRange(out, input.faces);
-    out.putVarint(input.mostPages);
+    out.putVarint(input.maxPages);
     return out.take();
 }
 
 CountInput takeCountInput(ByteReader& in) {
     CountInput input;
     input.faces = takeRange(in);
-    input.mostPages = in.takeVarint();
+    input.maxPages = in.takeVarint();
     in.expectEnd();
     return input;
 }
@@ -163,9 +163,9 @@ std::vector<std::byte> encoded(const VertexMeasure& measure) {
     ByteWriter out;
     putBox(out, measure.box);
     out.putVarint(measure.fields.size());
-    for (const auto& [least, greatest] : measure.fields) {
-        out.put(least);
-        out.put(greatest);
+    for (const auto& [min, max] : measure.fields) {
+        out.put(min);
+        out.put(max);
     }
     out.putVarint(measure.badNormals);
     putBlocks(out, measure.valence);
@@ -178,9 +178,9 @@ VertexMeasure decodedMeasure(std::span<const std::byte> bytes) {
     VertexMeasure measure;
     measure.box = takeBox(in);
     measure.fields.resize(takeCount(in));
-    for (auto& [least, greatest] : measure.fields) {
-        least = in.take<double>();
-        greatest = in.take<double>();
+    for (auto& [min, max] : measure.fields) {
+        min = in.take<double>();
+        max = in.take<double>();
     }
     measure.badNormals = in.takeVarint();
     measure.valence = takeBlocks(in);
@@ -215,8 +215,8 @@ std::vector<std::byte> encoded(const BinVerticesInput& input) {
     out.putVarint(input.fields.size());
     for (const hierarchy::Field& field : input.fields) {
         out.putText(field.name);
-        out.put(field.least);
-        out.put(field.greatest);
+        out.put(field.min);
+        out.put(field.max);
         out.putVarint(field.bits);
     }
     putBlocks(out, input.valence);
@@ -232,8 +232,8 @@ BinVerticesInput takeBinVerticesInput(ByteReader& in) {
     input.fields.resize(takeCount(in));
     for (hierarchy::Field& field : input.fields) {
         field.name = in.takeText();
-        field.least = in.take<double>();
-        field.greatest = in.take<double>();
+        field.min = in.take<double>();
+        field.max = in.take<double>();
         field.bits = static_cast<decltype(field.bits)>(in.takeVarint());
     }
     input.valence = takeBlocks(in);
@@ -248,8 +248,8 @@ std::vector<std::byte> encoded(const BinFacesInput& input) {
     putRange(out, input.faces);
     out.putVarint(input.chunkCount);
     putBlocks(out, input.chunks);
-    out.putVarint(input.mostPages);
-    out.putVarint(input.mostCorners);
+    out.putVarint(input.maxPages);
+    out.putVarint(input.maxCorners);
     out.putVarint(input.blockBytes);
     return out.take();
 }
@@ -259,8 +259,8 @@ BinFacesInput takeBinFacesInput(ByteReader& in) {
     input.faces = takeRange(in);
     input.chunkCount = static_cast<std::uint32_t>(in.takeVarint());
     input.chunks = takeBlocks(in);
-    input.mostPages = in.takeVarint();
-    input.mostCorners = in.takeVarint();
+    input.maxPages = in.takeVarint();
+    input.maxCorners = in.takeVarint();
     input.blockBytes = in.takeVarint();
     in.expectEnd();
     return input;

@@ -20,7 +20,7 @@ struct RowRange {
 /// The input of CountFaces.
 struct CountInput {
     RowRange faces;
-    std::uint64_t mostPages = 1; // max number of vertex pages in memory
+    std::uint64_t maxPages = 1; // max number of vertex pages in memory
 };
 
 /// The result of CountFaces.
@@ -78,9 +78,9 @@ struct BinVerticesInput {
 struct BinFacesInput {
     RowRange faces;
     std::uint32_t chunkCount = 0;
-    Blocks chunks;                 // one block per page of vertices: the chunk of each vertex, in 2 or 4 bytes
-    std::uint64_t mostPages = 1;   // max number of these pages in memory
-    std::uint64_t mostCorners = 0; // max number of corners of polygons in several chunks in memory; 0 without polygons
+    Blocks chunks;                // one block per page of vertices: the chunk of each vertex, in 2 or 4 bytes
+    std::uint64_t maxPages = 1;   // max number of these pages in memory
+    std::uint64_t maxCorners = 0; // max number of corners of polygons in several chunks in memory; 0 without polygons
     std::uint64_t blockBytes = 0;
 };
 

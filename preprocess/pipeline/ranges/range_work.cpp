@@ -62,7 +62,7 @@ void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer
     for (std::uint32_t chunk = 0; chunk < writer.sizes().size(); ++chunk)
         if (const chunk::PartSize& size = writer.sizes()[chunk]; size.triangles + size.vertices > 0)
             range.sizes.emplace_back(chunk, size);
-    range.strayed.triangles = writer.beyondGrid();
+    range.strayed.triangles = writer.outsideGrid();
 }
 
 } // namespace
@@ -81,8 +81,8 @@ public:
 
     void set(std::uint64_t bytes) {
         const std::uint64_t all = work_.tableBytes_ += bytes - std::exchange(bytes_, bytes); // wraps around
-        std::uint64_t most = work_.mostTableBytes_;
-        while (all > most && !work_.mostTableBytes_.compare_exchange_weak(most, all)) {
+        std::uint64_t before = work_.maxTableBytes_;
+        while (all > before && !work_.maxTableBytes_.compare_exchange_weak(before, all)) {
         }
     }
 
@@ -118,7 +118,7 @@ FaceCount RangeWork::countFaces(const CountInput& input) const {
     count.isRegular = source_.readFaceRange(input.faces.begin, input.faces.end, [&](const read::TriangleBlock& block) {
         std::uint64_t index = block.firstTriangle;
         for (const read::TriangleCorners& triangle : block.triangles) {
-            if (corners.held() + 3 > std::max<std::uint64_t>(input.mostPages, 3)) post();
+            if (corners.held() + 3 > std::max<std::uint64_t>(input.maxPages, 3)) post();
             for (const std::uint64_t corner : triangle)
                 if (std::uint8_t& valence = corners.at(corner); valence < 255) ++valence;
             sample.offer(index++, triangle);
@@ -156,7 +156,7 @@ VertexMeasure RangeWork::measureVertices(const MeasureInput& input) const {
         progress_.advance(block.positions.size());
     });
     for (const hierarchy::Field& field : fields)
-        measure.fields.push_back({field.least, field.greatest});
+        measure.fields.push_back({field.min, field.max});
     std::vector<std::byte> valence(range.end - range.begin);
     for (std::uint64_t v = range.begin; v < range.end; v += kPageVertices) {
         const auto page = std::as_bytes(corners.page(v / kPageVertices));
@@ -220,7 +220,7 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
         const std::uint64_t first = block.firstVertex - range.begin;
         const auto put = [&](std::size_t i) {
             const bool isInRange = snap.isInRange(block.positions[i]);
-            const std::uint32_t chunk = isInRange ? tree.chunkOf(snap(block.positions[i])) : chunk::kBeyondGrid;
+            const std::uint32_t chunk = isInRange ? tree.chunkOf(snap(block.positions[i])) : chunk::kOutsideGrid;
             if (isInRange)
                 writer.putVertex(block, i, chunk);
             else
@@ -256,18 +256,18 @@ public:
         const std::size_t page = vertex / kPageVertices;
         if (numbers_.page(page).empty()) load(page);
         const Number number = numbers_[vertex];
-        return number == static_cast<Number>(chunk::kBeyondGrid) ? chunk::kBeyondGrid : number;
+        return number == static_cast<Number>(chunk::kOutsideGrid) ? chunk::kOutsideGrid : number;
     }
 
     /// Returns the peak size of the tables in bytes.
-    std::uint64_t mostBytes() const { return mostHeld_ * kPageVertices * sizeof(Number); }
+    std::uint64_t maxBytes() const { return maxHeld_ * kPageVertices * sizeof(Number); }
 
 private:
     void load(std::size_t page) {
-        if (numbers_.held() >= input_.mostPages) numbers_.clear();
+        if (numbers_.held() >= input_.maxPages) numbers_.clear();
         const std::span<Number> numbers =
             numbers_.pageAt(page).first(std::min<std::uint64_t>(kPageVertices, vertices_ - page * kPageVertices));
-        mostHeld_ = std::max(mostHeld_, numbers_.held());
+        maxHeld_ = std::max(maxHeld_, numbers_.held());
         scratch_.read(input_.chunks[page], std::as_writable_bytes(numbers));
     }
 
@@ -275,7 +275,7 @@ private:
     std::uint64_t vertices_;
     scratch::ScratchFile& scratch_;
     chunk::VertexTable<Number> numbers_;
-    std::size_t mostHeld_ = 0; // peak number of pages
+    std::size_t maxHeld_ = 0; // peak number of pages
 };
 
 /// Bins faces. One step processes as many faces as the positions of their polygons fit in memory.
@@ -299,7 +299,7 @@ public:
     std::uint64_t bin(std::uint64_t begin) {
         std::uint64_t end = input_.faces.end;
         std::vector<std::uint64_t> corners;
-        if (input_.mostCorners > 0) end = findCorners(begin, corners);
+        if (input_.maxCorners > 0) end = findCorners(begin, corners);
         const auto positions = chunk::VertexLookup::byRanges(source_, std::move(corners));
         readFaces(begin, end, [&](const read::TriangleBlock& block) {
             block.forEachFace([&](std::span<const read::TriangleCorners> face) {
@@ -316,7 +316,7 @@ public:
     }
 
     /// Returns the peak size of its tables in bytes.
-    std::uint64_t mostBytes() const { return chunkOf_.mostBytes(); }
+    std::uint64_t maxBytes() const { return chunkOf_.maxBytes(); }
 
 private:
     void put(const read::TriangleCorners& t) {
@@ -338,7 +338,7 @@ private:
     std::uint64_t findCorners(std::uint64_t begin, std::vector<std::uint64_t>& corners) {
         std::uint64_t end = begin;
         readFaces(begin, input_.faces.end, [&](const read::TriangleBlock& block) {
-            if (corners.size() >= input_.mostCorners) return;
+            if (corners.size() >= input_.maxCorners) return;
             end += block.faceCount();
             block.forEachFace([&](std::span<const read::TriangleCorners> face) {
                 if (face.size() == 1 || isInOneChunk(face)) return;
@@ -373,7 +373,7 @@ BinnedRange RangeWork::binFaces(const BinFacesInput& input) const {
     const auto bin = [&](auto faces) {
         for (std::uint64_t begin = input.faces.begin; begin < input.faces.end;) {
             begin = faces.bin(begin);
-            held.set(faces.mostBytes());
+            held.set(faces.maxBytes());
         }
     };
     if (input.chunkCount > chunk::kNarrowChunks)

@@ -27,7 +27,7 @@ public:
     BinnedRange binFaces(const BinFacesInput& input) const;
 
     /// Returns the peak size of the per-vertex tables of all concurrent tasks, in bytes.
-    std::uint64_t mostTableBytes() const { return mostTableBytes_; }
+    std::uint64_t maxTableBytes() const { return maxTableBytes_; }
 
 private:
     class Held;
@@ -42,7 +42,7 @@ private:
     Progress& progress_;
     mutable std::once_flag isIndexed_;
     mutable std::atomic<std::uint64_t> tableBytes_{0};
-    mutable std::atomic<std::uint64_t> mostTableBytes_{0};
+    mutable std::atomic<std::uint64_t> maxTableBytes_{0};
 };
 
 } // namespace gnomon::pipeline

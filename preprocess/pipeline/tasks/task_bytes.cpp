@@ -158,7 +158,7 @@ RoutedMail decodedRoutedMail(std::span<const std::byte> bytes) {
 std::vector<std::byte> encoded(const PageRange& input) {
     ByteWriter out;
     out.putText(input.path);
-    out.putText(input.toldPath);
+    out.putText(input.displayPath);
     out.putVarint(input.offset);
     putBlocks(out, input.pages);
     return out.take();
@@ -167,7 +167,7 @@ std::vector<std::byte> encoded(const PageRange& input) {
 PageRange takePageRange(ByteReader& in) {
     PageRange input;
     input.path = in.takeText();
-    input.toldPath = in.takeText();
+    input.displayPath = in.takeText();
     input.offset = in.takeVarint();
     input.pages = takeBlocks(in);
     in.expectEnd();

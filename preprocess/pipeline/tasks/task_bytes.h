@@ -73,7 +73,7 @@ std::vector<std::byte> locksInput(const Blocks& borders);
 /// The input of WritePages. Its result is empty.
 struct PageRange {
     std::string path;         // path of the unfinished model
-    std::string toldPath;     // path that messages use
+    std::string displayPath;  // path that messages use
     std::uint64_t offset = 0; // offset of the first page in the file
     Blocks pages;             // blocks of the scratch file
 };

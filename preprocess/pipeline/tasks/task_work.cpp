@@ -44,13 +44,13 @@ private:
     chunk::BinnedSource source_;
 };
 
-levels::PendingLevel pendingLevel(const NodeInput& input, const TaskFacts& facts, scratch::ScratchFile& scratch) {
+levels::OpenClusters openClusters(const NodeInput& input, const TaskFacts& facts, scratch::ScratchFile& scratch) {
     scratch::StreamStore store(scratch, 2, 1);
     for (const scratch::Block& block : input.records)
         store.adopt(0, block);
     for (const scratch::Block& block : input.locks)
         store.adopt(1, block);
-    levels::PendingLevelMerger merger(facts.grid, input.sums.clusters, input.sums.vertices, facts.format.fields);
+    levels::OpenClusterMerger merger(facts.grid, input.sums.clusters, input.sums.vertices, facts.format.fields);
     store.readBlocks(0, [&](std::span<const std::byte> records) { merger.add(records); });
     store.readBlocks(1, [&](std::span<const std::byte> locks) {
         for (const hierarchy::GridPoint& position : levels::positionsFrom(locks))
@@ -93,7 +93,7 @@ void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& sc
     record.clusters = scratch.append(std::span(made.pending.bytes).subspan(placeBytes));
     record.pending = {made.pending.clusters, made.pending.triangles, made.pending.vertices};
     record.rootTriangles = made.rootTriangles;
-    record.stuckTriangles = made.stuckTriangles;
+    record.irreducibleTriangles = made.irreducibleTriangles;
 }
 
 } // namespace
@@ -170,7 +170,7 @@ std::vector<std::byte> TaskWork::buildNode(ByteReader& in) const {
         record.hasNormals = chunk.hasNormals;
         made = levels::buildNode(chunk.mesh, levels::firstLevel(chunk.mesh, options_), plan, options_, progress_);
     } else {
-        levels::PendingLevel pending = pendingLevel(input, facts_, scratch_);
+        levels::OpenClusters pending = openClusters(input, facts_, scratch_);
         made = levels::buildNode(pending.mesh, std::move(pending.level), plan, options_, progress_);
     }
     store(made, record, scratch_);
@@ -191,7 +191,7 @@ std::vector<std::byte> TaskWork::routeClusters(ByteReader& in) const {
 
 std::vector<std::byte> TaskWork::writePages(ByteReader& in) const {
     const PageRange range = takePageRange(in);
-    File model(range.path, File::Mode::Update, range.toldPath);
+    File model(range.path, File::Mode::Update, range.displayPath);
     std::uint64_t at = range.offset;
     std::vector<std::byte> bytes;
     for (const scratch::Block& page : range.pages) {

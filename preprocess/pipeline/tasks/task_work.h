@@ -22,7 +22,7 @@ public:
     void tell(const TaskFacts& facts) { facts_ = facts; }
 
     /// Returns the peak size of the per-vertex tables of all concurrent tasks, in bytes.
-    std::uint64_t mostTableBytes() const { return ranges_.mostTableBytes(); }
+    std::uint64_t maxTableBytes() const { return ranges_.maxTableBytes(); }
 
     /// Runs a task and returns its result. Large data are appended to the scratch file and published.
     std::vector<std::byte> perform(TaskKind kind, std::span<const std::byte> input) const;

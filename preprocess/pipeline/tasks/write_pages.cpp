@@ -27,11 +27,11 @@ EncodedPage readPage(const PagesToWrite& pages, const PageInfo& info, std::uint6
 /// Returns the size of a range of pages. Each process gets several ranges, so that all end at about the same time. A
 /// range is large enough to make the cost of its sync small.
 std::uint64_t bytesOfRange(const CheckpointLog& log, std::uint32_t processes) {
-    constexpr std::uint64_t kLeast = std::uint64_t{64} << 10U;
-    constexpr std::uint64_t kMost = std::uint64_t{16} << 20U;
+    constexpr std::uint64_t kMinRangeBytes = std::uint64_t{64} << 10U;
+    constexpr std::uint64_t kMaxRangeBytes = std::uint64_t{16} << 20U;
     std::uint64_t bytes = 0;
     forEachPage(log, [&](const PageInfo& info, std::uint64_t) { bytes += info.storedBytes; });
-    return std::clamp(bytes / (std::uint64_t{4} * processes), kLeast, kMost);
+    return std::clamp(bytes / (std::uint64_t{4} * processes), kMinRangeBytes, kMaxRangeBytes);
 }
 
 } // namespace
@@ -48,19 +48,19 @@ void appendPages(const PagesToWrite& pages) {
 
 void writePagesInTasks(
     const PagesToWrite& pages,
-    const std::string& toldPath,
+    const std::string& displayPath,
     std::uint32_t processes,
     TaskRunner& runner,
     const Perform& perform) {
     pages.progress.stage("write", "pages", pageCount(pages.log));
-    const std::uint64_t most = bytesOfRange(pages.log, processes);
+    const std::uint64_t maxBytes = bytesOfRange(pages.log, processes);
     const std::string path = std::filesystem::absolute(pages.writer.unfinishedPath().value()).string();
     std::vector<PageRange> ranges;
     std::uint64_t end = 0;
     forEachPage(pages.log, [&](const PageInfo& info, std::uint64_t place) {
         const std::uint64_t offset = pages.writer.reserve(info);
-        if (ranges.empty() || offset + info.storedBytes - ranges.back().offset > most)
-            ranges.push_back({path, toldPath, offset, {}});
+        if (ranges.empty() || offset + info.storedBytes - ranges.back().offset > maxBytes)
+            ranges.push_back({path, displayPath, offset, {}});
         ranges.back().pages.push_back({place, info.storedBytes, info.checksum});
         end = offset + info.storedBytes;
         if (pages.isSeen(info)) pages.see(readPage(pages, info, place));

@@ -25,10 +25,10 @@ struct PagesToWrite {
 void appendPages(const PagesToWrite& pages);
 
 /// Writes all pages with tasks of `runner`, one per range of the file, several per process. The writer must have an
-/// unfinished file. Messages call it `toldPath`.
+/// unfinished file. Messages call it `displayPath`.
 void writePagesInTasks(
     const PagesToWrite& pages,
-    const std::string& toldPath,
+    const std::string& displayPath,
     std::uint32_t processes,
     TaskRunner& runner,
     const Perform& perform);

@@ -130,7 +130,7 @@ std::string GltfFile::readContainer() {
             embedded_.resize(chunk.length);
             file.readAt(chunk.begin, embedded_);
         } else {
-            ++leftOut_["chunks of other types"];
+            ++rejected_["chunks of other types"];
         }
         at = chunk.end();
     }
@@ -152,7 +152,7 @@ void GltfFile::parse(const std::string& text, bool readsTextures) {
     if (!document.is_object()) throw Error(path(), "not glTF", "a JSON object", "other data");
     requireVersion(document, path());
     requireExtensions(document, path(), readsTextures);
-    leaveOut(document);
+    reject(document);
     readBuffers(document);
     const std::string structure = document.dump(-1, ' ', false, Json::error_handler_t::replace);
     document = nullptr;
@@ -165,8 +165,8 @@ void GltfFile::parse(const std::string& text, bool readsTextures) {
 }
 
 /// Counts the data that no model uses, and removes the parts that tinygltf must not parse.
-void GltfFile::leaveOut(Json& document) {
-    leftOut_.merge(unusedParts(document));
+void GltfFile::reject(Json& document) {
+    rejected_.merge(unusedParts(document));
     images_ = arrayOf(document, "images", path());
     cameras_ = arrayOf(document, "cameras", path());
     for (const char* const name : {"images", "cameras", "animations", "skins"})
@@ -205,13 +205,13 @@ std::vector<std::byte> GltfFile::bufferBytes(const Json& buffer, std::size_t ind
 }
 
 std::vector<std::byte> GltfFile::ofUri(const std::string& uri, const std::string& place) {
-    if (!isDataUri(uri)) return ofFile(besideThis(uri, place));
+    if (!isDataUri(uri)) return ofFile(siblingPath(uri, place));
     room_.take(uri.size());
     return bytesOfDataUri(uri, place);
 }
 
 /// Returns the path of the file that `uri` names. Throws Error for a URI with a scheme such as "http://".
-std::string GltfFile::besideThis(const std::string& uri, const std::string& place) const {
+std::string GltfFile::siblingPath(const std::string& uri, const std::string& place) const {
     if (uri.find("://") != std::string::npos)
         throw Error(place, "the uri is not a plain path", "a path from the folder of the file", quotedForMessage(uri));
     std::string path = root_.pathOf(fileNameOf(uri, place), place);
@@ -307,7 +307,7 @@ std::vector<std::byte> GltfFile::image(int index) {
     }
     const std::string place = where("image", static_cast<std::uint64_t>(index));
     if (isDataUri(uri)) return ofUri(uri, place);
-    const std::string file = besideThis(uri, place);
+    const std::string file = siblingPath(uri, place);
     std::error_code missing;
     if (!std::filesystem::is_regular_file(file, missing)) return {};
     return ofFile(file);

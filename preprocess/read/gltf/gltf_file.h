@@ -45,7 +45,7 @@ public:
     std::uint64_t fileBytes() const;
 
     /// Returns the names and counts of the data that is not used.
-    const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
+    const std::map<std::string, std::uint64_t>& rejected() const { return rejected_; }
 
     /// Returns the memory budget of the file.
     MemoryRoom& room() { return room_; }
@@ -72,12 +72,12 @@ private:
     std::string readContainer();
     std::string textAt(std::uint64_t offset, std::uint64_t length);
     void parse(const std::string& text, bool readsTextures);
-    void leaveOut(Json& document);
+    void reject(Json& document);
     void readBuffers(Json& document);
     std::vector<std::byte> bufferBytes(const Json& buffer, std::size_t index);
     std::vector<std::byte> ofUri(const std::string& uri, const std::string& place);
     std::vector<std::byte> ofFile(const std::string& path);
-    std::string besideThis(const std::string& uri, const std::string& place) const;
+    std::string siblingPath(const std::string& uri, const std::string& place) const;
     std::span<const std::byte> inBuffer(std::string_view name, int view, double buffer, double offset, double length);
     std::vector<std::byte> unpacked(int view, const tinygltf::Value& packed);
 
@@ -89,7 +89,7 @@ private:
     std::vector<std::vector<std::byte>> unpacked_; // decoded bytes by buffer view
     Json images_;
     Json cameras_;
-    std::map<std::string, std::uint64_t> leftOut_;
+    std::map<std::string, std::uint64_t> rejected_;
     tinygltf::Model model_;
 };
 

@@ -117,7 +117,7 @@ std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4
 
 class SceneReader {
 public:
-    explicit SceneReader(GltfFile& file) : file_(file), isMet_(file.model().nodes.size(), false) {}
+    explicit SceneReader(GltfFile& file) : file_(file), isVisited_(file.model().nodes.size(), false) {}
 
     GltfScene read() && {
         push(rootsOf(file_), glm::dmat4(1));
@@ -125,7 +125,7 @@ public:
             const Visit visit = open_.back();
             open_.pop_back();
             const tinygltf::Node& node = file_.elementOf(file_.model().nodes, visit.node, "node");
-            meet(visit.node);
+            visitNode(visit.node);
             const glm::dmat4 toWorld = visit.toWorld * toParent(node, visit.node);
             if (node.mesh >= 0) {
                 file_.elementOf(file_.model().meshes, node.mesh, "mesh");
@@ -136,7 +136,9 @@ public:
             push(node.children, toWorld);
         }
         takeCameras();
-        count("nodes of other scenes", static_cast<std::uint64_t>(std::count(isMet_.begin(), isMet_.end(), false)));
+        count(
+            "nodes of other scenes",
+            static_cast<std::uint64_t>(std::count(isVisited_.begin(), isVisited_.end(), false)));
         return std::move(scene_);
     }
 
@@ -156,18 +158,18 @@ private:
             open_.push_back({nodes[i], toWorld});
     }
 
-    void meet(int node) {
-        if (isMet_[static_cast<std::size_t>(node)])
+    void visitNode(int node) {
+        if (isVisited_[static_cast<std::size_t>(node)])
             throw Error(
                 file_.where("node", static_cast<std::uint64_t>(node)),
                 "the nodes are not a tree",
                 "one parent per node",
                 "a cycle or a second parent");
-        isMet_[static_cast<std::size_t>(node)] = true;
+        isVisited_[static_cast<std::size_t>(node)] = true;
     }
 
     void count(const std::string& name, std::uint64_t number) {
-        if (number > 0) scene_.leftOut[name] += number;
+        if (number > 0) scene_.rejected[name] += number;
     }
 
     glm::dmat4 toParent(const tinygltf::Node& node, int index) {
@@ -260,7 +262,7 @@ private:
     GltfFile& file_;
     GltfScene scene_;
     std::vector<Visit> open_;
-    std::vector<bool> isMet_;
+    std::vector<bool> isVisited_;
     std::vector<NodeCamera> cameras_;
 };
 

@@ -40,7 +40,7 @@ struct GltfScene {
     /// the distance where `fovYRadians` gives its height.
     std::vector<Camera> cameras;
 
-    std::map<std::string, std::uint64_t> leftOut; ///< unused parts and their counts
+    std::map<std::string, std::uint64_t> rejected; ///< unused parts and their counts
 };
 
 /// Returns the default scene. Uses the first scene if no default is named, and all root nodes if there is no scene.

@@ -55,14 +55,14 @@ std::vector<std::array<std::uint32_t, 3>> trianglesOf(
 std::optional<GltfPrimitive> GltfPrimitives::read(const tinygltf::Primitive& from) {
     const int mode = from.mode < 0 ? TINYGLTF_MODE_TRIANGLES : from.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES) {
-        ++leftOut_[mode == TINYGLTF_MODE_POINTS ? "primitives of points" : "primitives of lines"];
+        ++rejected_[mode == TINYGLTF_MODE_POINTS ? "primitives of points" : "primitives of lines"];
         return std::nullopt;
     }
     if (mode > TINYGLTF_MODE_TRIANGLE_FAN)
         throw Error(file_.path(), "unknown mode of a primitive", "0 to 6", std::to_string(mode));
     const int positions = attributeOf(from, "POSITION");
     if (positions < 0) {
-        ++leftOut_["primitives without positions"];
+        ++rejected_["primitives without positions"];
         return std::nullopt;
     }
     GltfPrimitive primitive;
@@ -88,16 +88,16 @@ std::optional<GltfPrimitive> GltfPrimitives::read(const tinygltf::Primitive& fro
         primitive.normals = numbersOf(file_, normals, 3);
         countBadNormals(primitive.normals);
     }
-    if (!from.targets.empty()) ++leftOut_["morph targets"];
+    if (!from.targets.empty()) ++rejected_["morph targets"];
     const std::string coordinates = addColors(from, primitive);
     for (const auto& [name, accessor] : from.attributes)
-        if (name != "POSITION" && name != "NORMAL" && name != "COLOR_0" && name != coordinates) ++leftOut_[name];
+        if (name != "POSITION" && name != "NORMAL" && name != "COLOR_0" && name != coordinates) ++rejected_[name];
     return primitive;
 }
 
 void GltfPrimitives::countBadNormals(const std::vector<float>& normals) {
     for (std::size_t i = 0; i < normals.size(); i += 3)
-        if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2])) ++leftOut_[kBadNormals];
+        if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2])) ++rejected_[kBadNormals];
 }
 
 /// Returns the texture of `color`. Counts it as not used and returns null if textures are ignored, or if its
@@ -105,16 +105,16 @@ void GltfPrimitives::countBadNormals(const std::vector<float>& normals) {
 const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinygltf::Primitive& from) {
     if (color.texture < 0) return nullptr;
     if (!bakesTextures_) {
-        ++leftOut_["textures"];
+        ++rejected_["textures"];
         return nullptr;
     }
     if (attributeOf(from, "TEXCOORD_" + std::to_string(color.texCoord)) < 0) {
-        ++leftOut_["textures without coordinates"];
+        ++rejected_["textures without coordinates"];
         return nullptr;
     }
     auto found = textures_.find(color.texture);
     if (found == textures_.end()) found = textures_.emplace(color.texture, baseTextureOf(file_, color.texture)).first;
-    if (!found->second) ++leftOut_["textures whose image is not there"];
+    if (!found->second) ++rejected_["textures whose image is not there"];
     return found->second ? &*found->second : nullptr;
 }
 
@@ -155,7 +155,7 @@ std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimi
         }
         primitive.colors[i] = packedColor(value);
     }
-    if (clear > 0) leftOut_["alpha"] += clear;
+    if (clear > 0) rejected_["alpha"] += clear;
     file_.room().give((tints.size() + coordinates.size()) * sizeof(float));
     if (texture != nullptr) countTexels(primitive, places, *texture);
     return attribute;

@@ -37,7 +37,7 @@ public:
     std::optional<GltfPrimitive> read(const tinygltf::Primitive& from);
 
     /// Returns the attributes and primitives that are not used, with the number of primitives that have them.
-    const std::map<std::string, std::uint64_t>& leftOut() const { return leftOut_; }
+    const std::map<std::string, std::uint64_t>& rejected() const { return rejected_; }
 
     /// Returns the mean number of texels along a triangle edge, over all triangles whose texture was sampled at the
     /// vertices. The detail between vertices is lost. Returns 0 if no texture was sampled.
@@ -52,7 +52,7 @@ private:
     GltfFile& file_;
     bool bakesTextures_;
     std::map<int, std::optional<BaseTexture>> textures_;
-    std::map<std::string, std::uint64_t> leftOut_;
+    std::map<std::string, std::uint64_t> rejected_;
     double texels_ = 0;
     std::uint64_t edges_ = 0;
 };

@@ -56,7 +56,7 @@ public:
         summarize(file, reader, scene);
         files_ = std::move(file).takeFiles();
         for (std::size_t i = 1; i < files_.size(); ++i)
-            summary_.filesBesides.push_back(files_[i]->path());
+            summary_.additionalFiles.push_back(files_[i]->path());
     }
 
     const MeshSummary& summary() const override { return summary_; }
@@ -149,7 +149,7 @@ private:
         }
         summary_.heldBytes += placed_.capacity() * sizeof(PlacedPrimitive);
         summary_.likelyTriangles = summary_.faceCount;
-        for (const auto& counts : {file.leftOut(), scene.leftOut, reader.leftOut()})
+        for (const auto& counts : {file.rejected(), scene.rejected, reader.rejected()})
             for (const auto& [name, count] : counts)
                 summary_.attributesDropped[name] += count;
         if (!summary_.hasNormals && withNormals > 0) summary_.attributesDropped["NORMAL"] += withNormals;

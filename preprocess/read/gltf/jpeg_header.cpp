@@ -69,8 +69,8 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     }
     // The image consists of whole units of `maxAcross` by `maxDown` blocks. A component has its samplings as blocks
     // per unit.
-    const auto unitsOf = [](std::uint64_t size, std::uint64_t most) {
-        return (size + most * kBlockSide - 1) / (most * kBlockSide);
+    const auto unitsOf = [](std::uint64_t size, std::uint64_t maxSampling) {
+        return (size + maxSampling * kBlockSide - 1) / (maxSampling * kBlockSide);
     };
     const std::uint64_t units = unitsOf(header.width, maxAcross) * unitsOf(header.height, maxDown);
     for (std::size_t i = 0; i < count; ++i)

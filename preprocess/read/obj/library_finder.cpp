@@ -11,14 +11,14 @@ namespace gnomon::read {
 namespace {
 
 constexpr std::size_t kLongestJoin = 16; ///< max number of words of a name
-constexpr std::size_t kMostJoinWords =
+constexpr std::size_t kMaxJoinWords =
     64; ///< max number of words of a line for joined names; a longer line is a list of names without blanks
 
 /// Limits for names that are searched in the file system and for folders that are listed. No real OBJ reaches them.
 constexpr std::size_t kLongestName = 4096;
-constexpr std::size_t kMostSearches = 4096;
-constexpr std::size_t kMostListings = 64;
-constexpr std::size_t kMostNamesInFolder = 100'000;
+constexpr std::size_t kMaxSearches = 4096;
+constexpr std::size_t kMaxListings = 64;
+constexpr std::size_t kMaxNamesInFolder = 100'000;
 
 bool isFile(const std::filesystem::path& path) {
     std::error_code missing;
@@ -52,7 +52,7 @@ LibraryFinder::LibraryFinder(const std::string& path, const std::string& sourceR
 LibraryFinder::Found LibraryFinder::filesOf(std::string_view names, const std::string& where) {
     Found found;
     const std::vector<std::string_view> words = wordsOf(names);
-    const std::size_t longest = words.size() > kMostJoinWords ? 1 : kLongestJoin;
+    const std::size_t longest = words.size() > kMaxJoinWords ? 1 : kLongestJoin;
     for (std::size_t first = 0; first < words.size();) {
         std::string file;
         std::size_t count = std::min(words.size() - first, longest);
@@ -83,7 +83,7 @@ std::string LibraryFinder::fileOf(const std::string& name, const std::string& wh
     if (name.empty() || name.find('\0') != std::string::npos) return {};
     const auto known = files_.find(name);
     if (known != files_.end()) return known->second;
-    if (searches_ == kMostSearches) return {};
+    if (searches_ == kMaxSearches) return {};
     ++searches_;
     std::vector<std::string> spellings = {name};
     if (const std::string_view inner = unquoted(name); inner != name) spellings.emplace_back(inner);
@@ -132,12 +132,12 @@ const std::map<std::string, std::string>& LibraryFinder::namesIn(const std::stri
     static const std::map<std::string, std::string> kNone;
     const auto known = listings_.find(folder);
     if (known != listings_.end()) return known->second;
-    if (listings_.size() >= kMostListings) return kNone;
+    if (listings_.size() >= kMaxListings) return kNone;
     std::map<std::string, std::string>& names = listings_[folder];
     std::error_code failed;
     std::filesystem::directory_iterator entries(folder.empty() ? "." : folder, failed);
     for (std::size_t count = 0;
-         !failed && entries != std::filesystem::directory_iterator() && count < kMostNamesInFolder;
+         !failed && entries != std::filesystem::directory_iterator() && count < kMaxNamesInFolder;
          entries.increment(failed), ++count) {
         const std::string name = entries->path().filename().string();
         const auto [alike, isNew] = names.try_emplace(lowered(name), name);

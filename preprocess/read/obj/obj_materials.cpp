@@ -13,9 +13,9 @@ namespace gnomon::read {
 
 namespace {
 
-constexpr std::uint64_t kMostLibraryBytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMostLeftOut = 64; ///< number of bits of a mask
-constexpr std::size_t kMostUnknown = 4096;
+constexpr std::uint64_t kMaxLibraryBytes = std::uint64_t{64} << 20U;
+constexpr std::size_t kMaxRejectedNames = 64; ///< number of bits of a mask
+constexpr std::size_t kMaxUnknownNames = 4096;
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r\v\f";
@@ -43,7 +43,7 @@ std::string withoutComment(const std::string& name) {
 
 void ObjMaterials::addLibraries(std::string_view names, const std::string& where) {
     const LibraryFinder::Found found = finder_.filesOf(names, where);
-    if (found.missing > 0) leftOut_["material libraries that are not there"] += found.missing;
+    if (found.missing > 0) rejected_["material libraries that are not there"] += found.missing;
     for (const std::string& file : found.files)
         readLibrary(file);
     if (found.files.empty()) return;
@@ -55,7 +55,7 @@ void ObjMaterials::readLibrary(const std::string& file) {
     files_.push_back(file);
     const InputFile opened(file);
     requireUtf8(opened);
-    const std::string text = readTextFile(file, {kMostLibraryBytes});
+    const std::string text = readTextFile(file, {kMaxLibraryBytes});
     Material* material = nullptr;
     std::uint64_t number = 0;
     const bool isOldMac = text.find('\n') == std::string::npos;
@@ -87,10 +87,10 @@ ObjMaterials::Material& ObjMaterials::declared(const std::string& name) {
 
 void ObjMaterials::readStatement(
     Material& material, const std::vector<std::string_view>& words, const std::string& where) {
-    if (lowered(words[0]) != "kd") return leaveOut(material, std::string(words[0]));
+    if (lowered(words[0]) != "kd") return reject(material, std::string(words[0]));
     // "Kd spectral FILE" and "Kd xyz X Y Z" occur only in the description of the format, so they are not read.
     if (words.size() > 1 && (words[1] == "spectral" || words[1] == "xyz"))
-        return leaveOut(material, "Kd " + std::string(words[1]));
+        return reject(material, "Kd " + std::string(words[1]));
     std::size_t count = 1;
     while (count < words.size() && !words[count].starts_with('#'))
         ++count;
@@ -103,14 +103,14 @@ void ObjMaterials::readStatement(
 }
 
 /// Records that `material` has a statement that is not read.
-void ObjMaterials::leaveOut(Material& material, const std::string& statement) {
+void ObjMaterials::reject(Material& material, const std::string& statement) {
     const std::string name = lowered(statement) == "map_kd" ? "textures"
                              : isPlainName(statement)       ? "material " + statement
-                                                            : leftOutNames_.front();
-    auto found = std::find(leftOutNames_.begin(), leftOutNames_.end(), name);
-    if (found == leftOutNames_.end())
-        found = leftOutNames_.size() < kMostLeftOut ? leftOutNames_.insert(found, name) : leftOutNames_.begin();
-    material.leftOut |= std::uint64_t{1} << static_cast<std::size_t>(found - leftOutNames_.begin());
+                                                            : rejectedNames_.front();
+    auto found = std::find(rejectedNames_.begin(), rejectedNames_.end(), name);
+    if (found == rejectedNames_.end())
+        found = rejectedNames_.size() < kMaxRejectedNames ? rejectedNames_.insert(found, name) : rejectedNames_.begin();
+    material.rejected |= std::uint64_t{1} << static_cast<std::size_t>(found - rejectedNames_.begin());
 }
 
 template <class Materials>
@@ -125,7 +125,7 @@ auto ObjMaterials::materialIn(Materials& materials, const std::string& name) con
 
 void ObjMaterials::use(const std::string& name) {
     if (useKnown(name)) return;
-    if (unknown_.size() < kMostUnknown || unknown_.contains(name))
+    if (unknown_.size() < kMaxUnknownNames || unknown_.contains(name))
         ++unknown_[name];
     else
         ++missing_;
@@ -134,8 +134,8 @@ void ObjMaterials::use(const std::string& name) {
 bool ObjMaterials::useKnown(const std::string& name) {
     Material* const material = materialIn(materials_, name);
     if (material == nullptr) return false;
-    for (std::size_t i = 0; i < leftOutNames_.size() && !material->isUsed; ++i)
-        if ((material->leftOut >> i & 1U) != 0) ++leftOut_[leftOutNames_[i]];
+    for (std::size_t i = 0; i < rejectedNames_.size() && !material->isUsed; ++i)
+        if ((material->rejected >> i & 1U) != 0) ++rejected_[rejectedNames_[i]];
     material->isUsed = true;
     hasColors_ |= material->color != 0xFFFFFFFF;
     return true;
@@ -146,8 +146,8 @@ std::uint32_t ObjMaterials::colorOf(const std::string& name) const {
     return material == nullptr ? 0xFFFFFFFF : material->color;
 }
 
-std::map<std::string, std::uint64_t> ObjMaterials::leftOut() const {
-    std::map<std::string, std::uint64_t> all = leftOut_;
+std::map<std::string, std::uint64_t> ObjMaterials::rejected() const {
+    std::map<std::string, std::uint64_t> all = rejected_;
     std::uint64_t missing = missing_;
     for (const auto& [name, uses] : unknown_)
         missing += uses;

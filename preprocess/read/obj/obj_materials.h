@@ -35,7 +35,7 @@ public:
 
     /// Returns the number of missing libraries and materials, and of statements of used materials that are not read, by
     /// name.
-    std::map<std::string, std::uint64_t> leftOut() const;
+    std::map<std::string, std::uint64_t> rejected() const;
 
     /// Returns the paths of the libraries that were read.
     const std::vector<std::string>& files() const { return files_; }
@@ -46,14 +46,14 @@ public:
 private:
     struct Material {
         std::uint32_t color = 0xFFFFFFFF;
-        std::uint64_t leftOut = 0; ///< bit mask of the statements that are not read, by index in leftOutNames_
+        std::uint64_t rejected = 0; ///< bit mask of the statements that are not read, by index in rejectedNames_
         bool isUsed = false;
     };
 
     void readLibrary(const std::string& file);
     void readStatement(Material& material, const std::vector<std::string_view>& words, const std::string& where);
     Material& declared(const std::string& name);
-    void leaveOut(Material& material, const std::string& statement);
+    void reject(Material& material, const std::string& statement);
     template <class Materials>
     auto materialIn(Materials& materials, const std::string& name) const;
     bool useKnown(const std::string& name);
@@ -62,8 +62,8 @@ private:
     std::unordered_map<std::string, Material> materials_;
     std::unordered_map<std::string, std::string> fullNames_; ///< full names by names without comments
     std::vector<std::string> files_;
-    std::vector<std::string> leftOutNames_{"other material statements"};
-    std::map<std::string, std::uint64_t> leftOut_;
+    std::vector<std::string> rejectedNames_{"other material statements"};
+    std::map<std::string, std::uint64_t> rejected_;
     std::map<std::string, std::uint64_t> unknown_; ///< uses per material that no library has defined yet
     std::uint64_t missing_ = 0;                    ///< uses of materials for which unknown_ has no space
     bool hasColors_ = false;

@@ -116,13 +116,13 @@ private:
         summary_.faceCount = counts_.faces;
         summary_.likelyTriangles = counts_.triangles;
         summary_.attributesDropped = std::move(survey_.attributesDropped);
-        summary_.attributesDropped.merge(materials_.leftOut());
+        summary_.attributesDropped.merge(materials_.rejected());
         for (const auto& [keyword, count] : survey_.unknownKeywords)
             summary_.attributesDropped["lines of the unknown keyword " + keyword] = count;
         if (badNormals > 0) summary_.attributesDropped[kBadNormals] = badNormals;
         if (materials_.hasColors() && !counts_.hasFaceColors)
             summary_.attributesDropped["colours of materials, beside those of vertices"] = counts_.faces;
-        summary_.filesBesides = materials_.files();
+        summary_.additionalFiles = materials_.files();
         if (!materials_.remark().empty()) summary_.remarks.push_back(file_.path() + ": " + materials_.remark());
         if (fullOfReals(counts_.maxChannel) != 1)
             summary_.remarks.push_back(

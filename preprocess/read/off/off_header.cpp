@@ -96,11 +96,11 @@ private:
         constexpr std::uint64_t kVertexBytes = 6; // "0 0 0 "
         constexpr std::uint64_t kFaceBytes = 2;   // "0\n"
         const std::uint64_t left = file_.size() - header_.bodyOffset + 1;
-        requireAtMost(left / kVertexBytes, header_.vertices, "vertices");
-        requireAtMost((left - kVertexBytes * header_.vertices) / kFaceBytes, header_.faces, "faces");
+        requireLimit(left / kVertexBytes, header_.vertices, "vertices");
+        requireLimit((left - kVertexBytes * header_.vertices) / kFaceBytes, header_.faces, "faces");
     }
 
-    void requireAtMost(std::uint64_t max, std::uint64_t count, const std::string& rows) const {
+    void requireLimit(std::uint64_t max, std::uint64_t count, const std::string& rows) const {
         if (count > max)
             throw Error(
                 file_.path(),

@@ -66,15 +66,15 @@ private:
         std::size_t count = 0; ///< can exceed kMaxValues
     };
 
-    /// Reads the row of a vertex. If rows are not lines, the row has `most` numbers.
-    VertexRow readRow(std::uint64_t vertex, std::size_t most) {
+    /// Reads the row of a vertex. If rows are not lines, the row has `maxValues` numbers.
+    VertexRow readRow(std::uint64_t vertex, std::size_t maxValues) {
         VertexRow row;
         std::string_view word = firstWord(header_.vertices - vertex, header_.faces);
         while (!word.empty()) {
             if (row.count < kMaxValues) row.values[row.count] = text_.numberOf(word);
             ++row.count;
             const bool areLines = attempt_.vertices == Rows::Lines;
-            if (!areLines && row.count == most) break;
+            if (!areLines && row.count == maxValues) break;
             word = areLines ? text_.word() : text_.wordOnAnyLine();
         }
         return row;
@@ -87,7 +87,7 @@ private:
         if (row.count < known + texture)
             throw Error(text_.where(), "too few numbers", std::to_string(known + texture), std::to_string(row.count));
         mesh_.positions.emplace_back(row.values[0], row.values[1], row.values[2]);
-        if (!isFinite(mesh_.positions.back()) && badLines_.size() < kMostBadLines) badLines_[vertex] = text_.line();
+        if (!isFinite(mesh_.positions.back()) && badLines_.size() < kMaxBadLines) badLines_[vertex] = text_.line();
         if (header_.hasNormals) addNormal({row.values[3], row.values[4], row.values[5]});
         addVertexColor(vertex, row, known, std::min(row.count, kMaxValues) - known - texture);
     }
@@ -185,7 +185,7 @@ private:
         return word;
     }
 
-    static constexpr std::size_t kMostBadLines = 1000;
+    static constexpr std::size_t kMaxBadLines = 1000;
 
     const InputFile& file_;
     const OffHeader& header_;

@@ -90,7 +90,7 @@ void AsciiValues::endRow() {
     ++progress_.done;
 }
 
-std::uint64_t AsciiValues::mostValues(PlyType /*type*/) const {
+std::uint64_t AsciiValues::maxValues(PlyType /*type*/) const {
     return stream_.remaining() / 2 + 1;
 }
 

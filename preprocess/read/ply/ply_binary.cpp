@@ -30,7 +30,7 @@ BinaryValues::BinaryValues(const InputFile& file, PlyFormat format, PlyPlace sta
     : stream_(file, start.offset), isSwapped_(format != kNativeFormat) {}
 
 void BinaryValues::skip(PlyType type, std::uint64_t count) {
-    if (count > mostValues(type)) throwEndsEarly();
+    if (count > maxValues(type)) throwEndsEarly();
     stream_.skip(byteSize(type) * count);
 }
 

@@ -197,7 +197,7 @@ FaceLayout faceLayoutOf(const PlyElement& element, std::size_t list, bool isSwap
 
 void readVertexColumns(BinaryValues& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
     const Columns columns = columnsOf(element, layout);
-    const std::size_t stride = element.leastRowBytes(PlyFormat::BinaryLittleEndian);
+    const std::size_t stride = element.minRowBytes(PlyFormat::BinaryLittleEndian);
     ByteStream& stream = values.stream();
     std::uint64_t done = 0;
     while (done < element.count) {
@@ -228,9 +228,9 @@ void readFaceRows(
     while (done < element.count) {
         if (isFast && stream.fill(layout.triangleBytes())) {
             const std::span<TriangleCorners> room = out.room();
-            const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(element.count - done, room.size()));
+            const auto maxRows = static_cast<std::size_t>(std::min<std::uint64_t>(element.count - done, room.size()));
             const std::size_t copied =
-                copy(std::span(stream.data(), stream.available()), layout, vertexCount, room.first(most));
+                copy(std::span(stream.data(), stream.available()), layout, vertexCount, room.first(maxRows));
             stream.consume(copied * layout.triangleBytes());
             done += copied;
             values.endRows(copied);

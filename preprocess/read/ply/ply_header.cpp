@@ -148,7 +148,7 @@ void checkCounts(const InputFile& file, const PlyHeader& header) {
     // The last value of an ASCII file needs no separator.
     std::uint64_t left = file.size() - header.bodyOffset + (header.format == PlyFormat::Ascii ? 1 : 0);
     for (const PlyElement& element : header.elements) {
-        const std::uint64_t row = element.leastRowBytes(header.format);
+        const std::uint64_t row = element.minRowBytes(header.format);
         if (row != 0 && element.count > left / row)
             throw Error(
                 atByte(file.path(), file.size()),
@@ -171,7 +171,7 @@ bool PlyElement::hasLists() const {
     return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.isList; });
 }
 
-std::uint64_t PlyElement::leastRowBytes(PlyFormat format) const {
+std::uint64_t PlyElement::minRowBytes(PlyFormat format) const {
     if (format == PlyFormat::Ascii) return 2 * properties.size();
     std::uint64_t bytes = 0;
     for (const PlyProperty& property : properties)

@@ -68,7 +68,7 @@ struct PlyElement {
 
     /// Returns the min size of a row in bytes. In a binary body, all lists are empty. In an ASCII body, each value has
     /// one digit and one separator.
-    std::uint64_t leastRowBytes(PlyFormat format) const;
+    std::uint64_t minRowBytes(PlyFormat format) const;
 };
 
 struct PlyHeader {

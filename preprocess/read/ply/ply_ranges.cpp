@@ -21,7 +21,7 @@ void PlyRanges::findFixedRows() {
     std::uint64_t offset = header_.bodyOffset;
     for (std::size_t i = 0; i < header_.elements.size(); ++i) {
         const PlyElement& element = header_.elements[i];
-        std::uint64_t rowBytes = element.leastRowBytes(header_.format);
+        std::uint64_t rowBytes = element.minRowBytes(header_.format);
         if (i == faces_)
             rowBytes = triangleRowBytes(element, indexListOf(element));
         else if (element.hasLists())
@@ -40,7 +40,7 @@ void PlyRanges::findFixedRows() {
 PlyRanges::Rows PlyRanges::vertexRows() const {
     const PlyElement& element = header_.elements[vertices_];
     const bool isFixed = header_.format != PlyFormat::Ascii && !element.hasLists();
-    return {element, -1, isFixed ? element.leastRowBytes(header_.format) : 0};
+    return {element, -1, isFixed ? element.minRowBytes(header_.format) : 0};
 }
 
 PlyRanges::Rows PlyRanges::faceRows() const {

@@ -49,13 +49,13 @@ template <class Values>
 std::uint64_t readListCount(Values& values, const PlyProperty& list) {
     const std::int64_t count = values.integer(list.countType);
     if (count < 0) throw Error(values.where(), "invalid list count", "none below 0", std::to_string(count));
-    const std::uint64_t most = values.mostValues(list.type);
-    if (static_cast<std::uint64_t>(count) > most)
+    const std::uint64_t maxCount = values.maxValues(list.type);
+    if (static_cast<std::uint64_t>(count) > maxCount)
         throw Error(
             values.where(),
             "the file ends too early",
             "a list of " + std::to_string(count) + " values in " + values.row(),
-            "room for at most " + std::to_string(most));
+            "room for at most " + std::to_string(maxCount));
     return static_cast<std::uint64_t>(count);
 }
 
@@ -71,7 +71,7 @@ void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
     if (element.properties.empty()) return;
     if (!element.hasLists()) {
         const bool isAscii = format == PlyFormat::Ascii;
-        return values.skipRows(isAscii ? element.properties.size() : element.leastRowBytes(format), element.count);
+        return values.skipRows(isAscii ? element.properties.size() : element.minRowBytes(format), element.count);
     }
     for (std::uint64_t row = 0; row < element.count; ++row) {
         for (const PlyProperty& property : element.properties)

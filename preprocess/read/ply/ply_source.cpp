@@ -227,7 +227,7 @@ private:
         std::uint64_t cornerBytes = 0;
         int lists = 0;
         for (const PlyElement& element : header_.elements) {
-            left -= std::min(left, element.count * element.leastRowBytes(header_.format));
+            left -= std::min(left, element.count * element.minRowBytes(header_.format));
             for (const PlyProperty& property : element.properties) {
                 if (!property.isList) continue;
                 cornerBytes = byteSize(property.type);

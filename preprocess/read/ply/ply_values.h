@@ -99,7 +99,7 @@ public:
     void endRows(std::uint64_t count) { progress_.done += count; }
 
     /// Returns the max number of values of `type` in the rest of the file.
-    std::uint64_t mostValues(PlyType type) const { return stream_.remaining() / byteSize(type); }
+    std::uint64_t maxValues(PlyType type) const { return stream_.remaining() / byteSize(type); }
 
     /// Returns the path and the byte offset of the last value, for errors.
     std::string where() const;
@@ -151,7 +151,7 @@ public:
     }
 
     void endRow();
-    std::uint64_t mostValues(PlyType type) const;
+    std::uint64_t maxValues(PlyType type) const;
     std::string where() const;
 
     std::string row() const { return progress_.row(); }

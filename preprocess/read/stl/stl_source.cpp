@@ -157,8 +157,8 @@ std::optional<std::uint64_t> binaryFacets(const InputFile& file) {
 std::unique_ptr<MeshSource> readStl(const std::string& path, Bytes memoryLimit) {
     const InputFile file(path);
     requireRoomForWhole(path, file.size(), memoryLimit);
-    constexpr std::uint64_t kLeastVertexBytes = 12;
-    if (file.size() / kLeastVertexBytes >= std::numeric_limits<std::uint32_t>::max())
+    constexpr std::uint64_t kMinVertexBytes = 12;
+    if (file.size() / kMinVertexBytes >= std::numeric_limits<std::uint32_t>::max())
         throw Error(
             path, "too large for an STL; convert the file to PLY", "less than 51 GB", readableBytes({file.size()}));
     const std::optional<std::uint64_t> facets = binaryFacets(file);

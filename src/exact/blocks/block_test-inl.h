@@ -29,9 +29,9 @@ HWY_INLINE BlockFloats blockConstant(float value) {
 struct BlockRange {
     BlockFloats middle, reach;
 
-    HWY_INLINE BlockFloats least() const { return hn::Sub(middle, reach); }
+    HWY_INLINE BlockFloats min() const { return hn::Sub(middle, reach); }
 
-    HWY_INLINE BlockFloats most() const { return hn::Add(middle, reach); }
+    HWY_INLINE BlockFloats max() const { return hn::Add(middle, reach); }
 };
 
 /// A triangle, prepared for tests against boxes of samples in floats. The test skips a box, or marks it dark as a
@@ -46,7 +46,7 @@ struct BlockRange {
 /// errors of doubles.
 class BlockTest {
 public:
-    BlockTest(const TriangleTest& triangle, const CastContext& context);
+    BlockTest(const TriangleTest& triangle, const CasterContext& context);
 
     /// Tests as many blocks as a vector has lanes, from `block` on. `open` receives one bit per block with samples that
     /// need separate tests, and `dark` one bit per block whose samples are all dark.
@@ -69,7 +69,7 @@ private:
 };
 
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): each is set below
-inline BlockTest::BlockTest(const TriangleTest& triangle, const CastContext& context) {
+inline BlockTest::BlockTest(const TriangleTest& triangle, const CasterContext& context) {
     const auto asFloats = [](const double* from, float* to, int count) {
         for (int i = 0; i < count; ++i)
             to[i] = static_cast<float>(from[i]);
@@ -81,13 +81,13 @@ inline BlockTest::BlockTest(const TriangleTest& triangle, const CastContext& con
     asFloats(triangle.ca, ca_, 2);
     asFloats(triangle.normal, normal_, 2);
     area_ = static_cast<float>(triangle.area);
-    tolerance_ = static_cast<float>(context.mostTolerance);
+    tolerance_ = static_cast<float>(context.maxTolerance);
     constexpr double kRounding = 0x1p-20; // 16 times the rounding unit of a float
     const double size = triangle.size;
     const double corner = kRounding * context.reach / 2;
     edgeError_[0] = static_cast<float>(size * (corner + kRounding * size));
     edgeError_[1] = static_cast<float>(size * kRounding);
-    heightError_[0] = static_cast<float>(size * size * (corner + kRounding * context.mostTolerance));
+    heightError_[0] = static_cast<float>(size * size * (corner + kRounding * context.maxTolerance));
     heightError_[1] = static_cast<float>(size * size * kRounding);
 }
 
@@ -108,8 +108,8 @@ HWY_INLINE void BlockTest::look(const SampleBlocks& blocks, std::size_t block, u
     const BlockRange third = over(ca_);
     BlockRange second = over(bc_);
     second.middle = hn::Add(second.middle, blockConstant(area_));
-    const auto mostOf = hn::Min(hn::Min(first.most(), second.most()), third.most());
-    const auto mayCover = hn::Ge(hn::Add(mostOf, edgeError), zero);
+    const auto maxEdge = hn::Min(hn::Min(first.max(), second.max()), third.max());
+    const auto mayCover = hn::Ge(hn::Add(maxEdge, edgeError), zero);
     open = dark = 0;
     if (hn::AllFalse(kBlockFloats, mayCover)) return;
     const auto hh = load(blocks.half[2], block);
@@ -123,37 +123,37 @@ HWY_INLINE void BlockTest::look(const SampleBlocks& blocks, std::size_t block, u
     const BlockRange height{
         hn::Neg(linear(du, dv, dh, normal_[0], normal_[1])),
         linear(hu, hv, hh, std::abs(normal_[0]), std::abs(normal_[1]))};
-    const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height.most(), heightError), zero));
-    const auto leastOf = hn::Min(hn::Min(first.least(), second.least()), third.least());
-    const auto beyond = hn::NegMulAdd(area, blockConstant(tolerance_), height.least());
-    const auto isDark = hn::And(hn::Gt(leastOf, edgeError), hn::Gt(beyond, heightError));
+    const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height.max(), heightError), zero));
+    const auto minEdge = hn::Min(hn::Min(first.min(), second.min()), third.min());
+    const auto excess = hn::NegMulAdd(area, blockConstant(tolerance_), height.min());
+    const auto isDark = hn::And(hn::Gt(minEdge, edgeError), hn::Gt(excess, heightError));
     open = bits(hn::AndNot(isDark, mayBeAhead));
     dark = bits(hn::And(isDark, mayBeAhead));
 }
 
 /// Returns true if one of the samples lies on the triangle itself (see TriangleTest::name).
-HWY_INLINE bool holdsOwn(const CastContext& context, std::size_t begin, std::size_t end, std::uint32_t name) {
+HWY_INLINE bool holdsOwn(const CasterContext& context, std::size_t begin, std::size_t end, std::uint32_t name) {
     unsigned found = 0;
     for (std::size_t i = begin; i < end; ++i)
         found |= context.grid->triangle[i] == name ? 1U : 0U;
     return found != 0;
 }
 
-HWY_INLINE void prefetchSamples(const CastContext& context, std::size_t place) {
+HWY_INLINE void prefetchSamples(const CasterContext& context, std::size_t place) {
     hwy::Prefetch(&context.samples->u[place]);
     hwy::Prefetch(&context.samples->v[place]);
     hwy::Prefetch(&context.samples->h[place]);
 }
 
 /// Tests samples like testSamples, but tests blocks first. `test` must be prepared from `t`.
-template <class Decide>
+template <class Resolve>
 HWY_INLINE void testBlocks(
     const BlockTest& test,
     const TriangleTest& t,
-    const CastContext& context,
+    const CasterContext& context,
     std::size_t begin,
     std::size_t end,
-    const Decide& decide) {
+    const Resolve& resolve) {
     constexpr std::size_t kSamples = SampleBlocks::kSamples;
     const std::size_t last = (end + kSamples - 1) / kSamples;
     for (std::size_t block = begin / kSamples; block < last; block += hn::Lanes(kBlockFloats)) {
@@ -168,7 +168,7 @@ HWY_INLINE void testBlocks(
             const std::size_t from = std::max(begin, (block + lane) * kSamples);
             const std::size_t to = std::min(end, (block + lane + 1) * kSamples);
             if ((dark >> lane & 1U) == 0 || holdsOwn(context, from, to, t.name))
-                testSamples(t, context, from, to, decide);
+                testSamples(t, context, from, to, resolve);
             else
                 for (std::size_t i = from; i < to; ++i)
                     markDark(context.statuses[i]);

@@ -27,10 +27,10 @@ void boxWholeBlocksInLanes(const double* values, std::size_t blocks, float* midd
             low = hn::Min(low, more);
             high = hn::Max(high, more);
         }
-        const double least = hn::GetLane(hn::MinOfLanes(tag, low));
-        const double most = hn::GetLane(hn::MaxOfLanes(tag, high));
-        middle[b] = static_cast<float>(0.5 * (least + most));
-        half[b] = static_cast<float>(std::max(most - middle[b], middle[b] - least)) * kUp;
+        const double minValue = hn::GetLane(hn::MinOfLanes(tag, low));
+        const double maxValue = hn::GetLane(hn::MaxOfLanes(tag, high));
+        middle[b] = static_cast<float>(0.5 * (minValue + maxValue));
+        half[b] = static_cast<float>(std::max(maxValue - middle[b], middle[b] - minValue)) * kUp;
     }
 }
 
@@ -50,8 +50,8 @@ void SampleBlocks::fit(const SampleList& samples, std::size_t size) {
     const std::array axes = {&samples.u, &samples.v, &samples.h};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const FrameArray<double>& values = *axes[axis];
-        middle[axis].makeRoom(samples.room() / kSamples + kPadding);
-        half[axis].makeRoom(samples.room() / kSamples + kPadding);
+        middle[axis].ensureCapacity(samples.room() / kSamples + kPadding);
+        half[axis].ensureCapacity(samples.room() / kSamples + kPadding);
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, whole, kGrain), [&](const auto& range) {
             const std::size_t b = range.begin();
             HWY_DYNAMIC_DISPATCH(boxWholeBlocksInLanes)

@@ -37,16 +37,16 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMostTriangles = 256; // the max number of vertices is the same
+    static constexpr std::size_t kMaxTriangles = 256; // the max number of vertices is the same
 
     struct Edge {
         std::uint8_t to = 0;
         std::uint8_t triangle = 0;
     };
 
-    std::array<std::uint16_t, kMostTriangles> begin_{};
-    std::array<std::uint16_t, kMostTriangles> end_{};
-    std::array<Edge, 3 * kMostTriangles> edges_{};
+    std::array<std::uint16_t, kMaxTriangles> begin_{};
+    std::array<std::uint16_t, kMaxTriangles> end_{};
+    std::array<Edge, 3 * kMaxTriangles> edges_{};
 };
 
 /// Returns `triangle`, rotated so that it begins with the edge (from, to).

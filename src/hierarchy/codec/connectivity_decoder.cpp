@@ -145,7 +145,7 @@ void decodeConnectivity(
     std::span<const std::byte> codes, std::span<const std::byte> indices, Page& page, EdgeWords& edges) {
     const Cluster& last = page.clusters.back();
     page.triangles.reserve(codes.size());
-    edges.resize(std::size_t{last.firstVertex} + last.vertexCount + kMostLanes);
+    edges.resize(std::size_t{last.firstVertex} + last.vertexCount + kMaxLanes);
     std::span<const std::uint8_t> rest = numbers(indices);
     for (const Cluster& cluster : page.clusters) {
         const auto own = numbers(codes.subspan(cluster.firstTriangle, cluster.triangleCount));

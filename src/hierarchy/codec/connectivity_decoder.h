@@ -14,7 +14,7 @@ constexpr std::uint32_t kNoEdge = 0xFFFFFFU;
 using EdgeWords = std::vector<std::uint32_t>;
 
 /// Decodes `page.triangles` from one code byte per triangle and the stream of `indices`. One byte after the end of
-/// `indices` may be read. `edges` receives one word per vertex, and kMostLanes additional words. Throws Damage if the
+/// `indices` may be read. `edges` receives one word per vertex, and kMaxLanes additional words. Throws Damage if the
 /// codes are invalid.
 void decodeConnectivity(
     std::span<const std::byte> codes, std::span<const std::byte> indices, Page& page, EdgeWords& edges);

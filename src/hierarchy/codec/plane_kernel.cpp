@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::hierarchy::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using WordTag = hn::CappedTag<std::uint32_t, kMostLanes>;
+using WordTag = hn::CappedTag<std::uint32_t, kMaxLanes>;
 using Words = hn::Vec<WordTag>;
 
 constexpr WordTag kWords;
@@ -24,7 +24,7 @@ HWY_INLINE Words numbersAt(const Planes& planes, std::size_t i) {
     Words numbers = hn::Zero(kWords);
     for (unsigned plane = 0; plane < planes.planes; ++plane) {
         const std::uint8_t* bytes = planes.bytes + plane * planes.numbers + i;
-        HWY_ALIGN std::array<std::uint8_t, kMostLanes> last{};
+        HWY_ALIGN std::array<std::uint8_t, kMaxLanes> last{};
         if (left < hn::Lanes(kWords)) {
             std::copy(bytes, bytes + left, last.begin());
             bytes = last.data();

@@ -10,7 +10,7 @@ namespace gnomon::hierarchy {
 
 /// The max number of lanes. Arrays of words per vertex are read and written in whole vectors, so they need this many
 /// additional words.
-constexpr std::size_t kMostLanes = 16;
+constexpr std::size_t kMaxLanes = 16;
 
 /// Three differences of a position and an unused word, so that one vector instruction loads or adds all of them.
 struct alignas(16) PositionWords {
@@ -29,7 +29,7 @@ struct Planes {
     std::size_t numbers = 0;
 };
 
-/// The following functions write whole vectors: up to kMostLanes elements after the last number. All `planes` of a call
+/// The following functions write whole vectors: up to kMaxLanes elements after the last number. All `planes` of a call
 /// have the same number of elements.
 
 /// Decodes plain numbers.

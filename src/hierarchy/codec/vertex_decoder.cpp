@@ -44,8 +44,9 @@ public:
         fresh_ += count;
         cluster.box = storeVertices(vertices_, layout_.normals, std::span(stored_).first(cluster.vertexCount));
         page_.vertices.insert(page_.vertices.end(), stored_.begin(), stored_.begin() + cluster.vertexCount);
-        const GridPoint& most = cluster.box.max;
-        if (std::max({most.x, most.y, most.z}) > kMaxGridCoordinate) throw Damage{"a vertex is outside the grid"};
+        const GridPoint& furthest = cluster.box.max;
+        if (std::max({furthest.x, furthest.y, furthest.z}) > kMaxGridCoordinate)
+            throw Damage{"a vertex is outside the grid"};
     }
 
     void expectEnd() const { anchors_.expectEnd(); }
@@ -109,7 +110,7 @@ public:
         fields_.layout = takeFieldLayout(in);
         for (std::size_t field = 0; field < fields_.layout.count(); ++field) {
             const Planes planes = takePlanes(in, numbers.fresh.size());
-            differences_[field].resize(numbers.fresh.size() + kMostLanes);
+            differences_[field].resize(numbers.fresh.size() + kMaxLanes);
             decodeNumbers(planes, differences_[field].data());
         }
     }
@@ -146,7 +147,7 @@ private:
         for (std::size_t field = 0; field < fields_.layout.count(); ++field) {
             const std::uint32_t mean = (fields_.layout.number(a, field) + fields_.layout.number(b, field)) / 2;
             const std::uint32_t number = mean + unzigzag(differences_[field][next_]);
-            word |= (number & fields_.layout.greatest(field)) << fields_.layout.shift(field);
+            word |= (number & fields_.layout.maxNumber(field)) << fields_.layout.shift(field);
         }
         ++next_;
         return word;

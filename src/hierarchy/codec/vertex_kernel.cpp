@@ -37,11 +37,11 @@ HWY_INLINE Four difference(const Four& a, const Four& b) {
     return each(a, b, [](std::uint32_t x, std::uint32_t y) { return x - y; });
 }
 
-HWY_INLINE Four least(const Four& a, const Four& b) {
+HWY_INLINE Four minOf(const Four& a, const Four& b) {
     return each(a, b, [](std::uint32_t x, std::uint32_t y) { return std::min(x, y); });
 }
 
-HWY_INLINE Four most(const Four& a, const Four& b) {
+HWY_INLINE Four maxOf(const Four& a, const Four& b) {
     return each(a, b, [](std::uint32_t x, std::uint32_t y) { return std::max(x, y); });
 }
 
@@ -66,11 +66,11 @@ HWY_INLINE Four difference(Four a, Four b) {
     return hn::Sub(a, b);
 }
 
-HWY_INLINE Four least(Four a, Four b) {
+HWY_INLINE Four minOf(Four a, Four b) {
     return hn::Min(a, b);
 }
 
-HWY_INLINE Four most(Four a, Four b) {
+HWY_INLINE Four maxOf(Four a, Four b) {
     return hn::Max(a, b);
 }
 
@@ -80,12 +80,12 @@ HWY_INLINE void store(Four words, std::uint32_t* to) {
 
 #endif
 
-using ParentPlaces = std::array<std::uint32_t, kMaxClusterVertices + kMostLanes>;
+using ParentPlaces = std::array<std::uint32_t, kMaxClusterVertices + kMaxLanes>;
 
 /// Converts the edge of each new vertex to the places of its three predictors. If the three corners of the edge come
 /// before the vertex, the places are those of the corners. Otherwise all three places are that of the vertex before.
 HWY_INLINE void placeParents(std::span<const std::uint32_t> edges, ParentPlaces& parents) {
-    constexpr hn::CappedTag<std::int32_t, kMostLanes> kLanes;
+    constexpr hn::CappedTag<std::int32_t, kMaxLanes> kLanes;
     const auto byte = hn::Set(kLanes, 0xFF);
     const auto each = hn::Set(kLanes, 0x010101);
     auto vertex = hn::Iota(kLanes, 0);
@@ -150,8 +150,8 @@ GridBox storeInLanes(const ClusterVertices& cluster, const NormalCode& code, std
     Four max = min;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const Four position = four(cluster.positions[v + 1]);
-        min = least(min, position);
-        max = most(max, position);
+        min = minOf(min, position);
+        max = maxOf(max, position);
         const std::uint64_t normal = cluster.normals[v + 1];
         store(position, &vertices[v].position.x);
         vertices[v].normal = static_cast<std::uint32_t>(normal | normal >> 16U) << code.shift ^ kOffsetBinary;

@@ -33,25 +33,25 @@ Planes takePlanes(ByteReader& in, std::size_t numbers) {
 
 void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers) {
     const Planes references = takePlanes(in, vertices);
-    numbers.references.resize(vertices + kMostLanes);
+    numbers.references.resize(vertices + kMaxLanes);
     decodeNumbers(references, numbers.references.data());
     splitVertices(vertices, numbers);
     const std::size_t fresh = numbers.fresh.size();
     std::array<Planes, 4> planes;
     for (std::size_t k = 0; k < 3; ++k)
         planes[k] = takePlanes(in, fresh);
-    numbers.positions.resize(fresh + kMostLanes);
+    numbers.positions.resize(fresh + kMaxLanes);
     decodePositions(std::span(planes).first<3>(), numbers.positions.data());
     if (layout.hasNormals) {
         for (std::size_t k = 0; k < 2; ++k)
             planes[k] = takePlanes(in, fresh);
-        numbers.normals.resize(fresh + kMostLanes);
+        numbers.normals.resize(fresh + kMaxLanes);
         decodeNormals(std::span(planes).first<2>(), layout.normals.mask(), numbers.normals.data());
     }
     if (layout.hasColors) {
         for (Planes& each : planes)
             each = takePlanes(in, fresh);
-        numbers.colors.resize(fresh + kMostLanes);
+        numbers.colors.resize(fresh + kMaxLanes);
         decodeColors(planes, numbers.colors.data());
     }
 }

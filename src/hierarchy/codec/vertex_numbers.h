@@ -11,7 +11,7 @@ namespace gnomon::hierarchy {
 
 /// The stored numbers of the vertices of a page, and the vertices that they belong to. Reuse this object from page to
 /// page, because newly allocated memory costs a page fault per 4 KiB. All arrays except `referring` and `fresh` have
-/// kMostLanes additional elements.
+/// kMaxLanes additional elements.
 struct VertexNumbers {
     // Per vertex: 0 for a new vertex. For a reference it is 1 + zigzag(distance from the successor of the last
     // referenced vertex).

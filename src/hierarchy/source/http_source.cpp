@@ -14,10 +14,10 @@ constexpr std::uint64_t kHeadBytes = 1024;                     // for the header
 constexpr std::uint64_t kTailBytes = std::uint64_t{64} << 10U; // for the tables of a small model
 constexpr std::chrono::milliseconds kFirstPause{100};
 constexpr std::chrono::milliseconds kLongestPause{3000};
-constexpr std::chrono::milliseconds kMostToOpen{1000}; // short limit at the start, because the server may not exist
+constexpr std::chrono::milliseconds kMaxOpenTime{1000}; // short limit at the start, because the server may not exist
 // Min number of bytes of an answer that counts as progress, unless fewer bytes remain. A server that sends a byte at a
 // time makes no progress.
-constexpr std::size_t kLeastPart = std::size_t{16} << 10U;
+constexpr std::size_t kMinPartBytes = std::size_t{16} << 10U;
 
 /// Returns `address` without user name, password, query and fragment.
 std::string toldAddress(const std::string& address) {
@@ -39,14 +39,14 @@ std::string toldAddress(const std::string& address) {
 
 HttpSource::HttpSource(const std::string& address, const Access& access)
     : name_(toldAddress(address)), access_(access), connections_(address, access) {
-    open(std::min(access.patience, kMostToOpen));
+    open(std::min(access.retryTime, kMaxOpenTime));
     // Without tag and date, outdated ranges in the cache cannot be recognised.
     if (identity_.tag.empty() && identity_.modified.empty()) return;
     const std::string folder = access.cacheFolder.empty() ? defaultCacheFolder() : access.cacheFolder;
     if (access.cache.count > 0 && !folder.empty()) cache_.emplace(folder, access.cache, address + "\n" + stamp());
 }
 
-void HttpSource::open(std::chrono::milliseconds patience) {
+void HttpSource::open(std::chrono::milliseconds retryTime) {
     head_.resize(kHeadBytes);
     std::chrono::milliseconds pause = kFirstPause;
     for (const Stopwatch watch;; pause = std::min(2 * pause, kLongestPause)) {
@@ -63,7 +63,7 @@ void HttpSource::open(std::chrono::milliseconds patience) {
             std::to_string(whole) + " bytes",
             std::to_string(answer.received)});
         const bool mayPass =
-            failure.refusal == Refusal::Passing && watch.elapsed().count < static_cast<double>(patience.count());
+            failure.refusal == Refusal::Passing && watch.elapsed().count < static_cast<double>(retryTime.count());
         if (!mayPass || !waitFor(pause)) throwFailure(name_, failure);
     }
 }
@@ -92,7 +92,7 @@ void HttpSource::fetch(std::uint64_t offset, std::span<std::byte> out) const {
     while (done < out.size()) {
         const std::size_t left = out.size() - done;
         RangeAnswer answer = connections_.get(offset + done, out.subspan(done), &identity_);
-        const bool hasProgressed = answer.received >= std::min(left, kLeastPart);
+        const bool hasProgressed = answer.received >= std::min(left, kMinPartBytes);
         done += answer.received;
         if (done == out.size()) break; // a failure after the last byte does not matter
         const std::string where = atByte(name_, offset + done);
@@ -111,7 +111,7 @@ void HttpSource::fetch(std::uint64_t offset, std::span<std::byte> out) const {
         if (refusal == Refusal::Changed) fate_ = Fate::Changed;
         if (refusal == Refusal::Vanished) fate_ = Fate::Gone;
         const bool mayPass = refusal == Refusal::Passing &&
-                             sinceProgress.elapsed().count < static_cast<double>(access_.patience.count());
+                             sinceProgress.elapsed().count < static_cast<double>(access_.retryTime.count());
         if (!mayPass || !waitFor(pause)) throwFailure(where, *answer.failure);
         pause = std::min(2 * pause, kLongestPause);
     }

@@ -40,7 +40,7 @@ public:
     void stop() const override;
 
 private:
-    void open(std::chrono::milliseconds patience);
+    void open(std::chrono::milliseconds retryTime);
     void fetch(std::uint64_t offset, std::span<std::byte> out) const;
     bool waitFor(std::chrono::milliseconds pause) const;
     std::uint64_t tailOffset() const;

@@ -136,7 +136,7 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
     if (!isFolder(folder_)) return; // a link could lead to a folder with foreign files
     if (fs::create_directory(place_, error)) fs::permissions(place_, fs::perms::owner_all, error);
     if (!isFolder(place_)) return;
-    makeRoom(size);
+    evictFor(size);
     try {
         const std::string path = pathOf(offset, bytes.size());
         const std::string partial = path + formatted(".%ld.%u.partial", static_cast<long>(::getpid()), ++number);
@@ -157,7 +157,7 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
 
 /// Adds `bytes` to the size of the cache, and evicts the least recently used files if the size exceeds the limit. From
 /// time to time, recounts the files of other processes.
-void RangeCache::makeRoom(std::uint64_t bytes) const {
+void RangeCache::evictFor(std::uint64_t bytes) const {
     const std::lock_guard lock(mutex_);
     const bool isKnown = uncounted_ <= cap_.count / 8;
     total_ += bytes;
@@ -171,10 +171,10 @@ void RangeCache::makeRoom(std::uint64_t bytes) const {
     if (total_ <= cap_.count) return;
     std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
     // Frees an eighth of the cache at once, so that not each call evicts files.
-    const std::uint64_t least = cap_.count - cap_.count / 8;
+    const std::uint64_t targetBytes = cap_.count - cap_.count / 8;
     std::error_code error;
     for (const Kept& file : kept) {
-        if (total_ <= std::max(least, bytes)) return;
+        if (total_ <= std::max(targetBytes, bytes)) return;
         if (fs::remove(file.path, error)) total_ -= file.bytes;
     }
 }

@@ -29,7 +29,7 @@ public:
 
 private:
     std::string pathOf(std::uint64_t offset, std::uint64_t size) const;
-    void makeRoom(std::uint64_t bytes) const;
+    void evictFor(std::uint64_t bytes) const;
 
     std::string folder_;
     std::string place_; // the folder of this content

@@ -18,8 +18,8 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-constexpr std::size_t kMostHeaderBytes = std::size_t{64} << 10U;
-constexpr long kMostRedirections = 5;
+constexpr std::size_t kMaxHeaderBytes = std::size_t{64} << 10U;
+constexpr long kMaxRedirections = 5;
 constexpr long kConnectSeconds = 10;
 constexpr long kSlowSeconds = 15; // a transfer below kSlowRate for this long counts as no answer
 constexpr long kSlowRate = 100;   // bytes per second
@@ -74,7 +74,7 @@ bool isLasting(CURLcode code) {
 
 RangeFailure endlessHeader() {
     return {
-        Refusal::Lasting, "the server's header does not end", "at most " + readableBytes({kMostHeaderBytes}), "more"};
+        Refusal::Lasting, "the server's header does not end", "at most " + readableBytes({kMaxHeaderBytes}), "more"};
 }
 
 /// Returns the failure for a code of libcurl before the first byte of the body. libcurl reports a header line longer
@@ -212,7 +212,7 @@ struct Connections::Request {
     static std::size_t onHeader(const char* data, std::size_t /*one*/, std::size_t size, void* request) {
         auto& self = *static_cast<Request*>(request);
         self.headerBytes += size;
-        if (self.headerBytes > kMostHeaderBytes) {
+        if (self.headerBytes > kMaxHeaderBytes) {
             self.refuse(endlessHeader());
             return 0;
         }
@@ -252,7 +252,7 @@ public:
         // An address with https must not be redirected to plain http.
         set(CURLOPT_REDIR_PROTOCOLS_STR, isSecure ? "https" : "http,https");
         set(CURLOPT_FOLLOWLOCATION, 1L);
-        set(CURLOPT_MAXREDIRS, kMostRedirections);
+        set(CURLOPT_MAXREDIRS, kMaxRedirections);
         set(CURLOPT_HTTP_VERSION, long{CURL_HTTP_VERSION_2TLS});
         set(CURLOPT_NOSIGNAL, 1L);
         set(CURLOPT_CONNECTTIMEOUT, kConnectSeconds);

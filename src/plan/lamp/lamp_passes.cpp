@@ -15,13 +15,13 @@ shadow::ShadowOptions optionsOf(const Quality& quality) {
     return options;
 }
 
-void explainOmissions(FramePlan& plan) {
+void explainSkipped(FramePlan& plan) {
     for (const Effect effect :
          {Effect::ZPartitions, Effect::FacePartitions, Effect::Warp, Effect::Stabilization, Effect::MapReuse})
-        plan.omitted.push_back({effect, OmissionReason::FacesOfCube});
-    if (plan.quality.filter == 0) plan.omitted.push_back({Effect::Filter, OmissionReason::SwitchedOff});
+        plan.omitted.push_back({effect, SkipReason::FacesOfCube});
+    if (plan.quality.filter == 0) plan.omitted.push_back({Effect::Filter, SkipReason::SwitchedOff});
     if (plan.quality.cullCasters == CasterCulling::Off)
-        plan.omitted.push_back({Effect::PartitionCulling, OmissionReason::SwitchedOff});
+        plan.omitted.push_back({Effect::PartitionCulling, SkipReason::SwitchedOff});
 }
 
 } // namespace
@@ -54,9 +54,9 @@ void planLampPasses(FramePlan& plan, const SceneFacts& scene) {
         plan.cost += pass.estimatedTriangles;
     }
     plan.cost += static_cast<std::uint64_t>(plan.textureWidth) * static_cast<std::uint64_t>(plan.textureHeight) / 16;
-    plan.promised = {setup.worst().x, setup.worst().z};
-    plan.texelsThatWouldDo = shadow::texelsThatWouldDo(setup, options, plan.quality.maxAliasing);
-    explainOmissions(plan);
+    plan.aliasingBound = {setup.worst().x, setup.worst().z};
+    plan.requiredTexels = shadow::requiredTexels(setup, options, plan.quality.maxAliasing);
+    explainSkipped(plan);
 }
 
 } // namespace gnomon::plan

@@ -23,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// edges reach so far, and the kernel then needs only their extremes.
 constexpr float kFarUnits = 0x1p29F; // so that differences fit an int
 
-HWY_INLINE IntMask isAtMost(Ints a, Ints b) {
+HWY_INLINE IntMask isLessOrEqual(Ints a, Ints b) {
     return hn::Lt(a, hn::Add(b, hn::Set(kInts, 1)));
 }
 
@@ -50,7 +50,7 @@ struct VertexPlace {
     static constexpr int kRowBits = 9;
     static constexpr std::int32_t kBeside = kTileSide * kSubpixels;
     static_assert(3 * kBeside <= 1 << kColumnBits);
-    static_assert(kMostBandRows < 1 << kRowBits);
+    static_assert(kMaxBandRows < 1 << kRowBits);
 
     static HWY_INLINE Ints packed(Ints x, Ints row, IntMask isAtRow) {
         const auto beside = hn::Set(kInts, kBeside);

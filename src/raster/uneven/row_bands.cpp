@@ -37,17 +37,17 @@ void RowBands::reset(std::span<const float> positions, int firstRow) {
         float narrowest = positions_.size() == 1 ? guard_ : std::numeric_limits<float>::max();
         if (first > 0) narrowest = std::min(narrowest, gap(first - 1));
         if (first + 1 < positions_.size()) narrowest = std::min(narrowest, gap(first));
-        float least = std::numeric_limits<float>::max();
-        float most = 0;
+        float minGap = std::numeric_limits<float>::max();
+        float maxGap = 0;
         std::size_t end = first + 1;
-        for (; end < positions_.size() && end - first < kMostBandRows; ++end) {
+        for (; end < positions_.size() && end - first < kMaxBandRows; ++end) {
             const float next = gap(end - 1);
             GNOMON_CHECK(next > 0);
-            if (std::max(most, next) > kMostGapRatio * std::min(least, next)) break;
-            least = std::min(least, next);
-            most = std::max(most, next);
+            if (std::max(maxGap, next) > kMaxGapRatio * std::min(minGap, next)) break;
+            minGap = std::min(minGap, next);
+            maxGap = std::max(maxGap, next);
         }
-        addBand(first, end, end - first > 1 ? least : narrowest);
+        addBand(first, end, end - first > 1 ? minGap : narrowest);
         first = end;
     }
 }
@@ -57,10 +57,10 @@ void RowBands::addBand(std::size_t first, std::size_t end, float narrowest) {
     band.first = firstRow_ + static_cast<int>(first);
     band.end = firstRow_ + static_cast<int>(end);
     band.base = positions_[first];
-    while (band.bucketBits > kLeastBucketBits && scaleFor(band.bucketBits, narrowest) * guard_ > kMostUnits)
+    while (band.bucketBits > kMinBucketBits && scaleFor(band.bucketBits, narrowest) * guard_ > kMaxUnits)
         --band.bucketBits;
     band.scale = scaleFor(band.bucketBits, narrowest);
-    GNOMON_CHECK_OP(band.scale * guard_, <=, kMostUnits);
+    GNOMON_CHECK_OP(band.scale * guard_, <=, kMaxUnits);
     for (std::size_t i = first; i < end; ++i)
         band.rows.push_back(static_cast<std::int32_t>(std::lrint(band.units(positions_[i]))));
     const std::int32_t last = band.rows.back();

@@ -11,12 +11,12 @@ namespace gnomon::raster {
 
 /// Limits for the size of a bucket, as powers of two of units. Buckets find the rows of a band. Small buckets are for
 /// gaps so narrow that larger units would overflow the exact edges.
-constexpr int kMostBucketBits = 8;
-constexpr int kLeastBucketBits = 4;
+constexpr int kMaxBucketBits = 8;
+constexpr int kMinBucketBits = 4;
 
 /// Max number of rows in a band, and max ratio between the widest and the narrowest gap in a band.
-constexpr int kMostBandRows = 256;
-constexpr float kMostGapRatio = 16;
+constexpr int kMaxBandRows = 256;
+constexpr float kMaxGapRatio = 16;
 
 /// A band: rows first to end - 1 of the target. In the band, y / w is snapped to whole units: the distance from `base`
 /// times `scale`, rounded to nearest even. Two rows are more than a bucket apart, so a bucket contains at most one row.
@@ -26,7 +26,7 @@ struct RowBand {
     int end = 0;
     float base = 0;  // y / w of the first row
     float scale = 1; // a power of two
-    int bucketBits = kMostBucketBits;
+    int bucketBits = kMaxBucketBits;
     std::vector<std::int32_t> rows; // in units, followed by a sentinel that no vertex reaches
     /// By bucket b: the first row at or above bucket b, counted from the band's first row.
     std::vector<std::int32_t> rowsFromBucket;
@@ -38,7 +38,7 @@ struct RowBand {
 };
 
 /// Max |y / w| times scale. With columns within 2^24 of each other, an edge function then stays below 2^63.
-constexpr float kMostUnits = 0x1p36F;
+constexpr float kMaxUnits = 0x1p36F;
 
 /// The rows of a viewport, in bands.
 class RowBands {

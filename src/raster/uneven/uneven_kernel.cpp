@@ -29,8 +29,8 @@ HWY_INLINE IntMask isNarrow(const UnevenSource& source, Ints corners) {
     const PointLanes c = source.pointAt(cornerIndex<2>(corners));
     const auto narrow = hn::Set(kInts, kNarrowExtent);
     return hn::And(
-        hn::Lt(hn::Sub(largest(a.x, b.x, c.x), least(a.x, b.x, c.x)), narrow),
-        hn::Lt(hn::Sub(largest(a.y, b.y, c.y), least(a.y, b.y, c.y)), narrow));
+        hn::Lt(hn::Sub(maxOf(a.x, b.x, c.x), minOf(a.x, b.x, c.x)), narrow),
+        hn::Lt(hn::Sub(maxOf(a.y, b.y, c.y), minOf(a.y, b.y, c.y)), narrow));
 }
 
 /// Sorts the triangles of a cluster by the number of samples that they may cover. Skips triangles that cannot cover a
@@ -56,12 +56,12 @@ HWY_INLINE void sortUneven(
         const auto b = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<1>(corners));
         const auto c = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<2>(corners));
         // Samples of the tile between the extremes. Rows are counted from the first row of the band.
-        const auto leastX = least(Place::x(a), Place::x(b), Place::x(c));
-        const auto largestX = largest(Place::x(a), Place::x(b), Place::x(c));
-        const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(leastX, round));
-        const auto lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largestX), lastColumn);
-        const auto firstRow = hn::Max(least(Place::row(a), Place::row(b), Place::row(c)), firstOfTile);
-        const auto endRow = hn::Min(largest(Place::rowAbove(a), Place::rowAbove(b), Place::rowAbove(c)), endOfTile);
+        const auto minX = minOf(Place::x(a), Place::x(b), Place::x(c));
+        const auto maxX = maxOf(Place::x(a), Place::x(b), Place::x(c));
+        const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(minX, round));
+        const auto lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(maxX), lastColumn);
+        const auto firstRow = hn::Max(minOf(Place::row(a), Place::row(b), Place::row(c)), firstOfTile);
+        const auto endRow = hn::Min(maxOf(Place::rowAbove(a), Place::rowAbove(b), Place::rowAbove(c)), endOfTile);
         const auto columns = hn::Sub(lastX, hn::Max(firstX, hn::Zero(kInts)));
         const auto rowCount = hn::Sub(hn::Sub(endRow, firstRow), hn::Set(kInts, 1));
         const auto drawn = hn::Gt(hn::Min(columns, rowCount), hn::Set(kInts, -1));
@@ -112,13 +112,13 @@ unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints pack
     TriangleLanes& t = lanes.t;
     t.hasArea = hn::Gt(area, hn::Zero(kInts));
     const auto round = hn::Set(kInts, kSubpixels - 1);
-    t.firstX = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(least(a.x, b.x, c.x), round)), hn::Zero(kInts));
-    t.lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(largest(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1));
+    t.firstX = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(minOf(a.x, b.x, c.x), round)), hn::Zero(kInts));
+    t.lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(maxOf(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1));
     // Padding triangles in the last vector can lie anywhere, so firstY is clamped to the tile.
     t.lastY = hn::Set(kInts, tile.y1 - 1 - above);
-    t.firstY = hn::Min(hn::Max(rows.firstRow(least(a.y, b.y, c.y)), hn::Set(kInts, tile.y0 - above)), t.lastY);
+    t.firstY = hn::Min(hn::Max(rows.firstRow(minOf(a.y, b.y, c.y)), hn::Set(kInts, tile.y0 - above)), t.lastY);
     lanes.firstUnits = rows.row(t.firstY);
-    lanes.highestUnits = largest(a.y, b.y, c.y);
+    lanes.highestUnits = maxOf(a.y, b.y, c.y);
     const PointLanes first = {hn::ShiftLeft<kSubpixelBits>(t.firstX), lanes.firstUnits};
     setEdge(b, c, first, t.edges.e0, t.perX.e0, t.perY.e0);
     setEdge(c, a, first, t.edges.e1, t.perX.e1, t.perY.e1);
@@ -161,15 +161,15 @@ HWY_INLINE void drawSmallUneven(
         for (int y = 0; y < side; ++y) {
             const auto row = hn::Add(t.firstY, hn::Set(kInts, y));
             const auto units = rows.row(hn::Min(row, t.lastY));
-            const auto isOfTile = hn::And(t.hasArea, isAtMost(row, t.lastY));
-            const auto isRow = hn::And(isOfTile, isAtMost(units, triangle.highestUnits));
+            const auto isOfTile = hn::And(t.hasArea, isLessOrEqual(row, t.lastY));
+            const auto isRow = hn::And(isOfTile, isLessOrEqual(units, triangle.highestUnits));
             if (hn::AllFalse(kInts, isRow)) break;
             Edges e = atUnits(t, hn::Sub(units, triangle.firstUnits));
             const auto rowDepth = depthOfRow(t.depth, fromReference(units, triangle.referenceUnits));
             const auto rowAddress = hn::Mul(hn::Sub(row, firstRow), hn::Set(kInts, kTileStride));
             for (int x = 0; x < side; ++x, step(e, t.perX)) {
                 const auto column = hn::Add(t.firstX, hn::Set(kInts, x));
-                const auto inside = hn::And(hn::And(isRow, isAtMost(column, t.lastX)), isInside(e));
+                const auto inside = hn::And(hn::And(isRow, isLessOrEqual(column, t.lastX)), isInside(e));
                 if (hn::AllFalse(kInts, inside)) continue;
                 hits.add<false>(
                     inside,
@@ -213,7 +213,7 @@ HWY_INLINE void drawStoredUneven(
         const auto rowDepth =
             depthOfRow(depth, hn::Set(kFloats, static_cast<float>(units[y] - referenceUnits) * (1.0F / kSubpixels)));
         for (std::int32_t x = x0; x <= x1; x += lanes, step(e, perX)) {
-            const auto inside = hn::And(isInside(e), isAtMost(hn::Iota(kInts, x), lastX));
+            const auto inside = hn::And(isInside(e), isLessOrEqual(hn::Iota(kInts, x), lastX));
             if (hn::AllFalse(kInts, inside)) continue;
             const auto fromX = hn::Add(depth.fromX, hn::Iota(kFloats, static_cast<float>(x - x0)));
             target.takeRow((y - firstRow) * kTileStride + x, inside, depthAt(depth, rowDepth, fromX), 0);
@@ -265,8 +265,8 @@ HWY_INLINE void drawWideUneven(
     }
     const UnevenTriangle triangle(corners);
     if (!triangle.hasArea() || !triangle.mayTouch(*rows.band, *rows.tile)) return;
-    const auto leastDepth = hn::Set(kFloats, triangle.leastDepth());
-    const auto largestDepth = hn::Set(kFloats, triangle.largestDepth());
+    const auto minDepth = hn::Set(kFloats, triangle.minDepth());
+    const auto maxDepth = hn::Set(kFloats, triangle.maxDepth());
     const auto perX = hn::Set(kFloats, triangle.depthPerX());
     const auto referenceX = hn::Set(kInts, triangle.referenceX());
     const PixelBox& tile = *rows.tile;
@@ -285,7 +285,7 @@ HWY_INLINE void drawWideUneven(
         for (int x = row.x0; x < row.x1; x += static_cast<int>(hn::Lanes(kInts))) {
             const auto pixels = hn::Iota(kInts, x);
             const auto along = hn::ConvertTo(kFloats, hn::Sub(pixels, referenceX));
-            const auto depth = hn::Min(hn::Max(hn::Add(reference, hn::Mul(perX, along)), leastDepth), largestDepth);
+            const auto depth = hn::Min(hn::Max(hn::Add(reference, hn::Mul(perX, along)), minDepth), maxDepth);
             target.takeRow((y - tile.y0) * kTileStride + x - tile.x0, hn::Lt(pixels, end), depth, 0);
         }
     }

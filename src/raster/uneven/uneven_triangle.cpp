@@ -29,13 +29,13 @@ UnevenTriangle::UnevenTriangle(std::array<UnevenVertex, 3> corners) : corners_(c
         edges_[i] = {dx, dy, dy * from.x - dx * from.y - (ownsEdge ? 0 : 1), perPixel, inverse};
     }
     const auto& [a, b, c] = corners_;
-    leastDepth_ = std::clamp(std::min({a.z, b.z, c.z}), 0.0F, 1.0F);
-    largestDepth_ = std::clamp(std::max({a.z, b.z, c.z}), 0.0F, 1.0F);
+    minDepth_ = std::clamp(std::min({a.z, b.z, c.z}), 0.0F, 1.0F);
+    maxDepth_ = std::clamp(std::max({a.z, b.z, c.z}), 0.0F, 1.0F);
     const double x1 = b.x - a.x + (b.restX - a.restX);
     const double x2 = c.x - a.x + (c.restX - a.restX);
     const double unsnapped = x1 * (c.unsnappedY - a.unsnappedY) - x2 * (b.unsnappedY - a.unsnappedY);
     // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
-    setPlane(unsnapped > kLeastTrueArea * static_cast<double>(area()));
+    setPlane(unsnapped > kMinTrueArea * static_cast<double>(area()));
 }
 
 /// Sets the depth plane through the unsnapped corners if `isTrue`, else through the snapped corners.

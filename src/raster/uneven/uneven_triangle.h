@@ -43,9 +43,9 @@ public:
 
     float depthPerX() const { return static_cast<float>(depthPerX_); }
 
-    float leastDepth() const { return leastDepth_; }
+    float minDepth() const { return minDepth_; }
 
-    float largestDepth() const { return largestDepth_; }
+    float maxDepth() const { return maxDepth_; }
 
 private:
     /// An edge function. A sample is inside if dx Y - dy X + atOrigin >= 0.
@@ -66,8 +66,8 @@ private:
     double depthPerY_ = 0; // per unit of the band
     double startX_ = 0;    // position of corner 0 for the depth plane, in 1/256 pixel and in units
     double startY_ = 0;
-    float leastDepth_ = 0; // smallest depth of the corners, clamped to [0, 1]
-    float largestDepth_ = 0;
+    float minDepth_ = 0; // smallest depth of the corners, clamped to [0, 1]
+    float maxDepth_ = 0;
 };
 
 /// Returns the floor of a / b for b > 0, with `inverse` = 1 / b. Quotients beyond kFarSamples are clamped to it. The

@@ -27,8 +27,8 @@ constexpr std::size_t kPositionBytes = sizeof(hierarchy::GridPoint);
 constexpr std::size_t kVertexBytes = kPositionBytes + sizeof(PackedAttributes);
 static_assert(kPositionBytes == 12 && kVertexBytes == 20, "the vertex layout below");
 
-constexpr Bytes kLeastChunk = mebibytes(32);
-constexpr Bytes kMostChunk = mebibytes(128);
+constexpr Bytes kMinChunk = mebibytes(32);
+constexpr Bytes kMaxChunk = mebibytes(128);
 
 constexpr std::array<gl::Attribute, 3> kAttributes = {
     gl::Attribute{0, 3, GL_UNSIGNED_INT, true, 0, 0},
@@ -150,7 +150,7 @@ bool GeometryPool::addChunk(const PageSize& page) {
     const std::uint64_t held = size().count;
     const std::uint64_t left = cap_.count - std::min(cap_.count, held);
     const std::uint64_t needed = page.vertices * kVertexBytes + page.indices * sizeof(Index);
-    const std::uint64_t wanted = std::max({std::clamp(held, kLeastChunk.count, kMostChunk.count), needed});
+    const std::uint64_t wanted = std::max({std::clamp(held, kMinChunk.count, kMaxChunk.count), needed});
     const std::uint64_t bytes = std::min(wanted, left);
     if (bytes < needed) return false;
     const double pages = static_cast<double>(bytes) / static_cast<double>(needed);

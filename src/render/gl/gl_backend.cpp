@@ -30,8 +30,8 @@ constexpr GLuint kLitMaskUnit = 1;
 constexpr std::size_t kBlockSegment = std::size_t{128} << 10U;
 
 /// Returns the segment size of another ring: a share of the memory, within limits.
-std::size_t ringSegment(Bytes memory, std::uint64_t share, std::size_t least, std::size_t most) {
-    return std::clamp<std::size_t>(memory.count / share, least, most);
+std::size_t ringSegment(Bytes memory, std::uint64_t share, std::size_t minBytes, std::size_t maxBytes) {
+    return std::clamp<std::size_t>(memory.count / share, minBytes, maxBytes);
 }
 
 constexpr std::size_t kKibibyte = 1024;
@@ -65,11 +65,11 @@ public:
 
     std::uint32_t texture() const override { return targets_.color().id(); }
 
-    PassStatistics drawShadowMaps(const FrameDrawing& frame) override;
+    PassStatistics drawShadowMaps(const DrawInputs& frame) override;
 
-    PassStatistics drawImage(const FrameDrawing& frame) override;
+    PassStatistics drawImage(const DrawInputs& frame) override;
 
-    DrawStatistics draw(const FrameDrawing& frame) override;
+    DrawStatistics draw(const DrawInputs& frame) override;
 
     Bytes deviceMemory() const override { return {pool_.size().count + targetMemory_.count + ringBytes()}; }
 
@@ -94,17 +94,17 @@ private:
         return targets_;
     }
 
-    void prepareTargets(const FrameDrawing& frame);
-    void drawMaps(const FrameDrawing& frame);
-    void drawBackground(const FrameDrawing& frame);
-    void drawSurfaces(const FrameDrawing& frame);
-    void drawGeometry(const FrameDrawing& frame, const lod::DrawList& list, bool withAttributes);
-    void bringIn(const FrameDrawing& frame, const lod::DrawList& list);
-    PagePlace placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch);
+    void prepareTargets(const DrawInputs& frame);
+    void drawMaps(const DrawInputs& frame);
+    void drawBackground(const DrawInputs& frame);
+    void drawSurfaces(const DrawInputs& frame);
+    void drawGeometry(const DrawInputs& frame, const lod::DrawList& list, bool withAttributes);
+    void bringIn(const DrawInputs& frame, const lod::DrawList& list);
+    PagePlace placed(const DrawInputs& frame, std::uint32_t id, GlBatch& batch);
     bool waitsForDraws() const;
-    const gl::Program& surfaceProgram(const FrameDrawing& frame);
+    const gl::Program& surfaceProgram(const DrawInputs& frame);
     void bindFrameBlock(const block::Frame& values);
-    void bindShadowsBlock(const FrameDrawing& frame);
+    void bindShadowsBlock(const DrawInputs& frame);
 
     std::uint64_t ringBytes() const { return blocks_.size() + commands_.size() + staging_.size(); }
 
@@ -134,7 +134,7 @@ private:
     gl::CurrentAtDestruction deletesInItsContext_{*context_};
 };
 
-PassStatistics GlBackend::drawShadowMaps(const FrameDrawing& frame) {
+PassStatistics GlBackend::drawShadowMaps(const DrawInputs& frame) {
     prepareTargets(frame);
     drawCalls_ = 0;
     const Stopwatch watch;
@@ -145,10 +145,10 @@ PassStatistics GlBackend::drawShadowMaps(const FrameDrawing& frame) {
     return {targets_.hasShadowMaps() ? watch.elapsed() : Milliseconds(), drawCalls_, std::nullopt};
 }
 
-PassStatistics GlBackend::drawImage(const FrameDrawing& frame) {
+PassStatistics GlBackend::drawImage(const DrawInputs& frame) {
     prepareTargets(frame);
     drawCalls_ = 0;
-    depth_ = lensOf(frame).depth;
+    depth_ = imageProjection(frame).depth;
     shading_ = frame.shading;
     const Stopwatch watch;
     if (imageTimer_) imageTimer_->begin();
@@ -162,7 +162,7 @@ PassStatistics GlBackend::drawImage(const FrameDrawing& frame) {
 
 /// Draws a frame and measures it with the GPU's clock if available. The times belong to this frame if the program waits
 /// for each frame, otherwise to the last finished frame.
-DrawStatistics GlBackend::draw(const FrameDrawing& frame) {
+DrawStatistics GlBackend::draw(const DrawInputs& frame) {
     DrawStatistics statistics = Backend::draw(frame);
     if (submission_ == GlSubmission::WaitsForEachFrame) {
         statistics.image.time = imageTimer_->finished();
@@ -175,7 +175,7 @@ DrawStatistics GlBackend::draw(const FrameDrawing& frame) {
 }
 
 /// Makes the targets. The remaining memory is the limit of the geometry pool.
-void GlBackend::prepareTargets(const FrameDrawing& frame) {
+void GlBackend::prepareTargets(const DrawInputs& frame) {
     context_->makeCurrent();
     targetMemory_ = targets_.bytes(frame);
     const Bytes taken{targetMemory_.count + ringBytes()};
@@ -198,7 +198,7 @@ void GlBackend::bindFrameBlock(const block::Frame& values) {
 }
 
 /// Binds the struct as three uniform blocks, because OpenGL guarantees only 16 KiB per block.
-void GlBackend::bindShadowsBlock(const FrameDrawing& frame) {
+void GlBackend::bindShadowsBlock(const DrawInputs& frame) {
     constexpr std::size_t kFirst = offsetof(block::Shadows, partitions);
     constexpr std::size_t kOthers = kFirst + GNOMON_FIRST_PARTITIONS * sizeof(block::Partition);
     constexpr std::array<std::size_t, 4> kStarts = {0, kFirst, kOthers, sizeof(block::Shadows)};
@@ -214,7 +214,7 @@ void GlBackend::bindShadowsBlock(const FrameDrawing& frame) {
             static_cast<GLsizeiptr>(kStarts[i + 1] - kStarts[i]));
 }
 
-void GlBackend::drawMaps(const FrameDrawing& frame) {
+void GlBackend::drawMaps(const DrawInputs& frame) {
     const plan::FramePlan& plan = *frame.plan;
     const gl::Api& gl = api();
     if (!depthProgram_) depthProgram_.emplace(gl, shaders_, "shadow/depth.vert", "shadow/depth.frag");
@@ -246,7 +246,7 @@ void GlBackend::drawMaps(const FrameDrawing& frame) {
     gl.disable(GL_DEPTH_CLAMP);
 }
 
-const gl::Program& GlBackend::surfaceProgram(const FrameDrawing& frame) {
+const gl::Program& GlBackend::surfaceProgram(const DrawInputs& frame) {
     const int shadows = frame.litMask != nullptr ? 2 : (targets_.hasShadowMaps() ? 1 : 0);
     const bool hasMany = frame.plan->passes.size() > GNOMON_FIRST_PARTITIONS;
     const std::string defines =
@@ -267,7 +267,7 @@ std::optional<std::uint64_t> GlBackend::litPixels() {
     return litCount_->of(targets_.color());
 }
 
-void GlBackend::drawBackground(const FrameDrawing& frame) {
+void GlBackend::drawBackground(const DrawInputs& frame) {
     const gl::Api& gl = api();
     if (const std::optional<SkyRows> sky = skyRows(frame)) {
         if (!skyProgram_) {
@@ -292,7 +292,7 @@ void GlBackend::drawBackground(const FrameDrawing& frame) {
     gl.clearNamedFramebufferfv(targets_.imageFramebuffer(), GL_COLOR, 0, &value.x);
 }
 
-void GlBackend::drawSurfaces(const FrameDrawing& frame) {
+void GlBackend::drawSurfaces(const DrawInputs& frame) {
     const gl::Api& gl = api();
     const plan::View& view = frame.plan->view;
     gl.bindFramebuffer(GL_FRAMEBUFFER, targets_.imageFramebuffer());
@@ -333,7 +333,7 @@ void GlBackend::drawSurfaces(const FrameDrawing& frame) {
     drawGeometry(frame, *frame.image, true);
 }
 
-void GlBackend::bringIn(const FrameDrawing& frame, const lod::DrawList& list) {
+void GlBackend::bringIn(const DrawInputs& frame, const lod::DrawList& list) {
     std::vector<GeometryPool::NewPage> missing;
     for (const lod::ClusterRange& range : list.ranges)
         if (!pool_.find(range.page)) missing.push_back({range.page, &frame.pages(range.page)});
@@ -344,7 +344,7 @@ void GlBackend::bringIn(const FrameDrawing& frame, const lod::DrawList& list) {
     pool_.insertAll(missing, frame.grid);
 }
 
-PagePlace GlBackend::placed(const FrameDrawing& frame, std::uint32_t id, GlBatch& batch) {
+PagePlace GlBackend::placed(const DrawInputs& frame, std::uint32_t id, GlBatch& batch) {
     if (const auto place = pool_.find(id)) return *place;
     const hierarchy::Page& page = frame.pages(id);
     for (;;) {
@@ -356,7 +356,7 @@ PagePlace GlBackend::placed(const FrameDrawing& frame, std::uint32_t id, GlBatch
     }
 }
 
-void GlBackend::drawGeometry(const FrameDrawing& frame, const lod::DrawList& list, bool withAttributes) {
+void GlBackend::drawGeometry(const DrawInputs& frame, const lod::DrawList& list, bool withAttributes) {
     GlBatch batch(api(), commands_, withAttributes);
     bringIn(frame, list);
     for (const lod::ClusterRange& range : list.ranges)

@@ -5,7 +5,7 @@
 
 namespace gnomon::render {
 
-Bytes GlTargets::bytes(const FrameDrawing& frame) const {
+Bytes GlTargets::bytes(const DrawInputs& frame) const {
     const auto texels = [](int width, int height) {
         return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     };
@@ -20,7 +20,7 @@ Bytes GlTargets::bytes(const FrameDrawing& frame) const {
     return {perPixel * texels(plan.view.width, plan.view.height) + shadows};
 }
 
-void GlTargets::prepare(const gl::Context& context, const FrameDrawing& frame) {
+void GlTargets::prepare(const gl::Context& context, const DrawInputs& frame) {
     const plan::FramePlan& plan = *frame.plan;
     const int largest = std::max({plan.view.width, plan.view.height, plan.textureWidth, plan.textureHeight});
     if (largest > context.maxTextureSize())
@@ -34,7 +34,7 @@ void GlTargets::prepare(const gl::Context& context, const FrameDrawing& frame) {
     prepareShadow(context.api(), plan);
 }
 
-void GlTargets::prepareImage(const gl::Api& api, const FrameDrawing& frame) {
+void GlTargets::prepareImage(const gl::Api& api, const DrawInputs& frame) {
     const int width = frame.plan->view.width;
     const int height = frame.plan->view.height;
     const bool hasSurfaces = image_ && image_->normals.id() != 0;
@@ -80,10 +80,10 @@ glm::ivec2 GlTargets::shadowSize(const plan::FramePlan& plan) const {
     if (plan.passes.empty()) return {0, 0};
     const glm::ivec2 needed(plan.textureWidth, plan.textureHeight);
     if (!shadow_) return needed;
-    constexpr double kMostIdle = 0.5;
+    constexpr double kMaxIdle = 0.5;
     const glm::ivec2 both = glm::max(needed, glm::ivec2(shadow_->depth.width(), shadow_->depth.height()));
     const auto area = [](const glm::ivec2& size) { return static_cast<double>(size.x) * size.y; };
-    return area(needed) >= (1 - kMostIdle) * area(both) ? both : needed;
+    return area(needed) >= (1 - kMaxIdle) * area(both) ? both : needed;
 }
 
 Picture GlTargets::picture() const {

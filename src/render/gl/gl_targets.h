@@ -5,7 +5,7 @@
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "render/backend.h"
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 
 #include <algorithm>
 #include <optional>
@@ -28,10 +28,10 @@ void flipRows(Raster<Pixel>& raster) {
 class GlTargets {
 public:
     /// Returns the size of the textures that `prepare` would make or keep for `frame`.
-    Bytes bytes(const FrameDrawing& frame) const;
+    Bytes bytes(const DrawInputs& frame) const;
 
     /// Makes the missing textures for `frame`. Throws Error if a texture exceeds the max size of OpenGL.
-    void prepare(const gl::Context& context, const FrameDrawing& frame);
+    void prepare(const gl::Context& context, const DrawInputs& frame);
 
     /// Returns the colour texture of the image.
     const gl::Texture& color() const { return image_->color; }
@@ -77,7 +77,7 @@ private:
         int height = 0;
     };
 
-    void prepareImage(const gl::Api& api, const FrameDrawing& frame);
+    void prepareImage(const gl::Api& api, const DrawInputs& frame);
     void prepareShadow(const gl::Api& api, const plan::FramePlan& plan);
     glm::ivec2 shadowSize(const plan::FramePlan& plan) const;
 

@@ -4,7 +4,7 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/shader_library.h"
-#include "plan/look.h"
+#include "plan/shading_settings.h"
 
 #include <cstdint>
 #include <optional>

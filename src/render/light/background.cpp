@@ -35,7 +35,7 @@ Rgb skyColor(double sine) {
     return displayed(glm::mix(kHorizon, kBelow, smooth(std::min(-height / kHaze, 1.0F))));
 }
 
-std::optional<SkyRows> skyRows(const FrameDrawing& frame) {
+std::optional<SkyRows> skyRows(const DrawInputs& frame) {
     const plan::View& view = frame.plan->view;
     if (frame.plan->quality.look.background.kind != plan::Background::Kind::Sky) return std::nullopt;
     const CameraBasis basis = cameraBasis(frame.observerCamera.value_or(view.camera));
@@ -46,7 +46,7 @@ std::optional<SkyRows> skyRows(const FrameDrawing& frame) {
         static_cast<float>(view.tanHalfY())};
 }
 
-std::vector<Rgb> backgroundRows(const FrameDrawing& frame) {
+std::vector<Rgb> backgroundRows(const DrawInputs& frame) {
     const int height = frame.plan->view.height;
     std::vector<Rgb> rows(static_cast<std::size_t>(height), frame.plan->quality.look.background.color);
     const std::optional<SkyRows> sky = skyRows(frame);
@@ -59,7 +59,7 @@ std::vector<Rgb> backgroundRows(const FrameDrawing& frame) {
     return rows;
 }
 
-bool isTransparent(const FrameDrawing& frame) {
+bool isTransparent(const DrawInputs& frame) {
     return frame.plan->quality.look.background.kind == plan::Background::Kind::Transparent;
 }
 
@@ -70,31 +70,31 @@ glm::vec3 ambientOf(const block::Frame& block, const glm::vec3& up) {
     return block.ambientMean + block.ambientTilt * glm::dot(up, block.skyAxis);
 }
 
-glm::vec3 sunOf(const FrameDrawing& frame, const block::Frame& block, const glm::vec3& up) {
+glm::vec3 sunOf(const DrawInputs& frame, const block::Frame& block, const glm::vec3& up) {
     return block.sun * std::max(glm::dot(up, glm::vec3(frame.plan->light.unit())), 0.0F);
 }
 
 } // namespace
 
-glm::vec3 leftInShadow(const FrameDrawing& frame) {
+glm::vec3 leftInShadow(const DrawInputs& frame) {
     if (frame.groundShade) return 1.0F - *frame.groundShade;
     block::Frame block{};
     setLight(frame.plan->view, frame.plan->quality.look, frame.shading, block);
     const glm::vec3 up(glm::normalize(frame.plan->view.up));
     const glm::vec3 sky = ambientOf(block, up);
-    constexpr float kLeast = 1.0F / (1 << 20);
-    return glm::max(sky / (sky + sunOf(frame, block, up)), glm::vec3(kLeast));
+    constexpr float kMinShare = 1.0F / (1 << 20);
+    return glm::max(sky / (sky + sunOf(frame, block, up)), glm::vec3(kMinShare));
 }
 
-GroundShares groundShares(const FrameDrawing& frame) {
-    const plan::Look& look = frame.plan->quality.look;
+GroundShares groundShares(const DrawInputs& frame) {
+    const plan::ShadingSettings& look = frame.plan->quality.look;
     block::Frame block{};
     setLight(frame.plan->view, look, frame.shading, block);
     const glm::vec3 up(glm::normalize(frame.plan->view.up));
     const glm::vec3 sun = sunOf(frame, block, up);
-    takeSkyOut(look, block);
+    removeSkyLight(look, block);
     const glm::vec3 rest = ambientOf(block, up);
-    leaveSkyDirection(look, 1, block);
+    keepOnlySkyDirection(look, 1, block);
     const glm::vec3 all = glm::max(rest + block.sun + sun, glm::vec3(1e-6F));
     return {sun / all, block.sun / all};
 }

@@ -25,7 +25,7 @@ void darken(Rgb& pixel, float light) {
 
 } // namespace
 
-void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelDistance) {
+void applyEyeDome(Picture& picture, const FloatPicture& depth, double parallelDistance) {
     GNOMON_CHECK(picture.width == depth.width && picture.height == depth.height);
     const int width = picture.width;
     const int height = picture.height;
@@ -39,12 +39,12 @@ void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelD
     };
     const auto lightAt = [&](int x, int y) {
         const float own = nearness(x, y);
-        float hollow = 0;
+        float occlusion = 0;
         for (const auto& [right, down] : kAround) {
             const float around = 0.5F * (nearness(x + right, y + down) + nearness(x - right, y - down));
-            hollow += std::clamp(isParallel ? around - own : around / own - 1, 0.0F, 1.0F);
+            occlusion += std::clamp(isParallel ? around - own : around / own - 1, 0.0F, 1.0F);
         }
-        return std::max(1 / (1 + kStrength / 4 * hollow), kDarkest);
+        return std::max(1 / (1 + kStrength / 4 * occlusion), kDarkest);
     };
     tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const auto& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y)

@@ -10,6 +10,6 @@ namespace gnomon::render {
 /// mean of 1/depth is compared with the value of the pixel. In a plane both are equal, so flat surfaces never darken.
 /// With parallel primary rays, planes preserve the mean of depth itself. A positive `parallelDistance` then scales the
 /// differences, as if all surfaces had this distance.
-void darkenHollows(Picture& picture, const FloatPicture& depth, double parallelDistance = 0);
+void applyEyeDome(Picture& picture, const FloatPicture& depth, double parallelDistance = 0);
 
 } // namespace gnomon::render

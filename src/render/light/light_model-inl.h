@@ -38,8 +38,8 @@ HWY_INLINE Vec3 linearFromDisplay(const Vec3& display) {
     return {linearFromDisplay(display.x), linearFromDisplay(display.y), linearFromDisplay(display.z)};
 }
 
-HWY_INLINE Floats shoulder(const block::Frame& frame, Floats light) {
-    const auto shown = frame.isShouldered != 0 ? hn::Div(light, hn::Add(constant(1), light)) : light;
+HWY_INLINE Floats toneMapped(const block::Frame& frame, Floats light) {
+    const auto shown = frame.isToneMapped != 0 ? hn::Div(light, hn::Add(constant(1), light)) : light;
     return hn::Min(shown, constant(1));
 }
 
@@ -50,9 +50,9 @@ HWY_INLINE Vec3 reflected(const Vec3& albedo, const Vec3& light) {
 /// Returns the displayed colour of a surface that reflects `light`.
 HWY_INLINE Vec3 displayed(const block::Frame& frame, const Vec3& light) {
     return {
-        displayFromLinear(shoulder(frame, light.x)),
-        displayFromLinear(shoulder(frame, light.y)),
-        displayFromLinear(shoulder(frame, light.z))};
+        displayFromLinear(toneMapped(frame, light.x)),
+        displayFromLinear(toneMapped(frame, light.y)),
+        displayFromLinear(toneMapped(frame, light.z))};
 }
 
 /// Returns the light from all sources except the sun.

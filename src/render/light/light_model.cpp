@@ -45,14 +45,14 @@ float linearFromDisplay(float display) {
     return display <= srgb::kDisplayLimit ? display * (1 / srgb::kLinearSlope) : curve;
 }
 
-float shoulder(const block::Frame& block, float light) {
-    return std::min(block.isShouldered != 0 ? light / (1 + light) : light, 1.0F);
+float toneMapped(const block::Frame& block, float light) {
+    return std::min(block.isToneMapped != 0 ? light / (1 + light) : light, 1.0F);
 }
 
-void setLight(const plan::View& view, const plan::Look& look, plan::Shading shading, block::Frame& block) {
+void setLight(const plan::View& view, const plan::ShadingSettings& look, plan::Shading shading, block::Frame& block) {
     const auto ambient = static_cast<float>(look.ambient);
     block.isFaceted = shading == plan::Shading::Flat ? 1 : 0;
-    block.isShouldered = 1;
+    block.isToneMapped = 1;
     block.skyAxis = glm::vec3(skyAxis(view));
     block.ambientMean = 0.5F * ambient * (kSky + kGround);
     block.ambientTilt = 0.5F * ambient * (kSky - kGround);
@@ -67,20 +67,20 @@ void setLight(const plan::View& view, const plan::Look& look, plan::Shading shad
         block.sun = glm::vec3(0);
     }
     if (shading == plan::Shading::Unlit) {
-        block.isShouldered = 0;
+        block.isToneMapped = 0;
         block.ambientMean = glm::vec3(1);
         block.ambientTilt = block.sun = glm::vec3(0);
         block.headlight = 0;
     }
 }
 
-void takeSkyOut(const plan::Look& look, block::Frame& block) {
+void removeSkyLight(const plan::ShadingSettings& look, block::Frame& block) {
     const auto ambient = static_cast<float>(look.ambient);
     block.ambientMean = 0.5F * ambient * kGround;
     block.ambientTilt = -0.5F * ambient * kGround;
 }
 
-void leaveSkyDirection(const plan::Look& look, double weight, block::Frame& block) {
+void keepOnlySkyDirection(const plan::ShadingSettings& look, double weight, block::Frame& block) {
     block.ambientMean = block.ambientTilt = glm::vec3(0);
     block.headlight = 0;
     block.sun = static_cast<float>(look.ambient * weight) * kSky;

@@ -30,17 +30,17 @@ float linearFromDisplay(float display);
 /// Returns the tone-mapped value of linear `light`, in [0, 1], by Reinhard's operator (Reinhard et al. 2002, Eq 3). It
 /// keeps dark values almost unchanged and preserves differences between bright values. With `--shading unlit` there is
 /// no tone mapping.
-float shoulder(const block::Frame& block, float light);
+float toneMapped(const block::Frame& block, float light);
 
 /// Fills the light parameters of `block`. `shading` is never Auto.
-void setLight(const plan::View& view, const plan::Look& look, plan::Shading shading, block::Frame& block);
+void setLight(const plan::View& view, const plan::ShadingSettings& look, plan::Shading shading, block::Frame& block);
 
 /// Removes the sky light from the values of setLight, so that it can be added direction by direction.
-void takeSkyOut(const plan::Look& look, block::Frame& block);
+void removeSkyLight(const plan::ShadingSettings& look, block::Frame& block);
 
 /// Replaces the light in `block` by the sky light from the direction of the frame's light. The whole sky light is the
 /// mean of many such directions over the hemisphere around up. `weight` is twice the relative brightness of this
 /// direction, because the mean of twice the cosine over the hemisphere is 1.
-void leaveSkyDirection(const plan::Look& look, double weight, block::Frame& block);
+void keepOnlySkyDirection(const plan::ShadingSettings& look, double weight, block::Frame& block);
 
 } // namespace gnomon::render

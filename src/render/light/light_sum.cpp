@@ -40,9 +40,9 @@ std::uint8_t screenLevel(float linear) {
 
 } // namespace
 
-Shown shownAs(const FrameDrawing& frame) {
-    Shown shown;
-    shown.isShouldered = frame.shading != plan::Shading::Unlit;
+ToneMapping toneMappingOf(const DrawInputs& frame) {
+    ToneMapping shown;
+    shown.isToneMapped = frame.shading != plan::Shading::Unlit;
     shown.isTransparent = frame.plan->quality.look.background.kind == plan::Background::Kind::Transparent;
     shown.hasGround = frame.ground != nullptr;
     shown.backgroundRows = backgroundRows(frame);
@@ -90,7 +90,7 @@ void LightSum::addPixel(std::size_t i, const std::array<float, 3>& pixel) {
 }
 
 void LightSum::add(const LightPicture& light, const shadow::TileMask* tiles) {
-    GNOMON_CHECK(count_ < kMost);
+    GNOMON_CHECK(count_ < kMaxPictures);
     if (count_ == 0) {
         sums_ = Raster<Sums>(light.width, light.height);
         covered_ = Raster<std::uint16_t>(light.width, light.height);
@@ -151,13 +151,13 @@ float LightSum::groundCoverage(std::size_t i) const {
     return 1 - displayFromLinear(leftOfBackground(i)[0]);
 }
 
-Picture LightSum::picture(const Shown& shown) const {
+Picture LightSum::picture(const ToneMapping& shown) const {
     GNOMON_CHECK(count_ > 0);
     const auto lastRow = static_cast<std::size_t>(firstRow_) + static_cast<std::size_t>(sums_.height);
     GNOMON_CHECK(shown.backgroundRows.size() >= lastRow);
     const std::size_t above = shown.backgroundRows.size() - lastRow; // rows of the image above this part
     block::Frame curve{};
-    curve.isShouldered = shown.isShouldered ? 1 : 0;
+    curve.isToneMapped = shown.isToneMapped ? 1 : 0;
     const LightPicture mean = this->mean();
     Picture picture(sums_.width, sums_.height);
     forAllPixels(picture.pixels.size(), [&](std::size_t i) {
@@ -180,7 +180,7 @@ Picture LightSum::picture(const Shown& shown) const {
         const float ofSurface =
             hasGround_ && shown.isTransparent ? share / (share + (1 - share) * groundCoverage(i)) : 1;
         for (std::size_t c = 0; c < 3; ++c) {
-            float linear = shoulder(curve, mean.pixels[i][c]);
+            float linear = toneMapped(curve, mean.pixels[i][c]);
             if (isMixed) linear = share * linear + (1 - share) * background(c);
             picture.pixels[i][c] = screenLevel(ofSurface * linear);
         }

@@ -11,8 +11,8 @@
 namespace gnomon::render {
 
 /// Parameters for the conversion of mean light to a picture.
-struct Shown {
-    bool isShouldered = true; // applies tone mapping, as in block::Frame
+struct ToneMapping {
+    bool isToneMapped = true; // applies tone mapping, as in block::Frame
     // The background is transparent, so a partly covered pixel has the colour of its surface only.
     bool isTransparent = false;
     std::vector<Rgb> backgroundRows; // from top to bottom
@@ -20,7 +20,7 @@ struct Shown {
 };
 
 /// Returns the parameters for pictures of `frame`.
-Shown shownAs(const FrameDrawing& frame);
+ToneMapping toneMappingOf(const DrawInputs& frame);
 
 /// Adds the light `other` of the same surfaces to `light` at pixels where both have a surface. Also adds the shares
 /// that ground shadows remove.
@@ -35,7 +35,7 @@ void addLight(LightPicture& light, const LightPicture& other);
 /// transparent background, a ground shadow is black and its darkness is the coverage.
 class LightSum {
 public:
-    static constexpr int kMost = 65535;
+    static constexpr int kMaxPictures = 65535;
 
     /// Returns the peak memory for an image with `pixels` pixels: the sums, the light of a frame, and copies. Ground
     /// and sky need more.
@@ -45,8 +45,8 @@ public:
     /// the image from `firstRow` on, counted from the bottom.
     void reset(bool hasGround = false, int firstRow = 0);
 
-    /// Adds a frame of the same size as the first; at most kMost frames. With `tiles`, adds only the pixels of these
-    /// tiles. All later frames must then have the same tiles.
+    /// Adds a frame of the same size as the first; at most kMaxPictures frames. With `tiles`, adds only the pixels of
+    /// these tiles. All later frames must then have the same tiles.
     void add(const LightPicture& light, const shadow::TileMask* tiles = nullptr);
 
     /// Returns the number of frames, including frames of tiles.
@@ -57,7 +57,7 @@ public:
 
     /// Returns the picture of the mean. Requires at least one frame. The background rows are those of the whole image.
     /// The mean of equal frames is the picture of each of them.
-    Picture picture(const Shown& shown) const;
+    Picture picture(const ToneMapping& shown) const;
 
     /// Returns the share of the frames that cover each pixel.
     Coverage coverage() const;

@@ -115,12 +115,12 @@ void drawSwatch(const Pen& pen, int y, const LegendEntry& entry) {
             pen.fill(kMargin + x, y + row, 1, 1, bytes(entry.color * kWithoutMap[(x + row) / 4 % 2 == 0 ? 0 : 1]));
 }
 
-/// Returns the smallest step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` steps.
-double roundStep(double span, int most) {
-    const double least = span / most;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
+/// Returns the smallest step of 1, 2 or 5 times a power of ten that divides `span` into at most `max` steps.
+double roundStep(double span, int max) {
+    const double min = span / max;
+    const double power = std::pow(10.0, std::floor(std::log10(min)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1 - 1e-9)) return factor * power;
+        if (factor * power >= min * (1 - 1e-9)) return factor * power;
     return 10 * power;
 }
 
@@ -139,8 +139,8 @@ ColorScale heatScale(std::optional<double> markedFactor) {
 }
 
 float ValueScale::place(double value) const {
-    if (!isLogarithmic) return static_cast<float>((value - least) / (most - least));
-    return value > 0 ? static_cast<float>(std::log2(value / least) / std::log2(most / least)) : -1;
+    if (!isLogarithmic) return static_cast<float>((value - min) / (max - min));
+    return value > 0 ? static_cast<float>(std::log2(value / min) / std::log2(max / min)) : -1;
 }
 
 glm::vec3 ValueScale::color(double value) const {
@@ -161,8 +161,8 @@ bool areClear(const std::vector<ColorScale::Tick>& ticks) {
 
 /// Returns ticks at 1, 2 and 5 times powers of ten, or fewer ticks if their numbers would overlap.
 std::vector<ColorScale::Tick> logarithmicTicks(const ValueScale& values) {
-    const int first = static_cast<int>(std::floor(std::log10(values.least)));
-    const int last = static_cast<int>(std::ceil(std::log10(values.most)));
+    const int first = static_cast<int>(std::floor(std::log10(values.min)));
+    const int last = static_cast<int>(std::ceil(std::log10(values.max)));
     std::vector<ColorScale::Tick> ticks;
     const auto place = [&](const std::vector<int>& digits, int stride) {
         ticks.clear();
@@ -189,10 +189,10 @@ ColorScale colorScale(const ValueScale& values) {
         scale.ticks = logarithmicTicks(values);
         return scale;
     }
-    constexpr int kMostSteps = 6;
-    const double step = roundStep(values.most - values.least, kMostSteps);
-    const double first = std::ceil(values.least / step - 1e-6);
-    for (int i = 0; i <= kMostSteps && (first + i) * step <= values.most + 1e-6 * step; ++i)
+    constexpr int kMaxSteps = 6;
+    const double step = roundStep(values.max - values.min, kMaxSteps);
+    const double first = std::ceil(values.min / step - 1e-6);
+    for (int i = 0; i <= kMaxSteps && (first + i) * step <= values.max + 1e-6 * step; ++i)
         scale.ticks.push_back(
             // + 0.0 removes the sign of -0
             {double{values.place((first + i) * step)}, formatted("%.7g", (first + i) * step + 0.0)});
@@ -217,8 +217,8 @@ Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
         legend.title = {"perspective aliasing:", "pixels across a shadow texel"};
         legend.scale = heatScale();
         if (!plan.passes.empty()) {
-            legend.scale = heatScale(plan.promised.worst());
-            legend.title.push_back(formatted("mark: promised at most %.3g", plan.promised.worst()));
+            legend.scale = heatScale(plan.aliasingBound.worst());
+            legend.title.push_back(formatted("mark: promised at most %.3g", plan.aliasingBound.worst()));
         }
         addWithoutMap(legend);
         break;

@@ -33,12 +33,12 @@ struct ColorScale {
 /// Returns the scale of heatColor, the factors from 1/4 to 16, with an optional marker at one factor.
 ColorScale heatScale(std::optional<double> markedFactor = std::nullopt);
 
-/// A mapping of values to colours from `least` to `most`. Both are finite and least < most. A logarithmic scale also
+/// A mapping of values to colours from `min` to `max`. Both are finite, and min < max. A logarithmic scale also
 /// requires least > 0.
 struct ValueScale {
     plan::ColorMap map = plan::ColorMap::Viridis;
-    double least = 0;
-    double most = 1;
+    double min = 0;
+    double max = 1;
     bool isLogarithmic = false;
 
     /// Returns the position of `value` on the scale, from 0 to 1 within the range. Returns a negative position if the

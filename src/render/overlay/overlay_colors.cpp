@@ -24,8 +24,8 @@ glm::vec3 heatColor(float value) {
     const float x = glm::clamp(std::log2(std::max(value, 1e-6F)) * 0.5F, -1.0F, 2.0F);
     const glm::vec3 kept =
         glm::mix(glm::vec3(0.03F, 0.09F, 0.36F), glm::vec3(0.37F, 0.4F, 0.44F), glm::clamp(x + 1, 0.0F, 1.0F));
-    const glm::vec3 beyond = glm::mix(kept, glm::vec3(0.86F, 0.57F, 0.18F), glm::clamp(x, 0.0F, 1.0F));
-    return glm::mix(beyond, glm::vec3(1, 0.99F, 0.86F), glm::clamp(x - 1, 0.0F, 1.0F));
+    const glm::vec3 above = glm::mix(kept, glm::vec3(0.86F, 0.57F, 0.18F), glm::clamp(x, 0.0F, 1.0F));
+    return glm::mix(above, glm::vec3(1, 0.99F, 0.86F), glm::clamp(x - 1, 0.0F, 1.0F));
 }
 
 glm::vec3 indexColor(int index) {

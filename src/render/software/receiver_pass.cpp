@@ -43,17 +43,17 @@ void markRange(
 } // namespace
 
 std::uint64_t ReceiverPass::collect(
-    const FrameDrawing& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth) {
+    const DrawInputs& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth) {
     clustersTested_ = 0;
     const bool isLitLater = frame.overlay == Overlay::None && !frame.wantsSurfaces && frame.plan->quality.filter <= 1;
     awaited_.isLitLater = isLitLater;
     awaited_.size = 0;
-    const std::size_t most = isLitLater ? buffers.picture->pixels.size() : 0;
-    if (awaited_.pixels.size() < most) {
+    const std::size_t pixelCount = isLitLater ? buffers.picture->pixels.size() : 0;
+    if (awaited_.pixels.size() < pixelCount) {
         for (auto* values : {&awaited_.pixels, &awaited_.texels, &awaited_.litColors})
-            values->resize(most);
-        awaited_.depths.resize(most);
-        awaited_.counts.resize(most);
+            values->resize(pixelCount);
+        awaited_.depths.resize(pixelCount);
+        awaited_.counts.resize(pixelCount);
     }
     awaited_.mask = &mask_;
     mask_.reset(shadowDepth.width, shadowDepth.height);
@@ -68,7 +68,7 @@ std::uint64_t ReceiverPass::collect(
     return lit;
 }
 
-const lod::DrawList& ReceiverPass::casters(const FrameDrawing& frame, std::size_t pass, const raster::View& view) {
+const lod::DrawList& ReceiverPass::casters(const DrawInputs& frame, std::size_t pass, const raster::View& view) {
     const lod::DrawList& all = *frame.casters[pass];
     clustersTested_ += all.clusters;
     places_.clear();

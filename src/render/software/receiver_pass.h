@@ -11,14 +11,14 @@ class ReceiverPass {
 public:
     /// Shades the image as if all surfaces were in shadow, and collects the receivers. `shadowDepth` needs only the
     /// size of the depth texture. Returns the number of lit pixels that need no map.
-    std::uint64_t collect(const FrameDrawing& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth);
+    std::uint64_t collect(const DrawInputs& frame, const ImageBuffers& buffers, const FloatPicture& shadowDepth);
 
     /// Returns true if no pixel looks up `box` of the depth texture, so that it need not be drawn.
     bool isUnseen(const raster::PixelBox& box) const { return mask_.isEmpty(box); }
 
     /// Returns the casters of map `pass` that can change a pixel, for a map drawn with `view`. Whole groups are culled
     /// first. The list is valid until the next call.
-    const lod::DrawList& casters(const FrameDrawing& frame, std::size_t pass, const raster::View& view);
+    const lod::DrawList& casters(const DrawInputs& frame, std::size_t pass, const raster::View& view);
 
     /// Returns true if `light` can finish the image. It cannot if a filter kernel reads several texels, or if an
     /// overlay or surfaces are requested. The image is then shaded again.

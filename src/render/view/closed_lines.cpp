@@ -85,11 +85,11 @@ template <class Use>
 void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use& use) {
     const double perCell = 1 / (16 * reach); // large cells, so that few points are near a border
     const auto keyOf = [&](const glm::dvec3& p) {
-        constexpr double kBeyondAll = 0x1p40; // makes all coordinates positive, so that truncation rounds down
+        constexpr double kCellOffset = 0x1p40; // makes all coordinates positive, so that truncation rounds down
         return PointKey{
-            static_cast<std::int64_t>(p.x * perCell + kBeyondAll),
-            static_cast<std::int64_t>(p.y * perCell + kBeyondAll),
-            static_cast<std::int64_t>(p.z * perCell + kBeyondAll)};
+            static_cast<std::int64_t>(p.x * perCell + kCellOffset),
+            static_cast<std::int64_t>(p.y * perCell + kCellOffset),
+            static_cast<std::int64_t>(p.z * perCell + kCellOffset)};
     };
     const auto hashOfKey = [](const PointKey& key) {
         const auto bits = [&](std::size_t axis) { return static_cast<std::uint64_t>(key.at(axis)); };
@@ -172,14 +172,14 @@ struct LineGraph {
 };
 
 /// An algorithm that removes lines with the min total length, so that the surplus of each place becomes 0.
-class LeastOpening {
+class MinOpening {
 public:
-    explicit LeastOpening(LineGraph graph)
+    explicit MinOpening(LineGraph graph)
         : ends_(std::move(graph.ends)),
           lengths_(std::move(graph.lengths)),
           surplus_(std::move(graph.surplus)),
           onceCount_(graph.onceCount),
-          leftOut_(lengths_.size()),
+          dropped_(lengths_.size()),
           firstAt_(surplus_.size() + 1),
           potentials_(surplus_.size()),
           reached_(surplus_.size()) {
@@ -195,11 +195,11 @@ public:
     void run() {
         for (std::uint32_t place = 0; place < surplus_.size(); ++place)
             while (surplus_[place] > 0)
-                leaveOutFrom(place);
+                dropFrom(place);
     }
 
     /// Returns how many times a line is removed.
-    int leftOut(std::size_t line) const { return leftOut_[line]; }
+    int dropped(std::size_t line) const { return dropped_[line]; }
 
 private:
     static constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
@@ -225,11 +225,11 @@ private:
         for (std::uint32_t k = firstAt_[from.place]; k < firstAt_[from.place + 1]; ++k) {
             const std::uint32_t end = linesAt_[k];
             const std::size_t line = end / 2;
-            const bool isForth = end % 2 == 0;
-            const bool canGo = isForth ? leftOut_[line] == 0 || line >= onceCount_ : leftOut_[line] > 0;
+            const bool isForward = end % 2 == 0;
+            const bool canGo = isForward ? dropped_[line] == 0 || line >= onceCount_ : dropped_[line] > 0;
             if (!canGo) continue;
             const std::uint32_t place = ends_[end ^ 1U];
-            const std::int64_t length = from.length + (isForth ? lengths_[line] : -lengths_[line]) +
+            const std::int64_t length = from.length + (isForward ? lengths_[line] : -lengths_[line]) +
                                         potentials_[from.place] - potentials_[place];
             if (length >= reached_[place].length) continue;
             if (reached_[place].byEnd == kNoEnd) touched_.push_back(place);
@@ -240,7 +240,7 @@ private:
     }
 
     /// Removes the shortest path from `start` to a place with a negative surplus.
-    void leaveOutFrom(std::uint32_t start) {
+    void dropFrom(std::uint32_t start) {
         touched_.assign(1, start);
         waiting_.assign(1, {0, start});
         reached_[start] = {0, kNoEnd};
@@ -257,7 +257,7 @@ private:
         }
         for (std::uint32_t at = nearest.place; at != start;) {
             const std::uint32_t end = reached_[at].byEnd;
-            leftOut_[end / 2] += end % 2 == 0 ? 1 : -1;
+            dropped_[end / 2] += end % 2 == 0 ? 1 : -1;
             at = ends_[end];
         }
         --surplus_[start];
@@ -272,7 +272,7 @@ private:
     std::vector<std::int64_t> lengths_;
     std::vector<int> surplus_;
     std::size_t onceCount_;
-    std::vector<int> leftOut_;
+    std::vector<int> dropped_;
     std::vector<std::uint32_t> firstAt_; // index in linesAt_ per place
     std::vector<std::uint32_t> linesAt_; // ends of lines at each place
     std::vector<std::int64_t> potentials_;
@@ -319,15 +319,15 @@ void markClosed(std::vector<SectionLine>& lines) {
         graph.lengths.push_back(lengthOf(lines[i].from, lines[i].to));
     addBridges(places.points, graph);
     const std::vector<std::uint32_t> ends = graph.ends;
-    LeastOpening opening(std::move(graph));
+    MinOpening opening(std::move(graph));
     opening.run();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (opening.leftOut(i) != 0) continue;
+        if (opening.dropped(i) != 0) continue;
         // Merged ends get identical positions, because a gap between them would leak a row of pixels.
         lines[numbers[i]] = {places.points[ends[2 * i]], places.points[ends[2 * i + 1]], true};
     }
     for (std::size_t i = numbers.size(); i < ends.size() / 2; ++i)
-        for (int k = 0; k < opening.leftOut(i); ++k)
+        for (int k = 0; k < opening.dropped(i); ++k)
             lines.push_back({places.points[ends[2 * i + 1]], places.points[ends[2 * i]], true});
 }
 

@@ -9,7 +9,7 @@
 namespace gnomon::render {
 
 /// A directed intersection line of a plane and a triangle. Seen from the side of the plane's normal, solid material is
-/// on its left. Coordinates are cells from draw space's origin.
+/// on its left. Coordinates are cells from the origin of camera-relative space.
 struct SectionLine {
     glm::dvec3 from{0};
     glm::dvec3 to{0};

@@ -8,8 +8,8 @@ namespace {
 /// to the plane. The result is the same for both directions of the edge.
 glm::dvec3 crossing(const glm::dvec3& a, double atA, const glm::dvec3& b, double atB) {
     const bool isTurned = a.x != b.x ? b.x < a.x : a.y != b.y ? b.y < a.y : b.z < a.z;
-    const glm::dvec3 met = isTurned ? b + (a - b) * (atB / (atB - atA)) : a + (b - a) * (atA / (atA - atB));
-    const glm::u64vec3 nearest(met + 0.5); // truncation rounds correctly, because coordinates are not negative
+    const glm::dvec3 hit = isTurned ? b + (a - b) * (atB / (atB - atA)) : a + (b - a) * (atA / (atA - atB));
+    const glm::u64vec3 nearest(hit + 0.5); // truncation rounds correctly, because coordinates are not negative
     return {nearest.x, nearest.y, nearest.z};
 }
 
@@ -20,7 +20,7 @@ glm::dvec3 gridCellOf(const hierarchy::GridPoint& point) {
 }
 
 GridPolygon clipped(const GridPolygon& polygon, const Plane& plane) {
-    std::array<double, 3 + kMostSections> sides{};
+    std::array<double, 3 + kMaxSections> sides{};
     for (std::size_t i = 0; i < polygon.size; ++i)
         sides[i] = plane.signedDistance(polygon.corners[i]);
     GridPolygon rest;

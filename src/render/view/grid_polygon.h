@@ -11,13 +11,13 @@
 
 namespace gnomon::render {
 
-inline constexpr std::size_t kMostSections = 6;
+inline constexpr std::size_t kMaxSections = 6;
 
 glm::dvec3 gridCellOf(const hierarchy::GridPoint& point);
 
-/// A convex polygon of grid points: a triangle clipped by at most kMostSections planes.
+/// A convex polygon of grid points: a triangle clipped by at most kMaxSections planes.
 struct GridPolygon {
-    std::array<glm::dvec3, 3 + kMostSections> corners{};
+    std::array<glm::dvec3, 3 + kMaxSections> corners{};
     std::size_t size = 0;
 
     void add(const glm::dvec3& corner) { corners.at(size++) = corner; }

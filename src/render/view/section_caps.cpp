@@ -2,7 +2,7 @@
 
 #include "render/frame_block.h"
 #include "render/view/grid_polygon.h"
-#include "render/view/lens.h"
+#include "render/view/image_projection.h"
 #include "render/view/section_cut.h"
 #include "render/view/section_memory.h"
 
@@ -34,7 +34,7 @@ Rgb byteColor(const glm::vec3& color, float light) {
 /// An image of section lines: the pixels that the lines cross, and the winding number of closed lines per pixel.
 class LineImage {
 public:
-    LineImage(const FrameDrawing& frame, const glm::dmat4& clipFromCell)
+    LineImage(const DrawInputs& frame, const glm::dmat4& clipFromCell)
         : clipFromCell_(clipFromCell),
           originCell_(gridCellOf(frame.space.originCell)),
           width_(frame.plan->view.width),
@@ -105,8 +105,8 @@ private:
 
     /// Adds a crossing of row `y` at `column` to the winding numbers.
     void windAt(double column, int y, bool isBehind, int sign) {
-        const int beyond = static_cast<int>(std::clamp(std::ceil(column - 0.5), 0.0, static_cast<double>(width_)));
-        windings_->at(beyond, y) += isBehind ? -sign : sign;
+        const int firstColumn = static_cast<int>(std::clamp(std::ceil(column - 0.5), 0.0, static_cast<double>(width_)));
+        windings_->at(firstColumn, y) += isBehind ? -sign : sign;
         if (isBehind) windings_->at(0, y) += sign;
     }
 
@@ -133,21 +133,21 @@ private:
             const double row = (2 * y + 1.0) / height_ - 1;
             const double atA = a.clip.y - row * a.clip.w;
             const double atB = b.clip.y - row * b.clip.w;
-            const glm::dvec4 met = a.clip + (b.clip - a.clip) * (atA / (atA - atB));
-            if (met.w != 0) windAt((met.x / met.w * 0.5 + 0.5) * width_, y, met.w < 0, isAbove ? 1 : -1);
+            const glm::dvec4 hit = a.clip + (b.clip - a.clip) * (atA / (atA - atB));
+            if (hit.w != 0) windAt((hit.x / hit.w * 0.5 + 0.5) * width_, y, hit.w < 0, isAbove ? 1 : -1);
         }
     }
 
     void draw(const End& a, const End& b, CapKind kind) {
-        constexpr double kLeastW = 1e-9;
-        const double nearest = kLeastW * std::max(std::abs(a.clip.w), std::abs(b.clip.w));
+        constexpr double kMinW = 1e-9;
+        const double nearest = kMinW * std::max(std::abs(a.clip.w), std::abs(b.clip.w));
         if (a.clip.w <= nearest && b.clip.w <= nearest) return;
         // Clips an end of the line to the half-space in front of the eye.
         const auto before = [&](const End& end, const End& other) {
             if (end.clip.w > nearest) return end.pixel;
             const double way = (nearest - end.clip.w) / (other.clip.w - end.clip.w);
-            const glm::dvec4 met = glm::mix(end.clip, other.clip, way);
-            return (glm::dvec2(met) / met.w * 0.5 + 0.5) * glm::dvec2(width_, height_);
+            const glm::dvec4 hit = glm::mix(end.clip, other.clip, way);
+            return (glm::dvec2(hit) / hit.w * 0.5 + 0.5) * glm::dvec2(width_, height_);
         };
         const glm::dvec2 start = before(a, b);
         const glm::dvec2 way = before(b, a) - start;
@@ -187,12 +187,12 @@ private:
 /// Returns the depth at which a primary ray enters the plane with index `plane`. Returns nullopt if other planes remove
 /// this point.
 std::optional<double> capDepth(
-    const Lens& lens, const std::vector<Plane>& planes, std::size_t plane, const glm::dvec2& at) {
-    const glm::dvec3 start = lens.seenAt(at, 0);
-    const glm::dvec3 way = lens.seenAt(at, 1) - start;
+    const ImageProjection& projection, const std::vector<Plane>& planes, std::size_t plane, const glm::dvec2& at) {
+    const glm::dvec3 start = projection.visiblePoint(at, 0);
+    const glm::dvec3 way = projection.visiblePoint(at, 1) - start;
     const double slope = glm::dot(planes[plane].normal, way);
     const double depth = -planes[plane].signedDistance(start) / slope;
-    bool isShown = slope > 0 && (lens.depth.isParallel || depth > 0);
+    bool isShown = slope > 0 && (projection.depth.isParallel || depth > 0);
     for (std::size_t other = 0; other < planes.size(); ++other)
         isShown = isShown && (other == plane || planes[other].signedDistance(start + way * depth) >= 0);
     return isShown ? std::optional(depth) : std::nullopt;
@@ -200,15 +200,16 @@ std::optional<double> capDepth(
 
 } // namespace
 
-void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words) {
+void drawCaps(const DrawInputs& frame, std::span<std::uint64_t> words) {
     const plan::View& view = frame.plan->view;
-    const Lens lens = lensOf(frame);
+    const ImageProjection projection = imageProjection(frame);
     const std::vector<Plane> inCells = sectionPlanes(frame);
     std::vector<Plane> planes; // in camera space
     planes.reserve(inCells.size());
     for (const Plane& plane : inCells)
         planes.push_back(
-            {toCamera(lens.basis, plane.normal), plane.offset * frame.space.step + glm::dot(plane.normal, lens.eye)});
+            {toCamera(projection.basis, plane.normal),
+             plane.offset * frame.space.step + glm::dot(plane.normal, projection.eye)});
     glm::dmat4 clipFromCell = imageClipFromDraw(frame);
     for (int axis = 0; axis < 3; ++axis)
         clipFromCell[axis] *= frame.space.step;
@@ -219,17 +220,17 @@ void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words) {
         tbb::parallel_for(0, view.height, [&](int row) {
             image.forRow(row, [&](int column, CapKind kind) {
                 const glm::dvec2 at((2 * column + 1.0) / view.width - 1, (2 * row + 1.0) / view.height - 1);
-                const std::optional<double> depth = capDepth(lens, planes, plane, at);
+                const std::optional<double> depth = capDepth(projection, planes, plane, at);
                 const auto name = static_cast<std::uint32_t>(plane << 2U | static_cast<std::size_t>(kind));
                 const std::size_t place = static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
                                           static_cast<std::size_t>(column);
-                if (depth) words[place] = raster::visibilityWord(lens.depth.stored(*depth), kFirstCapName | name);
+                if (depth) words[place] = raster::visibilityWord(projection.depth.stored(*depth), kFirstCapName | name);
             });
         });
     }
 }
 
-Rgb capColor(const FrameDrawing& frame, std::uint32_t name) {
+Rgb capColor(const DrawInputs& frame, std::uint32_t name) {
     const std::size_t plane = name >> 2U & 0x3FU;
     const glm::dvec3& normal = frame.plan->view.sections.at(plane).normal;
     const auto kind = static_cast<CapKind>(name & 3U);

@@ -18,9 +18,9 @@ constexpr bool isCapName(std::uint32_t name) {
 /// Writes the caps of `frame`'s section planes into the words of its image, over the geometry behind them. A cap fills
 /// the inside of closed surfaces, whose intersection lines with the plane are closed. Surfaces can overlap, because
 /// each pixel computes its winding number. Open surfaces show only their lines.
-void drawCaps(const FrameDrawing& frame, std::span<std::uint64_t> words);
+void drawCaps(const DrawInputs& frame, std::span<std::uint64_t> words);
 
 /// Returns the colour of the cap with the id `name`.
-Rgb capColor(const FrameDrawing& frame, std::uint32_t name);
+Rgb capColor(const DrawInputs& frame, std::uint32_t name);
 
 } // namespace gnomon::render

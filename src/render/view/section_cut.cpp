@@ -16,7 +16,7 @@ std::uint64_t keyOf(const DrawnCluster& drawn) {
     return std::uint64_t{drawn.pageId} << 32U | drawn.cluster;
 }
 
-std::vector<Plane> planesFrom(const FrameDrawing& frame, const glm::dvec3& origin) {
+std::vector<Plane> planesFrom(const DrawInputs& frame, const glm::dvec3& origin) {
     std::vector<Plane> planes;
     for (const Plane& plane : frame.plan->view.sections)
         planes.push_back({plane.normal, plane.signedDistance(origin) / frame.space.step});
@@ -25,22 +25,22 @@ std::vector<Plane> planesFrom(const FrameDrawing& frame, const glm::dvec3& origi
 
 } // namespace
 
-std::vector<Plane> sectionPlanes(const FrameDrawing& frame) {
+std::vector<Plane> sectionPlanes(const DrawInputs& frame) {
     return planesFrom(frame, frame.grid.world(frame.space.originCell));
 }
 
-std::vector<Plane> sectionPlanesOfGrid(const FrameDrawing& frame) {
+std::vector<Plane> sectionPlanesOfGrid(const DrawInputs& frame) {
     return planesFrom(frame, frame.grid.origin);
 }
 
-void SectionCut::begin(const FrameDrawing& frame) {
-    constexpr std::size_t kMost = std::size_t{32} << 20U;
+void SectionCut::begin(const DrawInputs& frame) {
+    constexpr std::size_t kMaxBytes = std::size_t{32} << 20U;
     const auto isSame = [](const Plane& a, const Plane& b) { return a.normal == b.normal && a.offset == b.offset; };
     std::vector<Plane> planes = sectionPlanesOfGrid(frame);
-    GNOMON_CHECK(planes.size() <= kMostSections);
+    GNOMON_CHECK(planes.size() <= kMaxSections);
     const bool areSame = std::equal(planes.begin(), planes.end(), planes_.begin(), planes_.end(), isSame);
     planes_ = std::move(planes);
-    if (areSame && bytes_ <= kMost) return;
+    if (areSame && bytes_ <= kMaxBytes) return;
     cuts_.clear();
     bytes_ = 0;
 }
@@ -70,7 +70,7 @@ std::size_t SectionCut::bytesOf(const CutCluster& cut) {
            sizeOf(cut.wholes) + sizeOf(cut.parts);
 }
 
-void SectionCut::cut(const FrameDrawing& frame, std::span<const lod::ClusterRange> ranges) {
+void SectionCut::cut(const DrawInputs& frame, std::span<const lod::ClusterRange> ranges) {
     std::vector<std::pair<DrawnCluster, CutCluster*>> work;
     for (const lod::ClusterRange& range : ranges) {
         const hierarchy::Page& page = frame.pages(range.page);
@@ -85,14 +85,14 @@ void SectionCut::cut(const FrameDrawing& frame, std::span<const lod::ClusterRang
         bytes_ += bytesOf(*cut);
 }
 
-/// Clips a triangle. Each bit of `beyond` is a plane that intersects it.
+/// Clips a triangle. Each bit of `outside` is a plane that intersects it.
 void SectionCut::cutTriangle(
-    const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned beyond, CutCluster& cut) const {
+    const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned outside, CutCluster& cut) const {
     GridPolygon polygon;
     for (const std::uint8_t corner : triangle)
         polygon.add(gridCellOf(whole.vertices[corner].position));
     for (std::size_t plane = 0; plane < planes_.size(); ++plane)
-        if ((beyond >> plane & 1U) != 0) polygon = clipped(polygon, planes_[plane]);
+        if ((outside >> plane & 1U) != 0) polygon = clipped(polygon, planes_[plane]);
     if (polygon.size < 3) return;
     const auto isFull = [&](const CutCluster::Part& part) {
         return cut.positions.size() - part.firstPosition + polygon.size > raster::kMaxClusterVertices ||
@@ -115,16 +115,16 @@ void SectionCut::cutTriangle(
 
 void SectionCut::cutCluster(const DrawnCluster& whole, CutCluster& cut) const {
     const hierarchy::Cluster& cluster = whole.page->clusters[whole.cluster];
-    std::array<std::uint8_t, raster::kMaxClusterVertices> beyond{}; // per vertex: bits of the planes that remove it
+    std::array<std::uint8_t, raster::kMaxClusterVertices> outside{}; // per vertex: bits of the planes that remove it
     for (std::size_t plane = 0; plane < planes_.size(); ++plane)
         for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)
             if (planes_[plane].signedDistance(gridCellOf(whole.vertices[v].position)) < 0)
-                beyond[v] |= static_cast<std::uint8_t>(1U << plane);
+                outside[v] |= static_cast<std::uint8_t>(1U << plane);
     for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
         const hierarchy::Triangle& triangle = whole.triangles[t];
-        const unsigned a = beyond[triangle[0]];
-        const unsigned b = beyond[triangle[1]];
-        const unsigned c = beyond[triangle[2]];
+        const unsigned a = outside[triangle[0]];
+        const unsigned b = outside[triangle[1]];
+        const unsigned c = outside[triangle[2]];
         if ((a & b & c) != 0) continue;
         if ((a | b | c) == 0)
             cut.untouched.push_back(triangle);

@@ -16,13 +16,13 @@ namespace gnomon::render {
 class SectionCut {
 public:
     /// Clears the cache if the planes of `frame` have changed or the cache exceeds 32 MiB.
-    void begin(const FrameDrawing& frame);
+    void begin(const DrawInputs& frame);
 
     /// Classifies a box of the grid against the planes.
     Containment place(const hierarchy::GridBox& box) const;
 
     /// Clips the clusters of `ranges` that intersect a plane, in parallel.
-    void cut(const FrameDrawing& frame, std::span<const lod::ClusterRange> ranges);
+    void cut(const DrawInputs& frame, std::span<const lod::ClusterRange> ranges);
 
     /// Appends the remaining parts of a cluster that intersects a plane. First come the triangles that no plane
     /// intersects, with the vertices of the cluster. Then come as many clusters as the pieces need. Their ids start at
@@ -51,7 +51,7 @@ private:
     static std::size_t bytesOf(const CutCluster& cut);
     void cutCluster(const DrawnCluster& whole, CutCluster& cut) const;
     void cutTriangle(
-        const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned beyond, CutCluster& cut) const;
+        const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned outside, CutCluster& cut) const;
 
     // Planes in cells of the grid. The remaining side has a distance of at least 0.
     std::vector<Plane> planes_;
@@ -59,11 +59,11 @@ private:
     std::unordered_map<std::uint64_t, CutCluster> cuts_; // per page and cluster
 };
 
-/// Returns the section planes of `frame` in cells from draw space's origin. The kept side of each plane has a distance
-/// of at least 0.
-std::vector<Plane> sectionPlanes(const FrameDrawing& frame);
+/// Returns the section planes of `frame` in cells from the origin of camera-relative space. The kept side of each plane
+/// has a distance of at least 0.
+std::vector<Plane> sectionPlanes(const DrawInputs& frame);
 
 /// Returns the section planes of `frame` in cells of the grid.
-std::vector<Plane> sectionPlanesOfGrid(const FrameDrawing& frame);
+std::vector<Plane> sectionPlanesOfGrid(const DrawInputs& frame);
 
 } // namespace gnomon::render

@@ -24,7 +24,7 @@ glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
 }
 
 /// Returns true if the plane intersects or touches the box, with a tolerance of one cell.
-bool isMet(const hierarchy::GridBox& box, const Plane& plane) {
+bool isHit(const hierarchy::GridBox& box, const Plane& plane) {
     const glm::dvec3 half = (gridCellOf(box.max) - gridCellOf(box.min)) * 0.5;
     return std::abs(plane.signedDistance(gridCellOf(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
 }
@@ -57,14 +57,14 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
 } // namespace
 
 /// Computes the lines of clusters that are not in the cache, and concatenates all lines.
-void SectionLines::gather(const FrameDrawing& frame, Held& held) {
+void SectionLines::gather(const DrawInputs& frame, Held& held) {
     std::vector<const std::vector<SectionLine>*> parts;
     std::vector<std::pair<ClusterName, std::vector<SectionLine>*>> missing;
     std::size_t size = 0;
     for (const lod::ClusterRange& range : held.ranges) {
         const hierarchy::Page& page = frame.pages(range.page);
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
-            if (!isMet(page.clusters[c].box, held.plane)) continue;
+            if (!isHit(page.clusters[c].box, held.plane)) continue;
             const auto [place, isNew] = held.ofClusters.try_emplace(std::uint64_t{range.page} << 32U | c);
             parts.push_back(&place->second);
             if (isNew) missing.push_back({{&page, c}, &place->second});
@@ -82,13 +82,13 @@ void SectionLines::gather(const FrameDrawing& frame, Held& held) {
         held.lines.insert(held.lines.end(), part->begin(), part->end());
     for (const auto& [name, lines] : missing)
         held.known += lines->size();
-    constexpr std::size_t kMostKnown = std::size_t{1} << 18U; // 14 MiB
-    if (held.known <= kMostKnown) return;
+    constexpr std::size_t kMaxKnownLines = std::size_t{1} << 18U; // 14 MiB
+    if (held.known <= kMaxKnownLines) return;
     held.ofClusters.clear();
     held.known = 0;
 }
 
-void SectionLines::find(const FrameDrawing& frame) {
+void SectionLines::find(const DrawInputs& frame) {
     const std::vector<Plane> planes = sectionPlanesOfGrid(frame);
     held_.resize(planes.size());
     for (std::size_t i = 0; i < planes.size(); ++i) {

@@ -14,7 +14,7 @@ namespace gnomon::render {
 class SectionLines {
 public:
     /// Computes the lines of `frame`, in cells of the grid, and marks the closed ones.
-    void find(const FrameDrawing& frame);
+    void find(const DrawInputs& frame);
 
     /// Returns the lines of a plane of the last frame.
     const std::vector<SectionLine>& of(std::size_t plane) const { return held_[plane].lines; }
@@ -33,7 +33,7 @@ private:
         std::uint32_t cluster = 0;
     };
 
-    static void gather(const FrameDrawing& frame, Held& held);
+    static void gather(const DrawInputs& frame, Held& held);
 
     std::vector<Held> held_;
 };

@@ -337,7 +337,7 @@ function showContext() {
     const kind = data.errors.find((error) => error.key === recommended.error);
     element("command").textContent = recommended.command;
     element("recommended-why").textContent = `Run ${recommended.run + 1}: ${figures(run.p50)} ms a frame on this machine, ${kind.label}: ` +
-      `${figures(run.errors[kind.key])}. Of the runs that noise lets tell apart it is the most accurate that takes at most ` +
+      `${figures(run.errors[kind.key])}. Of the runs that noise lets tell apart it is the max accurate that takes at max ` +
       `${figures(recommended.times)} times the frame time of the fastest.`;
   }
   for (const [name, value] of Object.entries(data.context)) {

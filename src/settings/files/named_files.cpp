@@ -28,7 +28,7 @@ bool isSameFile(const std::string& a, const std::string& b) {
 
 } // namespace
 
-void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+void requireDistinctFiles(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
     for (auto output = outputs.begin(); output != outputs.end(); ++output) {
         for (const NamedFile& input : inputs)
             if (isSameFile(input.path, output->path))

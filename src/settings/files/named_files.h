@@ -14,7 +14,7 @@ struct NamedFile {
 
 /// Throws UsageError if an output is the same file as an input or another output, also under another path or link.
 /// Devices and pipes can occur several times, because they store nothing.
-void requireApart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+void requireDistinctFiles(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// Throws UsageError if `path` has another extension than `extension` (".png"). A name without an extension, such as a
 /// device, is valid.

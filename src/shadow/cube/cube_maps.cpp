@@ -11,8 +11,8 @@ namespace {
 
 /// The min and max of dot(axis, p) over a box.
 struct Interval {
-    double least = 0;
-    double greatest = 0;
+    double min = 0;
+    double max = 0;
 };
 
 Interval along(const glm::dvec3& axis, const Box& box) {
@@ -21,8 +21,8 @@ Interval along(const glm::dvec3& axis, const Box& box) {
     return {middle - reach, middle + reach};
 }
 
-double leastSize(const Interval& values) {
-    return std::max({values.least, -values.greatest, 0.0});
+double minSize(const Interval& values) {
+    return std::max({values.min, -values.max, 0.0});
 }
 
 /// Returns the range of `values` divided by distances from `near` to `far`, clamped to [-1, 1], the range of a face. If
@@ -32,7 +32,7 @@ Interval tangents(const Interval& values, double near, double far) {
         const double over = value < 0 ? nearer : farther;
         return over > 0 ? std::clamp(value / over, -1.0, 1.0) : (value < 0 ? -1.0 : 1.0);
     };
-    return {quotient(values.least, near, far), quotient(values.greatest, far, near)};
+    return {quotient(values.min, near, far), quotient(values.max, far, near)};
 }
 
 /// The ranges of all receivers of one face.
@@ -41,9 +41,9 @@ struct FaceReceivers {
     Interval t{2, -2};
     Interval w{std::numeric_limits<double>::infinity(), 0}; // distances along the axis
     double ratio = 0;                                       // max of w over view depth, within [near, far]
-    double ratioBeyond = 0;                                 // the same outside [near, far]
+    double maxDepthRatio = 0;                               // the same outside [near, far]
 
-    bool isAny() const { return w.greatest > 0; }
+    bool isAny() const { return w.max > 0; }
 };
 
 /// Returns the bounding box of the view between two depths, in world axes relative to the eye.
@@ -59,9 +59,9 @@ Box common(const Box& a, const Box& b) {
 }
 
 /// Returns the visible slabs. Without known slabs, returns slabs that cover the whole view.
-std::vector<SeenPart> seenParts(const LampView& view) {
-    std::vector<SeenPart> parts;
-    for (SeenPart part : view.seen) {
+std::vector<VisibleSlab> visibleSlabs(const LampView& view) {
+    std::vector<VisibleSlab> parts;
+    for (VisibleSlab part : view.seen) {
         part.depths.near = std::max(part.depths.near, view.shown.near);
         part.depths.far = std::max(part.depths.far, part.depths.near * (1 + 1e-9));
         constexpr double kSlack = 1e-9; // for a flat ground
@@ -79,22 +79,26 @@ std::vector<SeenPart> seenParts(const LampView& view) {
 }
 
 void addPart(
-    const LampView& view, const LightFrame& axes, const glm::dvec3& light, const SeenPart& part, FaceReceivers& face) {
+    const LampView& view,
+    const LightFrame& axes,
+    const glm::dvec3& light,
+    const VisibleSlab& part,
+    FaceReceivers& face) {
     const Box box{part.box.min - light, part.box.max - light};
     const Interval x = along(axes.x, box);
     const Interval z = along(axes.z, box);
     Interval w = along(-axes.y, box);
     constexpr double kSeam = 1 - 1e-6; // a point that rounding may assign to either face has a map in both
-    w.least = std::max({w.least, leastSize(x) * kSeam, leastSize(z) * kSeam});
-    if (!(w.greatest > 0) || w.least > w.greatest) return;
-    const Interval s = tangents(x, w.least, w.greatest);
-    const Interval t = tangents(z, w.least, w.greatest);
-    face.s = {std::min(face.s.least, s.least), std::max(face.s.greatest, s.greatest)};
-    face.t = {std::min(face.t.least, t.least), std::max(face.t.greatest, t.greatest)};
-    face.w = {std::min(face.w.least, w.least), std::max(face.w.greatest, w.greatest)};
-    face.ratioBeyond = std::max(face.ratioBeyond, w.greatest / part.depths.near);
+    w.min = std::max({w.min, minSize(x) * kSeam, minSize(z) * kSeam});
+    if (!(w.max > 0) || w.min > w.max) return;
+    const Interval s = tangents(x, w.min, w.max);
+    const Interval t = tangents(z, w.min, w.max);
+    face.s = {std::min(face.s.min, s.min), std::max(face.s.max, s.max)};
+    face.t = {std::min(face.t.min, t.min), std::max(face.t.max, t.max)};
+    face.w = {std::min(face.w.min, w.min), std::max(face.w.max, w.max)};
+    face.maxDepthRatio = std::max(face.maxDepthRatio, w.max / part.depths.near);
     if (part.depths.far >= view.frustum.near && part.depths.near <= view.frustum.far)
-        face.ratio = std::max(face.ratio, w.greatest / std::max(part.depths.near, view.frustum.near));
+        face.ratio = std::max(face.ratio, w.max / std::max(part.depths.near, view.frustum.near));
 }
 
 /// A face before the distribution of texels.
@@ -104,20 +108,18 @@ struct FaceDraft {
     TexelDemand demand;
 };
 
-FaceDraft draftOf(const LampView& view, double kernel, std::size_t index, FaceReceivers receivers) {
-    constexpr double kLeastTangent = 1e-6; // min size of a map, as a tangent
+FaceDraft unsizedMap(const LampView& view, double kernel, std::size_t index, FaceReceivers receivers) {
+    constexpr double kMinTangent = 1e-6; // min size of a map, as a tangent
     for (Interval* range : {&receivers.s, &receivers.t}) {
-        const double missing = std::max(kLeastTangent - (range->greatest - range->least), 0.0);
-        range->least -= missing / 2;
-        range->greatest += missing / 2;
+        const double missing = std::max(kMinTangent - (range->max - range->min), 0.0);
+        range->min -= missing / 2;
+        range->max += missing / 2;
     }
     // A face that contains only points outside the depth range of the aliasing bound gets texels, too.
-    const double ratio = receivers.ratio > 0 ? receivers.ratio : receivers.ratioBeyond;
+    const double ratio = receivers.ratio > 0 ? receivers.ratio : receivers.maxDepthRatio;
     const double pixels = view.imageHeight / (2 * tanHalfY(view.frustum)) * kernel * ratio;
     return {
-        index,
-        receivers,
-        {(receivers.s.greatest - receivers.s.least) * pixels, (receivers.t.greatest - receivers.t.least) * pixels}};
+        index, receivers, {(receivers.s.max - receivers.s.min) * pixels, (receivers.t.max - receivers.t.min) * pixels}};
 }
 
 /// Returns the planes of the face in camera space, each side moved outwards by `growS` or `growT` (tangents).
@@ -152,17 +154,17 @@ Region regionOf(const LampView& view, const CubeFaceProjection& face, std::size_
 /// / near has a limit, because floats could not distinguish depths otherwise. Surfaces nearer to the light than `near`
 /// are lit.
 void setDepths(CubeFaceProjection& face, const Interval& w, double texelS, double texelT, double filterTexels) {
-    constexpr double kMostRatio = 1000;
-    const double steepest = (texelS + texelT) / kLeastCosine + kUnevenSlope * std::hypot(texelS, texelT);
-    face.far = w.greatest * (1 + 1e-6);
-    face.near = std::max(w.least / (1 + reachTexels(filterTexels) * steepest), face.far / kMostRatio);
+    constexpr double kMaxRatio = 1000;
+    const double steepest = (texelS + texelT) / kMinCosine + kUnevenSlope * std::hypot(texelS, texelT);
+    face.far = w.max * (1 + 1e-6);
+    face.near = std::max(w.min / (1 + reachTexels(filterTexels) * steepest), face.far / kMaxRatio);
     face.near = std::min(face.near, face.far * (1 - 1e-6));
 }
 
 ShadowMap finished(
     const LampView& view,
     const ShadowOptions& options,
-    const FaceDraft& draft,
+    const FaceDraft& unsized,
     const TexelLayout& layout,
     std::size_t i) {
     ShadowMap map;
@@ -171,26 +173,26 @@ ShadowMap finished(
     map.filterTexels = options.filterTexels;
     CubeFaceProjection face;
     face.light = view.light;
-    const LightFrame axes = cubeFaceAxes(draft.index);
+    const LightFrame axes = cubeFaceAxes(unsized.index);
     face.frame = {
         gnomon::toCamera(view.basis, axes.x),
         gnomon::toCamera(view.basis, axes.y),
         gnomon::toCamera(view.basis, axes.z)};
-    const FaceReceivers& receivers = draft.receivers;
-    face.sMin = receivers.s.least;
-    face.sRange = receivers.s.greatest - receivers.s.least;
-    face.tMin = receivers.t.least;
-    face.tRange = receivers.t.greatest - receivers.t.least;
+    const FaceReceivers& receivers = unsized.receivers;
+    face.sMin = receivers.s.min;
+    face.sRange = receivers.s.max - receivers.s.min;
+    face.tMin = receivers.t.min;
+    face.tRange = receivers.t.max - receivers.t.min;
     const double texelS = face.sRange / layout.texelsS(i);
     const double texelT = face.tRange / layout.texelsT(i);
     setDepths(face, receivers.w, texelS, texelT, options.filterTexels);
     map.casterVolume = pyramid(face, layout.gutter * texelS, layout.gutter * texelT);
     map.warped.frame = face.frame;
     map.origin = view.light;
-    map.region = regionOf(view, face, draft.index);
+    map.region = regionOf(view, face, unsized.index);
     if (receivers.ratio > 0) {
-        map.promised.x = draft.demand.s / layout.texelsS(i);
-        map.promised.z = map.promised.sheared = draft.demand.t / layout.texelsT(i);
+        map.aliasingBound.x = unsized.demand.s / layout.texelsS(i);
+        map.aliasingBound.z = map.aliasingBound.sheared = unsized.demand.t / layout.texelsT(i);
     }
     map.cubeFace = face;
     return map;
@@ -203,24 +205,24 @@ ShadowMapSetup cubeMapSetup(const LampView& view, const ShadowOptions& options) 
     ShadowMapSetup setup;
     setup.selector.splits = {view.frustum.near, view.frustum.far};
     setup.mapOfPartition.assign(kCubeFaces.size(), ShadowMapSetup::kNoMap);
-    const std::vector<SeenPart> parts = seenParts(view);
+    const std::vector<VisibleSlab> parts = visibleSlabs(view);
     const glm::dvec3 light = gnomon::toWorld(view.basis, view.light);
-    std::vector<FaceDraft> drafts;
+    std::vector<FaceDraft> unsizedMaps;
     for (std::size_t index = 0; index < kCubeFaces.size(); ++index) {
         FaceReceivers receivers;
-        for (const SeenPart& part : parts)
+        for (const VisibleSlab& part : parts)
             addPart(view, cubeFaceAxes(index), light, part, receivers);
         if (!receivers.isAny()) continue;
-        setup.mapOfPartition[index] = drafts.size();
-        drafts.push_back(draftOf(view, std::max(1.0, options.filterTexels), index, receivers));
-        setup.demands.push_back(drafts.back().demand);
+        setup.mapOfPartition[index] = unsizedMaps.size();
+        unsizedMaps.push_back(unsizedMap(view, std::max(1.0, options.filterTexels), index, receivers));
+        setup.demands.push_back(unsizedMaps.back().demand);
     }
-    if (drafts.empty()) return setup;
+    if (unsizedMaps.empty()) return setup;
     const TexelLayout layout = splitTexels(setup.demands, limitsOf(options));
     setup.textureWidth = layout.packing.width;
     setup.textureHeight = layout.packing.height;
-    for (std::size_t i = 0; i < drafts.size(); ++i)
-        setup.maps.push_back(finished(view, options, drafts[i], layout, i));
+    for (std::size_t i = 0; i < unsizedMaps.size(); ++i)
+        setup.maps.push_back(finished(view, options, unsizedMaps[i], layout, i));
     return setup;
 }
 

@@ -8,12 +8,12 @@ namespace gnomon::shadow {
 
 /// The view and the position of a point light.
 struct LampView {
-    glm::dvec3 light{0};            // camera space
-    CameraBasis basis;              // axes of camera space
-    ViewFrustum frustum;            // near and far are the depth range of the aliasing bound
-    DepthSpan shown;                // view depths of all receivers
-    int imageHeight = 800;          // pixels
-    std::span<const SeenPart> seen; // the visible slabs; empty: surfaces can be anywhere within `shown`
+    glm::dvec3 light{0};               // camera space
+    CameraBasis basis;                 // axes of camera space
+    ViewFrustum frustum;               // near and far are the depth range of the aliasing bound
+    DepthSpan shown;                   // view depths of all receivers
+    int imageHeight = 800;             // pixels
+    std::span<const VisibleSlab> seen; // the visible slabs; empty: surfaces can be anywhere within `shown`
 };
 
 /// Returns one map per face that has receivers, packed into one texture. The texels are distributed such that all maps

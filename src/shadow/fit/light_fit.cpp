@@ -14,29 +14,29 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Moves the origin of zeta to the min z of the region. Before the call, the zeta of each point must be its z.
 void startZetaAtZero(LightFit& fit) {
-    double least = kInfinity;
-    double most = -kInfinity;
+    double minZeta = kInfinity;
+    double maxZeta = -kInfinity;
     for (const FitPoint& point : fit.points()) {
-        least = std::min(least, point.zeta);
-        most = std::max(most, point.zeta);
+        minZeta = std::min(minZeta, point.zeta);
+        maxZeta = std::max(maxZeta, point.zeta);
     }
     for (std::size_t i = 0; i < fit.count; ++i)
-        fit.storage[i].zeta -= least;
-    fit.zMin += least;
-    fit.length = most - least;
+        fit.storage[i].zeta -= minZeta;
+    fit.zMin += minZeta;
+    fit.length = maxZeta - minZeta;
 }
 
 } // namespace
 
-double LightFit::promisedLength() const {
-    double least = kInfinity;
-    double most = -kInfinity;
+double LightFit::boundedLength() const {
+    double minZeta = kInfinity;
+    double maxZeta = -kInfinity;
     for (const FitPoint& point : points()) {
-        if (point.end == DepthEnd::Unpromised) continue;
-        least = std::min(least, point.zeta);
-        most = std::max(most, point.zeta);
+        if (point.end == DepthEnd::WithoutBound) continue;
+        minZeta = std::min(minZeta, point.zeta);
+        maxZeta = std::max(maxZeta, point.zeta);
     }
-    return most - least;
+    return maxZeta - minZeta;
 }
 
 LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<const FitVertex> vertices) {
@@ -45,15 +45,16 @@ LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<
     LightFit fit;
     fit.frame = frame;
     fit.slice = slice;
-    const auto least = std::min_element(vertices.begin(), vertices.end(), [&](const FitVertex& a, const FitVertex& b) {
-        return glm::dot(frame.z, a.position) < glm::dot(frame.z, b.position);
-    });
-    fit.zMin = glm::dot(frame.z, least->position);
+    const auto minZeta =
+        std::min_element(vertices.begin(), vertices.end(), [&](const FitVertex& a, const FitVertex& b) {
+            return glm::dot(frame.z, a.position) < glm::dot(frame.z, b.position);
+        });
+    fit.zMin = glm::dot(frame.z, minZeta->position);
     for (const FitVertex& vertex : vertices) {
         const glm::dvec3 p = toLight(frame, vertex.position);
         // zeta is computed from the difference of positions. In a thin view, near corners are close to each other and
         // far from the eye, and the difference of two z values would lose precision.
-        const double zeta = glm::dot(frame.z, vertex.position - least->position);
+        const double zeta = glm::dot(frame.z, vertex.position - minZeta->position);
         fit.storage[fit.count++] = {p.x, p.y, zeta, vertex.position.z, vertex.end};
     }
     startZetaAtZero(fit);
@@ -108,7 +109,7 @@ Aliasing worstAliasing(const LightFit& fit, double kappa) {
         const double u = point.x / w;
         extent.min = std::min(extent.min, u);
         extent.max = std::max(extent.max, u);
-        if (point.end == DepthEnd::Unpromised) continue;
+        if (point.end == DepthEnd::WithoutBound) continue;
         const double ratio = w / point.depth;
         worstX = std::max(worstX, ratio);
         worstZ = std::max(worstZ, fit.rows == RowSpacing::Even ? ratio * w : ratio);
@@ -131,7 +132,7 @@ double worstShearedAliasing(const LightFit& fit, double kappa) {
     if (isEven && shear > std::sqrt(2.0)) return straight * std::sqrt(1 + shear * shear);
     double worst = 0;
     for (const FitPoint& point : fit.points()) {
-        if (point.end == DepthEnd::Unpromised) continue;
+        if (point.end == DepthEnd::WithoutBound) continue;
         const double w = 1 + kappa * point.zeta;
         const double tilt = kappa * point.x / w + leaning;
         worst = std::max(worst, (isEven ? w * w : w) / point.depth * std::sqrt(1 + tilt * tilt));

@@ -16,7 +16,7 @@ enum class DepthEnd : std::uint8_t {
     Near,
     Far,
     Between,
-    Unpromised, // in the covered part outside the slice: counts for the map's extent, not for aliasing
+    WithoutBound, // in the covered part outside the slice: counts for the map's extent, not for aliasing
 };
 
 /// A vertex of the fitted region, in camera space.
@@ -56,7 +56,7 @@ struct LightFit {
     std::span<const FitPoint> points() const { return {storage.data(), count}; }
 
     /// Returns the extent in z of the slice alone, without the covered part outside the slice.
-    double promisedLength() const;
+    double boundedLength() const;
 };
 
 /// Fits a region with the given `vertices` (at most LightFit::kCapacity) in the light-space axes `frame`. `slice` gives
@@ -83,19 +83,19 @@ WarpedExtent warpedExtent(const LightFit& fit, double kappa);
 /// rows, whose w_lz grows with w^2. It is ln(1 + kappa d) / kappa for logarithmic rows, whose w_lz grows with w.
 double rowLength(double kappa, double length, RowSpacing rows);
 
-/// Returns M_x and M_z, the largest aliasing over the region without its Unpromised vertices, at unit resolutions
-/// (res_i = res_s = res_t = 1). The function tests only the vertices, because both measures are quasi-convex over the
-/// region (affine or squared affine, divided by affine).
+/// Returns M_x and M_z, the largest aliasing over the region without its vertices of kind WithoutBound, at unit
+/// resolutions (res_i = res_s = res_t = 1). The function tests only the vertices, because both measures are
+/// quasi-convex over the region (affine or squared affine, divided by affine).
 Aliasing worstAliasing(const LightFit& fit, double kappa);
 
 /// Returns the storage factor S = M_x M_z at unit resolutions.
 double storageFactor(const LightFit& fit, double kappa);
 
 /// Returns the largest m_t, the aliasing along t with the shear of the texel: m_z sqrt(1 + (kappa u)^2). The region
-/// counts without its Unpromised vertices. The maximum lies at a vertex if |kappa u| <= sqrt(2), because w sqrt(w^2 +
-/// (kappa x)^2) is then convex. Otherwise the function returns the product of the two maxima, which is an upper bound.
-/// With logarithmic rows the maximum always lies at a vertex: m_t is sqrt(w^2 + (kappa x)^2) / depth, the norm of an
-/// affine function divided by an affine function.
+/// counts without its vertices of kind WithoutBound. The maximum lies at a vertex if |kappa u| <= sqrt(2), because w
+/// sqrt(w^2 + (kappa x)^2) is then convex. Otherwise the function returns the product of the two maxima, which is an
+/// upper bound. With logarithmic rows the maximum always lies at a vertex: m_t is sqrt(w^2 + (kappa x)^2) / depth, the
+/// norm of an affine function divided by an affine function.
 double worstShearedAliasing(const LightFit& fit, double kappa);
 
 } // namespace gnomon::shadow

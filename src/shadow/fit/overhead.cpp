@@ -46,14 +46,14 @@ Aliasing worstAliasingOverhead(const ViewFrustum& frustum, double nPrime) {
 
 double storageFactorOverhead(const ViewFrustum& frustum, double nPrime) {
     const double length = frustum.far - frustum.near;
-    const double least = length / frustum.near / (2 * tanHalfY(frustum));
+    const double minOverhead = length / frustum.near / (2 * tanHalfY(frustum));
     if (nPrime < frustum.near) {
         const double excess = frustum.near * (nPrime + length) / (nPrime * frustum.far);
-        return least * excess * excess;
+        return minOverhead * excess * excess;
     }
-    if (nPrime <= nPrimeLspsm(frustum)) return least;
+    if (nPrime <= nPrimeLspsm(frustum)) return minOverhead;
     const double shrink = overFar(nPrime, length);
-    return least * shrink * shrink * frustum.depthRatio();
+    return minOverhead * shrink * shrink * frustum.depthRatio();
 }
 
 double nPrimeOfEta(const ViewFrustum& frustum, double eta) {
@@ -67,9 +67,9 @@ double nPrimeOfEta(const ViewFrustum& frustum, double eta) {
 double etaOfNPrime(const ViewFrustum& frustum, double nPrime) {
     // The paper uses differences of M_z, which lose all digits for a depth ratio near 1.
     if (std::isinf(nPrime)) return -1;
-    const double least = nPrimeLspsm(frustum);
-    if (nPrime > least) return (least - nPrime) / (nPrime + (frustum.far - frustum.near));
-    return (least - nPrime) / (nPrime * std::sqrt(frustum.depthRatio()));
+    const double minOverhead = nPrimeLspsm(frustum);
+    if (nPrime > minOverhead) return (minOverhead - nPrime) / (nPrime + (frustum.far - frustum.near));
+    return (minOverhead - nPrime) / (nPrime * std::sqrt(frustum.depthRatio()));
 }
 
 double nPrimeTsm(const ViewFrustum& frustum, double focus, double fraction) {

@@ -9,13 +9,13 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kLeastOfLogRows = 1e-4;
+constexpr double kMinLogRows = 1e-4;
 
 } // namespace
 
-double leastGrazing(const ViewFrustum& frustum, RowSpacing rows) {
+double minGrazing(const ViewFrustum& frustum, RowSpacing rows) {
     constexpr double kShare = 0.1; // in units of n/f; the possible gain of S is a few times as large
-    return rows == RowSpacing::Even ? kGrazing : std::clamp(kShare / frustum.depthRatio(), kLeastOfLogRows, kGrazing);
+    return rows == RowSpacing::Even ? kGrazing : std::clamp(kShare / frustum.depthRatio(), kMinLogRows, kGrazing);
 }
 
 double rowsMissed(const ViewFrustum& frustum, Face face, const glm::dvec3& towardsLight, double rows) {
@@ -23,7 +23,7 @@ double rowsMissed(const ViewFrustum& frustum, Face face, const glm::dvec3& towar
     const double sine = std::abs(glm::dot(outwardNormal(frustum, face), towardsLight));
     if (sine >= kGrazing) return 0;
     constexpr double kRoundings = 4 * 0x1p-24; // rounding error of a product with the matrix
-    return rows / std::log(frustum.depthRatio()) * kRoundings / std::max(sine, kLeastOfLogRows);
+    return rows / std::log(frustum.depthRatio()) * kRoundings / std::max(sine, kMinLogRows);
 }
 
 } // namespace gnomon::shadow

@@ -10,7 +10,7 @@ namespace gnomon::shadow {
 /// even rows. With logarithmic rows and a warp about the eye, a neighbour covers the omitted face. Its S grows in
 /// proportion to g f/n, where g is the sine. The result is then 0.1 n/f, but at least 1e-4: below 1e-4, floats cannot
 /// distinguish the rows of such a map.
-double leastGrazing(const ViewFrustum& frustum, RowSpacing rows);
+double minGrazing(const ViewFrustum& frustum, RowSpacing rows);
 
 /// Returns the rounding error of a float lookup, in rows, for the map of `face` with logarithmic rows and `rows` rows.
 /// The error matters only if the sine of the angle between light and face is below 1e-3, because the row then depends

@@ -114,7 +114,8 @@ std::vector<FitVertex> sliceVertices(
     return result;
 }
 
-/// Returns the part of the image that a face owns after the faces before it. It matches the rule of ownerOf exactly.
+/// Returns the part of the image that a face owns after the faces before it. It matches the rule of partitionIndex
+/// exactly.
 Outline faceOutline(const ViewFrustum& frustum, const FaceSelector& face) {
     return clipped(clipped(imageOutline(frustum), face.first), face.second);
 }
@@ -253,15 +254,15 @@ Part partAt(const Region& region, const DepthSpan& depths) {
 
 /// Returns the visible slabs at the depths of `region`, merged to at most kMaxParts slabs. More slabs would improve
 /// the outline of a long region only slightly.
-std::vector<SeenPart> fewParts(const Region& region, std::span<const SeenPart> seen) {
+std::vector<VisibleSlab> fewParts(const Region& region, std::span<const VisibleSlab> seen) {
     constexpr std::size_t kMaxParts = 4;
-    std::vector<SeenPart> inRegion;
-    for (const SeenPart& part : seen)
+    std::vector<VisibleSlab> inRegion;
+    for (const VisibleSlab& part : seen)
         if (part.depths.near <= region.covered.far && part.depths.far >= region.covered.near) inRegion.push_back(part);
     if (inRegion.size() <= kMaxParts) return inRegion;
-    std::vector<SeenPart> result(kMaxParts);
+    std::vector<VisibleSlab> result(kMaxParts);
     for (std::size_t i = 0; i < inRegion.size(); ++i) {
-        SeenPart& all = result[i * kMaxParts / inRegion.size()];
+        VisibleSlab& all = result[i * kMaxParts / inRegion.size()];
         const DepthSpan& depths = inRegion[i].depths;
         if (all.box.isEmpty()) all.depths = depths;
         all.depths = {std::min(all.depths.near, depths.near), std::max(all.depths.far, depths.far)};
@@ -324,16 +325,16 @@ PartitionSelector partitionSelector(
     return selector;
 }
 
-std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p) {
+std::size_t partitionIndex(const PartitionSelector& selector, const glm::dvec3& p) {
     const std::size_t slice = sliceOf(selector.splits, p.z);
     const std::size_t first = slice * selector.facesPerSlice();
     if (selector.faces.empty()) return first;
     std::size_t face = 0;
     double inside = glm::dot(selector.faces.front().first, p);
     while (face + 1 < selector.faces.size()) {
-        const double beyond = glm::dot(selector.faces[face].second, p);
-        if (inside >= 0 && beyond >= 0) break;
-        inside = -beyond; // both neighbours use the same number, so rounding cannot exclude the point from both
+        const double insideSecond = glm::dot(selector.faces[face].second, p);
+        if (inside >= 0 && insideSecond >= 0) break;
+        inside = -insideSecond; // both neighbours use the same number, so rounding cannot exclude the point from both
         ++face;
     }
     const FaceSelector& owner = selector.faces[face];
@@ -361,7 +362,7 @@ Region partitionRegion(
     region.vertices = partitionVertices(region.frustum, nearDepth, selector, ordinal);
     if (region.covered != region.frustum)
         for (const FitVertex& vertex : partitionVertices(region.covered, nearDepth, selector, ordinal))
-            region.vertices.push_back({vertex.position, DepthEnd::Unpromised});
+            region.vertices.push_back({vertex.position, DepthEnd::WithoutBound});
     if (selector.faces.empty()) return region;
     if (ordinal == selector.faces.size()) {
         region.face = Face::Near;
@@ -378,9 +379,9 @@ Region partitionRegion(
     return region;
 }
 
-std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPart> seen, const CameraBasis& basis) {
+std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const VisibleSlab> seen, const CameraBasis& basis) {
     std::vector<glm::dvec3> result;
-    for (const SeenPart& part : fewParts(region, seen)) {
+    for (const VisibleSlab& part : fewParts(region, seen)) {
         // A ground can be flat, and rounding must not exclude it.
         const double slack = kRounding * (region.covered.far + glm::length(part.box.extent()));
         addShared(partAt(region, part.depths), part.box, basis, slack, result);

@@ -29,7 +29,7 @@ struct FaceSelector {
     bool operator==(const FaceSelector&) const = default;
 };
 
-/// The rule that assigns a point in camera space to a partition. Shaders repeat `ownerOf` exactly.
+/// The rule that assigns a point in camera space to a partition. Shaders repeat `partitionIndex` exactly.
 struct PartitionSelector {
     std::vector<double> splits;      // slice i owns splits[i] <= z < splits[i + 1]; end slices have no outer limit
     std::vector<FaceSelector> faces; // in cyclic order; empty: each partition is a whole slice
@@ -65,10 +65,10 @@ PartitionSelector partitionSelector(
 /// Returns the index of the partition that owns `p`: slice * facesPerSlice + face. The near face is the last face. The
 /// splits select the slice. Then the first face whose two tests pass is selected; the last face needs no test. The test
 /// of the near face comes last.
-std::size_t ownerOf(const PartitionSelector& selector, const glm::dvec3& p);
+std::size_t partitionIndex(const PartitionSelector& selector, const glm::dvec3& p);
 
 /// A visible slab: the box of all visible surfaces between two depths.
-struct SeenPart {
+struct VisibleSlab {
     DepthSpan depths;
     Box box; // world axes, relative to the eye
 };
@@ -79,13 +79,13 @@ struct Region {
     Face face = Face::Whole;
     ViewFrustum frustum; // the slice with the map's aliasing bound
     ViewFrustum covered; // the slice, extended if it is an end slice and receivers lie outside the frustum
-    /// First the vertices within the slice; then, marked Unpromised, the vertices of the extended part.
+    /// First the vertices within the slice; then, of kind WithoutBound, the vertices of the extended part.
     std::vector<FitVertex> vertices;
     ConvexVolume volume; // planes of the covered region; each touches a vertex
 };
 
-/// Returns the region of partition `index`, in the numbering of ownerOf. The first and the last slice are extended to
-/// `shown`, the view depths of all receivers, where these lie outside the frustum.
+/// Returns the region of partition `index`, in the numbering of partitionIndex. The first and the last slice are
+/// extended to `shown`, the view depths of all receivers, where these lie outside the frustum.
 Region partitionRegion(
     const ViewFrustum& frustum,
     const PartitionSelector& selector,
@@ -94,6 +94,6 @@ Region partitionRegion(
 
 /// Returns points whose convex hull contains the intersection of the visible slabs `seen` with `region`. `basis` gives
 /// the axes of camera space. Returns an empty list if the intersection is empty.
-std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const SeenPart> seen, const CameraBasis& basis);
+std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const VisibleSlab> seen, const CameraBasis& basis);
 
 } // namespace gnomon::shadow

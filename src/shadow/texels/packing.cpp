@@ -137,11 +137,11 @@ int stripWidth(std::span<const TexelRectangle> rectangles, std::span<const std::
 
 PackingStrategy bestGrid(std::span<const TexelRectangle> rectangles, int maxSide) {
     PackingStrategy best;
-    Packing least;
+    Packing densest;
     for (int columns = 1; columns <= static_cast<int>(rectangles.size()); ++columns) {
         const Packing candidate = grid(rectangles, columns, maxSide);
-        if (!better(candidate, least)) continue;
-        least = candidate;
+        if (!better(candidate, densest)) continue;
+        densest = candidate;
         best.columns = columns;
     }
     return best;
@@ -164,7 +164,7 @@ PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int max
     using Transposition = PackingStrategy::Transposition;
     using Order = PackingStrategy::Order;
     PackingStrategy best;
-    Packing least;
+    Packing densest;
     for (const Transposition transposition : {Transposition::AsGiven, Transposition::AllTall, Transposition::AllWide}) {
         if (transposition != Transposition::AsGiven && !mayTranspose) break;
         const std::vector<TexelRectangle> transposed = transposedAs(rectangles, transposition);
@@ -174,8 +174,8 @@ PackingStrategy bestStrategy(std::span<const TexelRectangle> rectangles, int max
                 const int width = stripWidth(transposed, sorted, row);
                 if (width > maxSide) break;
                 Packing candidate = skyline(transposed, sorted, width, maxSide);
-                if (!better(candidate, least)) continue;
-                least = std::move(candidate);
+                if (!better(candidate, densest)) continue;
+                densest = std::move(candidate);
                 best = {transposition, order, row, 1};
             }
         }

@@ -57,10 +57,10 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
     layout.equalSquares = true;
     auto side = static_cast<int>(std::sqrt(static_cast<double>(limits.texels) / static_cast<double>(count)));
     side = std::min(side, limits.maxSide);
-    const int least = limits.minSide + 2 * limits.gutter;
+    const int minOuterSide = limits.minSide + 2 * limits.gutter;
     // One row of squares always fits the budget. If the max side of the texture forbids one row, other layouts leave
     // texels unused, so the loop tries smaller squares.
-    for (; side >= least; side -= std::max(1, side / 64)) {
+    for (; side >= minOuterSide; side -= std::max(1, side / 64)) {
         const std::vector<TexelRectangle> squares(count, TexelRectangle{0, 0, side, side, false});
         layout.packing = packed(squares, limits.maxSide, limits.mayTranspose);
         if (layout.packing.width > 0 && layout.packing.area() <= limits.texels) return layout;
@@ -69,7 +69,8 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
         Limit::ShadowTexels,
         {"shadow texels",
          "the budget is too small",
-         "at least " + std::to_string(count * static_cast<std::size_t>(least) * static_cast<std::size_t>(least)) +
+         "at least " +
+             std::to_string(count * static_cast<std::size_t>(minOuterSide) * static_cast<std::size_t>(minOuterSide)) +
              " texels for " + std::to_string(count) + " maps",
          std::to_string(limits.texels)});
 }
@@ -114,25 +115,25 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
     // The search first increases the error from the bound in steps derived from the excess area. Then it bisects the
     // last step.
     double tooSmall = 0;
-    double enough = 0;
+    double sufficient = 0;
     double error = bound;
-    for (int i = 0; i < 24 && (enough == 0 || enough > tooSmall * kErrorStep); ++i) {
+    for (int i = 0; i < 24 && (sufficient == 0 || sufficient > tooSmall * kErrorStep); ++i) {
         Attempt attempt = attemptAt(demands, error, strategy, limits);
         if (attempt.excess > 1) {
             tooSmall = error;
         } else {
             // The limit on the sides can spoil the strategy that was chosen at the bound. Choose again at an error
             // where all maps fit.
-            if (enough == 0)
+            if (sufficient == 0)
                 strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide, limits.mayTranspose);
-            if (enough == 0) tooSmall = bound;
-            enough = error;
+            if (sufficient == 0) tooSmall = bound;
+            sufficient = error;
             const double reached = worstError(attempt.layout, demands);
             if (reached < bestError) best = std::move(attempt.layout);
             bestError = std::min(bestError, reached);
         }
         const double next = error * std::max(std::sqrt(attempt.excess), kErrorStep);
-        error = enough > 0 ? (tooSmall + enough) / 2 : next;
+        error = sufficient > 0 ? (tooSmall + sufficient) / 2 : next;
     }
     // Unused texels refine one axis of an adjacent map; its other axis keeps the common error. Maps that snap must stay
     // square.
@@ -140,17 +141,17 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
     return best;
 }
 
-std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits) {
+std::uint64_t requiredTexels(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits) {
     GNOMON_CHECK_OP(aliasing, >, 0.0);
     const Packing rectangles = packed(sizesFor(demands, aliasing, limits), limits.maxSide, limits.mayTranspose);
     if (rectangles.width == 0) return 0;
-    const std::uint64_t leastSide = static_cast<std::uint32_t>(limits.minSide + 2 * limits.gutter);
-    TexelLimits enough = limits;
-    enough.texels = std::max(rectangles.area(), leastSide * leastSide * demands.size());
+    const std::uint64_t minOuterSide = static_cast<std::uint32_t>(limits.minSide + 2 * limits.gutter);
+    TexelLimits sufficient = limits;
+    sufficient.texels = std::max(rectangles.area(), minOuterSide * minOuterSide * demands.size());
     // The search of splitTexels stops slightly above the smallest error and may choose another strategy.
     for (int attempt = 0; attempt < 64; ++attempt) {
-        if (worstError(splitTexels(demands, enough), demands) <= aliasing) return enough.texels;
-        enough.texels += enough.texels / 100 + 64;
+        if (worstError(splitTexels(demands, sufficient), demands) <= aliasing) return sufficient.texels;
+        sufficient.texels += sufficient.texels / 100 + 64;
     }
     return 0;
 }

@@ -57,6 +57,6 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
 /// Returns the number of texels with which splitTexels achieves an error of at most `aliasing` (> 0). The number
 /// includes borders and packing losses. Returns 0 if the max side of the texture makes this error impossible. The
 /// function ignores limits.texels.
-std::uint64_t texelsThatWouldDo(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits);
+std::uint64_t requiredTexels(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits);
 
 } // namespace gnomon::shadow

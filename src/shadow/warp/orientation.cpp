@@ -21,11 +21,11 @@ double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
     const LightFit fit = rolled(plain, radians);
     if (rowsOf(warp.rule) == RowSpacing::Logarithmic) return storageFactor(fit, kappaLog(fit, Search::Rough));
     if (warp.rule != WarpRule::Auto) return storageFactor(fit, kappaOf(warp, fit));
-    const double most = kappaMinimax(fit);
-    double least = storageFactor(fit, 0);
+    const double maxKappa = kappaMinimax(fit);
+    double minStorage = storageFactor(fit, 0);
     for (const double fraction : {0.2, 0.5, 1.0})
-        if (most > 0) least = std::min(least, storageFactor(fit, most * fraction));
-    return least;
+        if (maxKappa > 0) minStorage = std::min(minStorage, storageFactor(fit, maxKappa * fraction));
+    return minStorage;
 }
 
 double exactStorage(const LightFit& plain, const Warp& warp, double radians) {
@@ -36,12 +36,12 @@ double exactStorage(const LightFit& plain, const Warp& warp, double radians) {
 /// Returns the local minimum of S that is nearest to `start`, within `reach` on both sides.
 double localMinimum(const LightFit& plain, const Warp& warp, double start, double reach) {
     double best = start;
-    double least = roughStorage(plain, warp, start);
+    double minStorage = roughStorage(plain, warp, start);
     for (double step = reach / 2; step > 1e-4; step /= 2) {
         for (const double at : {best - step, best + step}) {
             const double found = roughStorage(plain, warp, at);
-            if (found >= least) continue;
-            least = found;
+            if (found >= minStorage) continue;
+            minStorage = found;
             best = at;
             break;
         }
@@ -52,13 +52,13 @@ double localMinimum(const LightFit& plain, const Warp& warp, double start, doubl
 /// Returns the rotation about the light with the smallest S, within a quarter revolution of the plain orientation.
 double bestLightRoll(const LightFit& plain, const Warp& warp) {
     double best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double minStorage = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kCoarse; ++i) {
         const double at = kPi * (static_cast<double>(i) / kCoarse - 0.5);
         const double found = roughStorage(plain, warp, at);
         // Without a warp, all minima are equal. The smaller rotation then wins, so that rounding has no influence.
-        if (found < least * (1 - 1e-9) || (found < least * (1 + 1e-9) && std::abs(at) < std::abs(best))) {
-            least = std::min(least, found);
+        if (found < minStorage * (1 - 1e-9) || (found < minStorage * (1 + 1e-9) && std::abs(at) < std::abs(best))) {
+            minStorage = std::min(minStorage, found);
             best = at;
         }
     }

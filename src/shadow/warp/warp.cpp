@@ -11,12 +11,12 @@ namespace gnomon::shadow {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kMostWarp = 1e6; // max kappa d, for rules whose kappa has a pole
+constexpr double kMaxWarp = 1e6; // max kappa d, for rules whose kappa has a pole
 
 /// Returns the argument of the smallest `value` in [low, high] by golden-section search, to within `tolerance`. The
 /// function must be unimodal. Returns the better end of the interval if it is at least as good.
 template <class Function>
-double leastOf(const Function& value, double low, double high, double tolerance) {
+double minimumOf(const Function& value, double low, double high, double tolerance) {
     constexpr double kGolden = 0.6180339887498949;
     double bestAt = low;
     double best = value(low);
@@ -59,11 +59,11 @@ auto storageOfGrowth(const LightFit& fit) {
     return [&fit](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
 }
 
-/// Returns the growth with the smallest S, between no warp and kMostWarp. The search takes the best of `steps` even
+/// Returns the growth with the smallest S, between no warp and kMaxWarp. The search takes the best of `steps` even
 /// steps and refines it by golden sections between its neighbours.
-double growthOfLeastStorage(const LightFit& fit, int steps, double tolerance) {
+double growthOfMinStorage(const LightFit& fit, int steps, double tolerance) {
     const auto storage = storageOfGrowth(fit);
-    const double step = std::log1p(kMostWarp) / steps;
+    const double step = std::log1p(kMaxWarp) / steps;
     double best = storage(0);
     double bestAt = 0;
     for (int i = 1; i <= steps; ++i) {
@@ -73,7 +73,7 @@ double growthOfLeastStorage(const LightFit& fit, int steps, double tolerance) {
             bestAt = i * step;
         }
     }
-    return leastOf(storage, std::max(0.0, bestAt - step), bestAt + step, tolerance);
+    return minimumOf(storage, std::max(0.0, bestAt - step), bestAt + step, tolerance);
 }
 
 } // namespace
@@ -81,16 +81,16 @@ double growthOfLeastStorage(const LightFit& fit, int steps, double tolerance) {
 double kappaLspsm(const LightFit& fit) {
     const double sine = sinLightAngle(fit.frame.y);
     const double near = fit.slice.near;
-    return sine / (near + std::sqrt(near * (near + fit.promisedLength() * sine)));
+    return sine / (near + std::sqrt(near * (near + fit.boundedLength() * sine)));
 }
 
 double kappaTsm(const LightFit& fit, double focusZeta, double fraction) {
     const double d = fit.length;
     const double room = fraction * d - focusZeta;
     if (!(room > 0)) return 0;
-    const double most = kMostWarp / d;
+    const double maxKappa = kMaxWarp / d;
     const double pole = (1 - fraction) * d * std::max(focusZeta, 0.0);
-    return pole * most > room ? room / pole : most;
+    return pole * maxKappa > room ? room / pole : maxKappa;
 }
 
 double tsmFocusDepth(const ViewFrustum& slice) {
@@ -121,29 +121,29 @@ double kappaMinimax(const LightFit& fit) {
     // larger one.
     const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kNever;
     const double kappa = nearStops < farOvertakes ? nearStops : std::max(farOvertakes, farStops);
-    return std::isfinite(kappa) ? std::min(kappa, kMostWarp / d) : 0.0;
+    return std::isfinite(kappa) ? std::min(kappa, kMaxWarp / d) : 0.0;
 }
 
 double kappaAuto(const LightFit& fit) {
-    const double most = kappaMinimax(fit);
-    if (!(most > 0)) return 0;
-    return std::min(most, kappaOfLog(fit, leastOf(storageOfGrowth(fit), 0, std::log1p(most * fit.length), 1e-5)));
+    const double maxKappa = kappaMinimax(fit);
+    if (!(maxKappa > 0)) return 0;
+    return std::min(
+        maxKappa, kappaOfLog(fit, minimumOf(storageOfGrowth(fit), 0, std::log1p(maxKappa * fit.length), 1e-5)));
 }
 
-double kappaLeastStorage(const LightFit& fit) {
-    return fit.length > 0 ? kappaOfLog(fit, growthOfLeastStorage(fit, 2000, 1e-12)) : 0.0;
+double kappaMinStorage(const LightFit& fit) {
+    return fit.length > 0 ? kappaOfLog(fit, growthOfMinStorage(fit, 2000, 1e-12)) : 0.0;
 }
 
 std::optional<double> kappaAtEye(const LightFit& fit) {
-    constexpr double kMostRatio = 1e8;
-    if (!(fit.zMin * kMostRatio > fit.length)) return std::nullopt;
+    constexpr double kMaxRatio = 1e8;
+    if (!(fit.zMin * kMaxRatio > fit.length)) return std::nullopt;
     return 1 / fit.zMin;
 }
 
 double kappaLog(const LightFit& fit, Search search) {
     if (!(fit.length > 0)) return 0;
-    const double sought =
-        search == Search::Fine ? growthOfLeastStorage(fit, 32, 1e-5) : growthOfLeastStorage(fit, 10, 0.1);
+    const double sought = search == Search::Fine ? growthOfMinStorage(fit, 32, 1e-5) : growthOfMinStorage(fit, 10, 0.1);
     // The smallest S often lies at a kink, where two vertices have the same error. The search only comes near to a
     // kink, so the code tests the eye directly.
     const std::optional<double> atEye = kappaAtEye(fit);
@@ -174,8 +174,8 @@ double kappaOf(const Warp& warp, const LightFit& fit) {
         return kappaMinimax(fit);
     case WarpRule::Auto:
         return kappaAuto(fit);
-    case WarpRule::LeastStorage:
-        return kappaLeastStorage(fit);
+    case WarpRule::MinStorage:
+        return kappaMinStorage(fit);
     case WarpRule::Eta:
         return 1 / nPrimeOfEta(fit.slice, warp.eta);
     case WarpRule::Given:

@@ -14,16 +14,16 @@ namespace gnomon::shadow {
 
 /// The rules for kappa; docs/shadow_theory.md compares them.
 enum class WarpRule : std::uint8_t {
-    None,         // kappa = 0
-    Psm,          // kappa = 1/near (Stamminger and Drettakis 2002 for an overhead light; otherwise in light space)
-    Lspsm,        // Wimmer et al. 2004 for a tilted light
-    Tsm,          // Martin and Tan 2004: maps the focus to t = 0.8
-    Minimax,      // smallest M_z over the vertices
-    Auto,         // smallest S for kappa up to the minimax value
-    LeastStorage, // smallest S over all kappa >= 0
-    Eta,          // n' from eta by Eq 11
-    Given,        // the given kappa
-    Log,          // logarithmic rows (Lloyd 2007), with the kappa of the smallest S
+    None,       // kappa = 0
+    Psm,        // kappa = 1/near (Stamminger and Drettakis 2002 for an overhead light; otherwise in light space)
+    Lspsm,      // Wimmer et al. 2004 for a tilted light
+    Tsm,        // Martin and Tan 2004: maps the focus to t = 0.8
+    Minimax,    // smallest M_z over the vertices
+    Auto,       // smallest S for kappa up to the minimax value
+    MinStorage, // smallest S over all kappa >= 0
+    Eta,        // n' from eta by Eq 11
+    Given,      // the given kappa
+    Log,        // logarithmic rows (Lloyd 2007), with the kappa of the smallest S
 };
 
 /// The rules that have an option word.
@@ -40,7 +40,7 @@ inline constexpr std::array kWarpRules = {
 /// Returns the word for `rule`, also for rules without an option word.
 constexpr std::string_view name(WarpRule rule) {
     constexpr std::array kOthers = {
-        Word<WarpRule>{WarpRule::LeastStorage, "sopt"},
+        Word<WarpRule>{WarpRule::MinStorage, "sopt"},
         Word<WarpRule>{WarpRule::Eta, "eta"},
         Word<WarpRule>{WarpRule::Given, "given"},
     };
@@ -86,7 +86,7 @@ double kappaAuto(const LightFit& fit);
 
 /// Returns the kappa >= 0 with the smallest S, by a scan and golden-section search. The function is slow and serves for
 /// comparison only.
-double kappaLeastStorage(const LightFit& fit);
+double kappaMinStorage(const LightFit& fit);
 
 /// Returns the row spacing of maps with warp `rule`.
 constexpr RowSpacing rowsOf(WarpRule rule) {

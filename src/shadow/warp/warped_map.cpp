@@ -34,16 +34,16 @@ double tOf(const WarpedMap& map, double zeta) {
 } // namespace
 
 WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
-    const double least = 1e-9 * fit.slice.near;
+    const double minExtent = 1e-9 * fit.slice.near;
     WarpedMap map;
     map.frame = fit.frame;
     map.rows = kappa > 0 ? fit.rows : RowSpacing::Even;
     map.kappa = kappa;
     map.zMin = fit.zMin;
-    map.length = std::max(fit.length, least);
+    map.length = std::max(fit.length, minExtent);
     const WarpedExtent extent = warpedExtent(fit, kappa);
     map.uMin = extent.min;
-    map.width = std::max(extent.width(), least);
+    map.width = std::max(extent.width(), minExtent);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const FitPoint& point : fit.points()) {
@@ -52,7 +52,7 @@ WarpedMap warpedMap(const LightFit& fit, double kappa, double bias) {
         high = std::max(high, raw);
     }
     map.rawMin = low - bias;
-    map.rawRange = std::max(high - low + 2 * bias, least);
+    map.rawRange = std::max(high - low + 2 * bias, minExtent);
     return map;
 }
 

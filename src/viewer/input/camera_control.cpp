@@ -10,8 +10,8 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr double kMostPitch = kPi / 2 - 1e-3; // the yaw is undefined along the up axis
-constexpr double kLongestStep = 0.1;          // seconds
+constexpr double kMaxPitch = kPi / 2 - 1e-3; // the yaw is undefined along the up axis
+constexpr double kLongestStep = 0.1;         // seconds
 constexpr double kGlideSeconds = 0.4;
 constexpr double kInertiaSeconds = 0.06;
 constexpr double kSpeedSeconds = 0.3;    // response time of the speed to the visible depths
@@ -53,7 +53,7 @@ CameraControl::Pose CameraControl::poseOf(const Camera& camera) const {
     const bool isUpright = glm::length(to - rise * up_) > kAlong;
     const glm::dvec3 level = isUpright ? to : rise < 0 ? camera.up : -camera.up;
     pose.yaw = std::atan2(glm::dot(level, right_), glm::dot(level, front_));
-    pose.pitch = std::clamp(std::asin(std::clamp(glm::dot(to, up_), -1.0, 1.0)), -kMostPitch, kMostPitch);
+    pose.pitch = std::clamp(std::asin(std::clamp(glm::dot(to, up_), -1.0, 1.0)), -kMaxPitch, kMaxPitch);
     pose.distance = distance;
     return pose;
 }
@@ -111,7 +111,7 @@ bool CameraControl::isMoving() const {
 void CameraControl::look(double yawRadians, double pitchRadians) {
     glide_.reset();
     pose_.yaw += yawRadians;
-    pose_.pitch = std::clamp(pose_.pitch + pitchRadians, -kMostPitch, kMostPitch);
+    pose_.pitch = std::clamp(pose_.pitch + pitchRadians, -kMaxPitch, kMaxPitch);
 }
 
 void CameraControl::orbit(const glm::dvec3& pivot, double yawRadians, double pitchRadians) {

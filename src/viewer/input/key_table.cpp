@@ -84,7 +84,7 @@ std::vector<Binding> windowKeys() {
         Binding{GLFW_KEY_Y, true, Action::StepColors, -1, "Shift+Y", "colours by the value before"},
         Binding{GLFW_KEY_TAB, false, Action::TogglePanel, 0, "Tab", "panel of settings"},
         Binding{GLFW_KEY_G, false, Action::ToggleFacts, 0, "G", "graph and figures, or a line"},
-        Binding{GLFW_KEY_L, false, Action::ToggleHollows, 0, "L", "dark hollows and outlines, by depth alone"},
+        Binding{GLFW_KEY_L, false, Action::ToggleEyeDome, 0, "L", "dark hollows and outlines, by depth alone"},
         Binding{GLFW_KEY_H, false, Action::ToggleHelp, 0, "H", "this help"},
         Binding{GLFW_KEY_R, false, Action::Record, 0, "R", "record a path; again saves it"},
         Binding{GLFW_KEY_P, false, Action::Play, 0, "P", "play the last path; again stops"},

@@ -24,7 +24,7 @@ enum class Action : std::uint8_t {
     TogglePanel,
     ToggleFacts,
     ToggleHelp,
-    ToggleHollows,
+    ToggleEyeDome,
     Record,
     Play,
     ToggleSection, // value 1: a box of six sections

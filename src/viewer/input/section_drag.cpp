@@ -11,14 +11,14 @@ namespace {
 
 /// The extent of a box along a direction.
 struct Reach {
-    double least = 0;
-    double most = 0;
+    double min = 0;
+    double max = 0;
 
     Reach(const Box& bounds, const glm::dvec3& direction) {
         const double half = 0.5 * glm::dot(glm::abs(direction), bounds.extent());
         const double middle = glm::dot(direction, bounds.center());
-        least = middle - half;
-        most = middle + half;
+        min = middle - half;
+        max = middle + half;
     }
 };
 
@@ -48,8 +48,8 @@ std::vector<settings::Section> sectionBox(const Box& bounds) {
 std::string sectionInWords(const settings::Section& section, const Box& bounds) {
     const glm::dvec3 normal = unitNormal(section);
     const Reach reach(bounds, normal);
-    const double left = std::clamp(glm::dot(normal, section.point) - reach.least, 0.0, reach.most - reach.least);
-    return formatted("section: %.4g of %.4g left", left, reach.most - reach.least);
+    const double left = std::clamp(glm::dot(normal, section.point) - reach.min, 0.0, reach.max - reach.min);
+    return formatted("section: %.4g of %.4g left", left, reach.max - reach.min);
 }
 
 /// Returns the displacement along the normal, measured from the grip, of the point nearest to the line of sight through
@@ -96,8 +96,8 @@ void SectionDrag::drag(
     const glm::dvec3 normal = unitNormal(start_);
     const Reach reach(bounds, normal);
     const double at = glm::dot(normal, start_.point);
-    const double aside = 1e-2 * (reach.most - reach.least);
-    const double wanted = std::clamp(at + moved, reach.least - aside, reach.most + aside);
+    const double aside = 1e-2 * (reach.max - reach.min);
+    const double wanted = std::clamp(at + moved, reach.min - aside, reach.max + aside);
     sections[held_].point = start_.point + normal * (wanted - at);
 }
 

@@ -14,8 +14,8 @@ bool changeShown(const Binding& binding, ViewSettings& settings) {
     case Action::ToggleHelp:
         settings.showsHelp = !settings.showsHelp;
         return true;
-    case Action::ToggleHollows:
-        settings.darkensHollows = !settings.darkensHollows;
+    case Action::ToggleEyeDome:
+        settings.usesEyeDome = !settings.usesEyeDome;
         return true;
     case Action::TogglePanel:
         settings.showsPanel = !settings.showsPanel;

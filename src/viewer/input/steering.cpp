@@ -2,7 +2,7 @@
 
 #include "core/formatted.h"
 #include "viewer/input/key_table.h"
-#include "viewer/panel/storage_pad.h"
+#include "viewer/panel/texel_plot.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRadiansPerPixel = 0.004;
 constexpr double kLightPerPixel = 1.0 / 300; // in radii of the widget
-constexpr double kMostRadius = 0.985;        // of the widget; a light on the horizon would be ambiguous
+constexpr double kMaxRadius = 0.985;         // of the widget; a light on the horizon would be ambiguous
 constexpr double kHaste = 5;                 // factor of the speed with Shift, and its inverse with Ctrl
 
 glm::dvec3 directionOf(Way way) {
@@ -52,7 +52,7 @@ Flight heldFlight(const std::function<bool(int key)>& isHeld) {
 glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, const glm::dvec2& moved) {
     const LightDisc disc = lightDisc(camera, glm::dot(towardsLight, camera.up) < 0);
     glm::dvec2 point = disc.point(towardsLight) + glm::dvec2(moved.x, -moved.y) * kLightPerPixel;
-    if (glm::length(point) > kMostRadius) point *= kMostRadius / glm::length(point);
+    if (glm::length(point) > kMaxRadius) point *= kMaxRadius / glm::length(point);
     return disc.direction(point);
 }
 

@@ -83,7 +83,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
         ImGui::PopTextWrapPos();
         std::array<char, 96> text{};
         if (settings.targetMs > 0) {
-            const std::string& given = content.givenUp;
+            const std::string& given = content.reductions;
             std::snprintf(text.data(), text.size(), "target %.3g ms: ", settings.targetMs);
             drawLine(
                 text.data() + (given.empty() ? std::string("nothing given up") : "given up " + given) +
@@ -91,7 +91,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
                 kWarningColor);
         }
         if (content.scene->samples() > 0)
-            drawLine(formatted("sample %d of %d", content.scene->samples(), content.mostSamples));
+            drawLine(formatted("sample %d of %d", content.scene->samples(), content.maxSamples));
         std::snprintf(text.data(), text.size(), "speed %.3g a second   H help, Tab panel", content.flyingSpeed);
         drawLine(text.data(), kFaint);
         if (settings.overlay != render::Overlay::None)
@@ -106,8 +106,8 @@ void drawStatus(const OverlayContent& content) {
     PictureState state;
     state.frameMs = total(content.history->medians(15));
     state.samples = content.scene->samples();
-    state.mostSamples = content.mostSamples;
-    state.givenUp = content.givenUp;
+    state.maxSamples = content.maxSamples;
+    state.reductions = content.reductions;
     const std::string text = statusInWords(frame.plan, frame.row, state);
     const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * letterHeight(), 8 * letterHeight());
     // Without this, the size is one frame late.
@@ -240,7 +240,7 @@ void drawPicture(const ShownPicture& picture) {
     ImGui::GetBackgroundDrawList()->AddImage(id, {0, 0}, screen, first, last);
 }
 
-OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, StoragePad& pad) {
+OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, TexelPlot& plot) {
     OverlayAnswer answer;
     const bool hasFrame = content.scene != nullptr && content.scene->frame() != nullptr;
     if (hasFrame && content.isFrozen) drawVolumes(content);
@@ -249,7 +249,7 @@ OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings,
     if (hasFrame && settings.showsFacts) drawFacts(content, settings);
     if (hasFrame && !settings.showsFacts) drawStatus(content);
     if (hasFrame && !content.scene->isAnythingInView() && !settings.showsHelp) drawNothingInView();
-    if (hasFrame && settings.showsPanel) answer = drawPanel(content, settings, pad);
+    if (hasFrame && settings.showsPanel) answer = drawPanel(content, settings, plot);
     if (settings.showsHelp) drawHelp();
     if (content.build) drawBuild(*content.build, content.buildOf);
     drawMessages(content);

@@ -10,6 +10,6 @@ namespace gnomon::viewer {
 void drawPicture(const ShownPicture& picture);
 
 /// Describes all elements that `settings` enable. Must be called between ImGuiLayer's beginFrame and endFrame.
-OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, StoragePad& pad);
+OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, TexelPlot& plot);
 
 } // namespace gnomon::viewer

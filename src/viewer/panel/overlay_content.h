@@ -7,7 +7,7 @@
 #include "viewer/model_cache.h"
 #include "viewer/panel/frame_history.h"
 #include "viewer/panel/plan_words.h"
-#include "viewer/panel/storage_pad.h"
+#include "viewer/panel/texel_plot.h"
 #include "viewer/panel/wire_frames.h"
 #include "viewer/scene.h"
 #include "viewer/view_settings.h"
@@ -22,10 +22,10 @@ struct OverlayContent {
     const Scene* scene = nullptr; // null: no model is open
     Camera camera;                // camera of the image
     const FrameHistory* history = nullptr;
-    std::string givenUp; // reductions of the quality governor; empty: none
+    std::string reductions; // reductions of the quality governor; empty: none
     bool isExhausted = false;
     Caps caps;
-    int mostSamples = 1;                  // number of frames in the mean of a resting image
+    int maxSamples = 1;                   // number of frames in the mean of a resting image
     double flyingSpeed = 0;               // world units per second
     const Measuring* measuring = nullptr; // null: no measures
     bool isFrozen = false;

@@ -25,14 +25,11 @@ std::string mapsInWords(const plan::FramePlan& plan) {
            formatted(" (%s), %d x %d texels", plan::schemeName(plan).c_str(), plan.textureWidth, plan.textureHeight);
 }
 
-std::string promiseInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row) {
-    if (!row.promisedAliasingX) return mapsInWords(plan);
+std::string boundInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row) {
+    if (!row.aliasingBoundX) return mapsInWords(plan);
     const std::size_t maps = plan.passes.size();
     return formatted(
-        "%zu map%s, promise %.2g",
-        maps,
-        maps == 1 ? "" : "s",
-        std::max(*row.promisedAliasingX, *row.promisedAliasingZ));
+        "%zu map%s, promise %.2g", maps, maps == 1 ? "" : "s", std::max(*row.aliasingBoundX, *row.aliasingBoundZ));
 }
 
 } // namespace
@@ -41,14 +38,14 @@ std::string statusInWords(const plan::FramePlan& plan, const telemetry::FrameRow
     constexpr const char* kBetween = " \xC2\xB7 ";
     const auto triangles = static_cast<std::uint64_t>(row.imageTriangles.value_or(0));
     std::string words = formatted("%.0f ms", state.frameMs) + kBetween + readableCount(triangles) + " triangles" +
-                        kBetween + promiseInWords(plan, row);
-    if (!state.givenUp.empty()) words += kBetween + ("given up: " + state.givenUp);
+                        kBetween + boundInWords(plan, row);
+    if (!state.reductions.empty()) words += kBetween + ("given up: " + state.reductions);
     if (row.pagesMissing.value_or(0) > 0)
         words += kBetween + formatted("loading %lld pages", static_cast<long long>(*row.pagesMissing));
     if (row.pagesDamaged.value_or(0) > 0)
         words += kBetween + formatted("%lld pages DAMAGED", static_cast<long long>(*row.pagesDamaged));
-    if (state.samples > 0 && state.samples < state.mostSamples)
-        words += kBetween + formatted("sample %d of %d", state.samples, state.mostSamples);
+    if (state.samples > 0 && state.samples < state.maxSamples)
+        words += kBetween + formatted("sample %d of %d", state.samples, state.maxSamples);
     return words;
 }
 
@@ -61,22 +58,22 @@ std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetr
             depthFromAskedEye(plan, plan.far),
             plan.far / plan.near));
     lines.push_back(formatted("light %.0f\xC2\xB0 from the view", row.lightAngle.value_or(0)));
-    if (row.promisedAliasingX) {
+    if (row.aliasingBoundX) {
         lines.back() += formatted(", storage factor %.3g", row.storageFactor.value_or(0));
         lines.push_back(
-            formatted("promised aliasing %.3g across, %.3g along", *row.promisedAliasingX, *row.promisedAliasingZ));
+            formatted("promised aliasing %.3g across, %.3g along", *row.aliasingBoundX, *row.aliasingBoundZ));
         const bool isAuto = !plan.quality.zPartitions || plan.quality.facePartitions == plan::Choice::Auto;
         if (isAuto)
             lines.back() +=
-                formatted(": %s %.3g", plan.promiseKept ? "kept under" : "NOT under", plan.quality.maxAliasing);
+                formatted(": %s %.3g", plan.isBoundKept ? "kept under" : "NOT under", plan.quality.maxAliasing);
     }
     if (row.measuredAliasing)
         lines.push_back(formatted("measured aliasing %.3g", *row.measuredAliasing));
-    else if (row.promisedAliasingX)
+    else if (row.aliasingBoundX)
         lines.emplace_back("measured aliasing: not yet");
     if (row.wrongShadowFraction) lines.push_back(formatted("measured %.3g%% wrong", 100 * *row.wrongShadowFraction));
-    for (const plan::Omission& omission : plan.omitted)
-        lines.push_back("without " + settings::effectInWords(omission) + ": " + settings::reasonInWords(omission));
+    for (const plan::SkippedEffect& skipped : plan.omitted)
+        lines.push_back("without " + settings::effectInWords(skipped) + ": " + settings::reasonInWords(skipped));
     return lines;
 }
 

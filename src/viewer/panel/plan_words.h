@@ -15,10 +15,10 @@ std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetr
 
 /// The facts about the image that the log row of the last frame does not contain.
 struct PictureState {
-    double frameMs = 0;  // typical time of the last frames
-    int samples = 0;     // frames in the mean; 0: the image is not a mean
-    int mostSamples = 1; // number of frames in the finished mean
-    std::string givenUp; // reductions of the quality governor; empty: none
+    double frameMs = 0;     // typical time of the last frames
+    int samples = 0;        // frames in the mean; 0: the image is not a mean
+    int maxSamples = 1;     // number of frames in the finished mean
+    std::string reductions; // reductions of the quality governor; empty: none
 };
 
 /// Returns one line: time, triangles, aliasing bound, quality reductions and pending work.

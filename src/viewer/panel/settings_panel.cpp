@@ -2,7 +2,7 @@
 
 #include "settings/step.h"
 #include "settings/table.h"
-#include "viewer/panel/light_pad.h"
+#include "viewer/panel/light_widget.h"
 #include "viewer/scene.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ bool drawSwitch(const Setting& setting, settings::Settings& settings) {
 
 /// Draws a slider over the range of an integer setting. Returns true if `value` changed.
 bool slide(const settings::Offer& offer, int& value) {
-    return ImGui::SliderInt(offer.title.c_str(), &value, static_cast<int>(offer.least), static_cast<int>(offer.most));
+    return ImGui::SliderInt(offer.title.c_str(), &value, static_cast<int>(offer.min), static_cast<int>(offer.max));
 }
 
 bool drawWhole(const Setting& setting, settings::Settings& settings) {
@@ -88,11 +88,10 @@ bool drawWholeOrAuto(const Setting& setting, settings::Settings& settings) {
 bool drawNumber(const Setting& setting, settings::Settings& settings) {
     const settings::Offer& offer = setting.description().offer;
     auto value = static_cast<float>(std::any_cast<double>(setting.value(settings)));
-    const auto least = static_cast<float>(offer.least);
-    const auto most = static_cast<float>(offer.most);
-    if (!ImGui::SliderFloat(offer.title.c_str(), &value, least, most, "%.2f", ImGuiSliderFlags_Logarithmic))
-        return false;
-    setting.set(settings, std::clamp(static_cast<double>(value), offer.least, offer.most));
+    const auto min = static_cast<float>(offer.min);
+    const auto max = static_cast<float>(offer.max);
+    if (!ImGui::SliderFloat(offer.title.c_str(), &value, min, max, "%.2f", ImGuiSliderFlags_Logarithmic)) return false;
+    setting.set(settings, std::clamp(static_cast<double>(value), offer.min, offer.max));
     return true;
 }
 
@@ -145,11 +144,11 @@ bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
     const auto widest = widestEnds(colors, scene.model().summary(), scene.frame()->plan.view.up);
     if (isToggled && isOwn) colors.range = widest;
     if (!colors.range) return isToggled;
-    auto least = static_cast<float>((*colors.range)[0]);
-    auto most = static_cast<float>((*colors.range)[1]);
+    auto min = static_cast<float>((*colors.range)[0]);
+    auto max = static_cast<float>((*colors.range)[1]);
     const auto speed = static_cast<float>((widest[1] - widest[0]) / 500);
-    if (!ImGui::DragFloatRange2("ends", &least, &most, speed, 0, 0, "%.4g") || !(least < most)) return isToggled;
-    colors.range = {double{least}, double{most}};
+    if (!ImGui::DragFloatRange2("ends", &min, &max, speed, 0, 0, "%.4g") || !(min < max)) return isToggled;
+    colors.range = {double{min}, double{max}};
     return true;
 }
 
@@ -213,7 +212,7 @@ bool drawViewSettings(const OverlayContent& content, ViewSettings& settings, Ove
 
 } // namespace
 
-OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, StoragePad& pad) {
+OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, TexelPlot& plot) {
     OverlayAnswer answer;
     const float unit = ImGui::GetFontSize();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -227,13 +226,13 @@ OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, S
         answer.hasChanged |= drawQuality(settings.asked);
         answer.hasChanged |= drawViewSettings(content, settings, answer);
         ImGui::Separator();
-        if (drawLightPad(content.scene->frame(), content.camera, pad, settings.asked.towardsLight)) {
+        if (drawLightWidget(content.scene->frame(), content.camera, plot, settings.asked.towardsLight)) {
             answer.hasChanged = settings.asked.isLightGiven = true;
             settings.asked.lightAt = std::nullopt;
             settings.asked.sun = std::nullopt;
             settings.asked.north = std::nullopt;
         }
-        answer.isUnfinished = !pad.isComplete();
+        answer.isUnfinished = !plot.isComplete();
         ImGui::PopItemWidth();
     }
     ImGui::End();

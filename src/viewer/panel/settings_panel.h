@@ -7,6 +7,6 @@ namespace gnomon::viewer {
 
 /// Describes the panel in the upper right corner. Must be called between ImGuiLayer's beginFrame and endFrame, with an
 /// open model.
-OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, StoragePad& pad);
+OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, TexelPlot& plot);
 
 } // namespace gnomon::viewer

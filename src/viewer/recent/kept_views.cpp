@@ -55,9 +55,9 @@ std::vector<Camera> KeptViews::load(const std::string& model) const {
     if (!fs::exists(status)) return {};
     if (!fs::is_regular_file(status)) throw Error(file, "cannot read recent views", "a file", "something else");
     const std::uintmax_t bytes = fs::file_size(file, failure);
-    if (failure || bytes > kMostBytes)
+    if (failure || bytes > kMaxBytes)
         throw Error(
-            file, "the file of recent views is too long", formatted("at most %llu bytes", 0ULL + kMostBytes), "more");
+            file, "the file of recent views is too long", formatted("at most %llu bytes", 0ULL + kMaxBytes), "more");
     const path::SavedViews views = path::readViews(file);
     return views.model == nameOf(model) ? views.cameras : std::vector<Camera>(); // another model with the same hash
 }
@@ -81,9 +81,9 @@ void KeptViews::dropOldest() const {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure))
         if (isNameOfFile(entry.path().filename().string()) && fs::is_regular_file(entry.symlink_status(failure)))
             files.emplace_back(entry.last_write_time(failure), entry.path());
-    if (files.size() <= kMostModels) return;
+    if (files.size() <= kMaxModels) return;
     std::sort(files.begin(), files.end());
-    for (std::size_t i = 0; i + kMostModels < files.size(); ++i)
+    for (std::size_t i = 0; i + kMaxModels < files.size(); ++i)
         fs::remove(files[i].second, failure);
 }
 

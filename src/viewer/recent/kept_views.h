@@ -9,7 +9,7 @@
 
 namespace gnomon::viewer {
 
-/// A folder with one file per model. Its files are not trusted: the class reads at most kMostBytes of a file, and an
+/// A folder with one file per model. Its files are not trusted: the class reads at most kMaxBytes of a file, and an
 /// invalid file is an Error.
 class KeptViews {
 public:
@@ -25,11 +25,11 @@ public:
     std::vector<Camera> load(const std::string& model) const;
 
     /// Stores `cameras` of `model` atomically, unless they are equal to the last saved ones. If there are more than
-    /// kMostModels files, it removes the oldest. Throws Error if the folder cannot be written.
+    /// kMaxModels files, it removes the oldest. Throws Error if the folder cannot be written.
     void save(const std::string& model, const std::vector<Camera>& cameras);
 
-    static constexpr std::size_t kMostModels = 200;
-    static constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 10U;
+    static constexpr std::size_t kMaxModels = 200;
+    static constexpr std::uint64_t kMaxBytes = std::uint64_t{256} << 10U;
 
 private:
     std::string fileOf(const std::string& model) const;

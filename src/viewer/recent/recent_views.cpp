@@ -19,7 +19,7 @@ bool isElsewhere(const Camera& here, const Camera& camera) {
 } // namespace
 
 RecentViews::RecentViews(std::vector<Camera> cameras) : cameras_(std::move(cameras)) {
-    if (cameras_.size() > kMost) cameras_.erase(cameras_.begin(), cameras_.end() - kMost);
+    if (cameras_.size() > kMaxViews) cameras_.erase(cameras_.begin(), cameras_.end() - kMaxViews);
     if (!cameras_.empty()) at_ = cameras_.size() - 1;
 }
 
@@ -36,7 +36,7 @@ void RecentViews::see(const Camera& camera, double seconds) {
 void RecentViews::stay(const Camera& camera) {
     if (!cameras_.empty() && !isElsewhere(cameras_[at_], camera)) return;
     if (!cameras_.empty()) cameras_.resize(at_ + 1);
-    if (cameras_.size() == kMost) cameras_.erase(cameras_.begin());
+    if (cameras_.size() == kMaxViews) cameras_.erase(cameras_.begin());
     cameras_.push_back(camera);
     at_ = cameras_.size() - 1;
 }

@@ -13,7 +13,7 @@ class RecentViews {
 public:
     RecentViews() = default;
 
-    /// Takes stored cameras, oldest first. It uses the last kMost of them.
+    /// Takes stored cameras, oldest first. It uses the last kMaxViews of them.
     explicit RecentViews(std::vector<Camera> cameras);
 
     /// Returns all cameras, oldest first.
@@ -23,7 +23,8 @@ public:
     void see(const Camera& camera, double seconds);
 
     /// Adds a camera, unless it is almost equal to the current one: within a hundredth of the distance to its target,
-    /// and one degree. The views after the current one are removed, and the oldest one if there are more than kMost.
+    /// and one degree. The views after the current one are removed, and the oldest one if there are more than
+    /// kMaxViews.
     void stay(const Camera& camera);
 
     /// Returns the previous camera, which becomes the current one. Returns nothing at the first camera.
@@ -32,7 +33,7 @@ public:
     /// Returns the next camera, which becomes the current one. Returns nothing at the last camera.
     std::optional<Camera> forth();
 
-    static constexpr std::size_t kMost = 100;
+    static constexpr std::size_t kMaxViews = 100;
 
 private:
     std::vector<Camera> cameras_;

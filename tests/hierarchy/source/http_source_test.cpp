@@ -38,13 +38,13 @@ std::string randomContent(std::uint64_t seed, std::size_t size) {
 Access hasty() {
     Access access;
     access.cache = {0};
-    access.patience = std::chrono::milliseconds(0);
+    access.retryTime = std::chrono::milliseconds(0);
     return access;
 }
 
-Access patient(std::chrono::milliseconds patience = std::chrono::milliseconds(20'000)) {
+Access patient(std::chrono::milliseconds retryTime = std::chrono::milliseconds(20'000)) {
     Access access = hasty();
-    access.patience = patience;
+    access.retryTime = retryTime;
     return access;
 }
 
@@ -271,7 +271,7 @@ TEST(HttpSource, TakesNoMoreThanItAskedFor) {
         return answer;
     });
     EXPECT_THROW(HttpSource(server->address(), hasty()), Error);
-    EXPECT_LT(server->mostSent(), std::uint64_t{64} << 20U);
+    EXPECT_LT(server->maxSent(), std::uint64_t{64} << 20U);
     const auto endlessHeader = [&](const RangeQuestion&) {
         RawAnswer answer{"HTTP/1.1 206 Partial Content\r\n"};
         for (int line = 0; line < 100; ++line)

@@ -130,8 +130,8 @@ void ScriptedServer::serve(int connection) {
     const auto send = [&](std::string_view bytes) {
         const bool isSent = sendAll(connection, bytes);
         sent += bytes.size();
-        std::uint64_t most = mostSent_;
-        while (most < sent && !mostSent_.compare_exchange_weak(most, sent)) {
+        std::uint64_t max = maxSent_;
+        while (max < sent && !maxSent_.compare_exchange_weak(max, sent)) {
         }
         return isSent;
     };

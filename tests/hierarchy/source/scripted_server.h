@@ -59,7 +59,7 @@ public:
     unsigned connections() const { return connections_; }
 
     /// Returns the max number of bytes sent on one connection.
-    std::uint64_t mostSent() const { return mostSent_; }
+    std::uint64_t maxSent() const { return maxSent_; }
 
 private:
     void accept();
@@ -70,7 +70,7 @@ private:
     std::uint16_t port_ = 0;
     std::atomic<unsigned> questions_{0};
     std::atomic<unsigned> connections_{0};
-    std::atomic<std::uint64_t> mostSent_{0};
+    std::atomic<std::uint64_t> maxSent_{0};
     std::mutex mutex_;
     std::vector<int> open_;
     std::vector<std::thread> threads_;

@@ -28,8 +28,8 @@ using simplify::TriangleError;
 
 /// A sheet of n x n squares over the unit square: waves, noise and creases, squeezed along one axis, with some of its
 /// triangles left out, some doubled and some of its corners pulled onto others.
-read::CodeMesh drawnSheet(Genes& genes, std::uint32_t least, std::uint32_t most) {
-    const auto n = static_cast<std::uint32_t>(least + genes.below(most - least + 1));
+read::CodeMesh drawnSheet(Genes& genes, std::uint32_t min, std::uint32_t max) {
+    const auto n = static_cast<std::uint32_t>(min + genes.below(max - min + 1));
     const double squeeze = std::pow(10.0, genes.uniform(-3, 0));
     const double wave = genes.uniform(0, 0.5);
     const double perUnit = std::pow(10.0, genes.uniform(0, 2));
@@ -75,12 +75,12 @@ double shareOf(
     double before,
     std::span<const Triangle> triangles,
     const ErrorOf& errorOf) {
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const double distance = simplify::distanceTo(patch, p, triangles[t]) + before;
-        least = std::min(least, distance / (errorOf(t) * (1 + 1e-9) + 1e-9));
+        min = std::min(min, distance / (errorOf(t) * (1 + 1e-9) + 1e-9));
     }
-    return least;
+    return min;
 }
 
 /// The largest such share over points strewn on both surfaces.
@@ -93,13 +93,13 @@ double worstShare(const Patch& patch, const simplify::SimplifiedPatch& simplifie
     }
     for (std::size_t s = 0; s < simplified.triangles.size(); ++s) {
         const glm::dvec3 p = simplify::randomPoint(patch, simplified.triangles[s], random);
-        double least = std::numeric_limits<double>::infinity();
+        double min = std::numeric_limits<double>::infinity();
         const double bound = double{simplified.errors[s].toSource} * (1 + 1e-9) + 1e-9;
         for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
             const double distance = simplify::distanceTo(patch, p, patch.triangles[t]);
-            least = std::min(least, (distance + double{patch.error(t).toSource}) / bound);
+            min = std::min(min, (distance + double{patch.error(t).toSource}) / bound);
         }
-        worst = std::max(worst, least);
+        worst = std::max(worst, min);
     }
     return worst;
 }

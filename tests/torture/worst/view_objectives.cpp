@@ -55,7 +55,7 @@ bool isMeasurable(const ShadowMap& map) {
 std::vector<glm::dvec3> pointsOf(const ShadowMap& map, Genes& genes) {
     std::vector<glm::dvec3> points;
     for (const FitVertex& vertex : map.region.vertices)
-        if (vertex.end != DepthEnd::Unpromised) points.push_back(vertex.position);
+        if (vertex.end != DepthEnd::WithoutBound) points.push_back(vertex.position);
     const std::size_t corners = points.size();
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3& a = points[genes.below(corners)];
@@ -67,7 +67,7 @@ std::vector<glm::dvec3> pointsOf(const ShadowMap& map, Genes& genes) {
     return points;
 }
 
-Score promiseScore(Genes genes, Words words) {
+Score boundScore(Genes genes, Words words) {
     MadeMaps made(genes);
     made.options.filterTexels = 0;
     made.setup = shadowMapSetup(made.view, made.options);
@@ -76,8 +76,10 @@ Score promiseScore(Genes genes, Words words) {
         if (!isMeasurable(map)) continue;
         for (const glm::dvec3& p : pointsOf(map, genes)) {
             const Measured found = measuredAt(map, made.view, p);
-            const double ratio =
-                std::max({found.x / map.promised.x, found.z / map.promised.z, found.sheared / map.promised.sheared});
+            const double ratio = std::max(
+                {found.x / map.aliasingBound.x,
+                 found.z / map.aliasingBound.z,
+                 found.sheared / map.aliasingBound.sheared});
             if (!(ratio > score.value)) continue;
             score.value = ratio;
             if (words == Words::Yes)
@@ -96,8 +98,7 @@ Score biasScore(Genes genes, Words words) {
     receiver.p = pointsOf(receiver.map, genes)[genes.below(12)];
     receiver.normal = randomDirection(genes);
     receiver.cosine = glm::dot(receiver.normal, made.view.towardsLight);
-    if (!isMeasurable(receiver.map) || receiver.cosine < kLeastCosine)
-        return {receiver.cosine - 1, "nothing to measure"};
+    if (!isMeasurable(receiver.map) || receiver.cosine < kMinCosine) return {receiver.cosine - 1, "nothing to measure"};
     Score score{largestRise(receiver) / receiver.bias()};
     if (words == Words::Yes)
         score.where = inWords(made.view, made.options) + "; map of " + name(receiver.map.region.face) + " at " +
@@ -109,7 +110,7 @@ Score biasScore(Genes genes, Words words) {
 Score lookupScore(Genes genes, Words words) {
     ShadowView view = randomView(genes);
     const ShadowOptions options = randomOptions(genes, view.frustum);
-    if (genes.below(3) == 0) view.shown = shownBeyond(genes, view.frustum);
+    if (genes.below(3) == 0) view.shown = shownOutside(genes, view.frustum);
     const DepthSpan all = view.shown.value_or(DepthSpan{view.frustum.near, view.frustum.far});
     const ShadowMapSetup setup = shadowMapSetup(view, options);
     Score score;
@@ -146,10 +147,10 @@ double jumpBetween(const plan::FramePlan& a, const plan::FramePlan& b) {
     if (a.passes.size() != b.passes.size() || a.hasFaces != b.hasFaces || plan::schemeName(a) != plan::schemeName(b))
         jump += 10;
     if (a.textureWidth != b.textureWidth || a.textureHeight != b.textureHeight) jump += 10;
-    constexpr double kLeastStep = 1e-3; // less than one of near; on its floor near follows far, as views do
-    if (std::abs(a.near - b.near) > kLeastStep * a.near) jump += 10;
+    constexpr double kMinStep = 1e-3; // less than one of near; on its floor near follows far, as views do
+    if (std::abs(a.near - b.near) > kMinStep * a.near) jump += 10;
     if (a.passes.empty() || b.passes.empty()) return jump;
-    const double ratio = a.promised.worst() / b.promised.worst();
+    const double ratio = a.aliasingBound.worst() / b.aliasingBound.worst();
     return jump * std::max(ratio, 1 / ratio);
 }
 
@@ -179,10 +180,10 @@ Score jumpScore(Genes genes, Words words) {
         text.precision(17);
         text << (isSwinging ? "while it stands still" : "from one to the next") << ": " << plan::schemeName(now.plan)
              << " of " << now.plan.passes.size() << " maps, " << now.plan.textureWidth << "x" << now.plan.textureHeight
-             << ", near " << now.plan.near << ", promises " << now.plan.promised.worst() << "; then "
+             << ", near " << now.plan.near << ", promises " << now.plan.aliasingBound.worst() << "; then "
              << plan::schemeName(beside.plan) << " of " << beside.plan.passes.size() << ", " << beside.plan.textureWidth
              << "x" << beside.plan.textureHeight << ", near " << beside.plan.near << ", promises "
-             << beside.plan.promised.worst() << "; eye " << inWords(view.camera.eye) << " step " << inWords(step);
+             << beside.plan.aliasingBound.worst() << "; eye " << inWords(view.camera.eye) << " step " << inWords(step);
         score.where = text.str();
     }
     return score;
@@ -192,7 +193,7 @@ Score jumpScore(Genes genes, Words words) {
 
 std::vector<Objective> viewObjectives() {
     return {
-        {"promise", "measured over promised aliasing", 70, 1 + 1e-7, 1, promiseScore},
+        {"promise", "measured over promised aliasing", 70, 1 + 1e-7, 1, boundScore},
         {"bias", "rise of the receiver's plane over its bias", 70, 1 + 1e-6, 1, biasScore},
         {"lookup", "1 and the texels by which a lookup leaves its map", 90, 1, 1, lookupScore},
         {"jump", "promises of views beside each other, and 10 for each change of the plan", 26, 1.001, 50, jumpScore},

@@ -1,0 +1,90 @@
+// The ground truth of shadows: computes by rays which points are lit, and measures the difference to a
+// picture's shadows.
+#pragma once
+
+#include "raytrace/scene.h"
+
+#include <glm/geometric.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace gnomon::raytrace {
+
+/// The visible surface at one pixel, relative to the eye.
+struct SurfacePoint {
+    glm::vec3 position{0};
+    glm::vec3 normal{0}; // geometric, unit length, towards the eye; zero without a surface
+    /// Max distance of the ray's origin from the surface, world units, for example the stored error.
+    float offset = 0;
+};
+
+/// The ground truth at a pixel.
+enum class Light : std::uint8_t {
+    Nothing, // no surface is visible
+    Turned,  // the surface faces away from the light: dark without a ray
+    Dark,    // a triangle blocks the ray
+    Lit
+};
+
+/// A light source: a direction, or a point at which rays end.
+struct LightSource {
+    glm::vec3 at{0, 1, 0}; // position, or direction of unit length
+    bool isPoint = false;
+
+    /// Returns the unit direction from `position` to the light.
+    glm::vec3 from(const glm::vec3& position) const { return isPoint ? glm::normalize(at - position) : at; }
+
+    /// Returns the distance from `position` to the light, or infinity for a direction.
+    float distance(const glm::vec3& position) const {
+        return isPoint ? glm::length(at - position) : std::numeric_limits<float>::infinity();
+    }
+};
+
+/// Returns whether the light reaches one point.
+Light litByRay(const Occluders& scene, const SurfacePoint& point, const LightSource& source);
+
+/// Returns whether the light reaches each point. Runs on all cores.
+std::vector<Light> litByRays(const Occluders& scene, std::span<const SurfacePoint> points, const LightSource& source);
+
+/// The difference between a picture's shadows and the ground truth. It covers the lit-side pixels: pixels whose surface
+/// faces the light.
+struct ShadowComparison {
+    std::uint64_t litSidePixels = 0;
+    std::uint64_t wrongPixels = 0;
+    std::uint64_t edgePixels = 0;      // of both pictures, with distances in the statistics below
+    std::uint64_t edgePixelsApart = 0; // of the ground truth only, without distances, because of `apart`
+    double wrongFraction = 0;          // of the lit-side pixels; 0 without such pixels
+    /// Distance from each shadow edge of either picture to the nearest edge of the other picture.
+    double edgeMedianPixels = 0;
+    double edgeP99Pixels = 0;
+    double edgeWorstPixels = 0;
+    double worstWrongPixels = 0; // max distance of a wrong pixel from an edge of the ground truth
+    /// Per pixel: 0 if correct, else the distance to the nearest edge of the ground truth.
+    std::vector<float> wrongDistances;
+};
+
+/// Returns 1 for each edge pixel of a picture with `width` columns, else 0. An edge pixel has a lit-side neighbour (of
+/// four) with a different result.
+std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::size_t width);
+
+/// Compares a picture with the ground truth; both have `width` columns. `isLit` is the result of the picture, valid
+/// where `reference` is Dark or Lit. An edge pixel has a lit-side neighbour (of four) with a different result.
+/// Distances are between pixel centres. If the other picture has no edge, the distance is the diagonal of the picture.
+///
+/// `apart` (one mark per pixel, or empty) marks shadows that the picture may omit. The picture need not show an edge of
+/// the ground truth that has a marked pixel on either side. A marked dark pixel that the picture shows as lit is not
+/// wrong. If the picture does show such an edge, the distance to it is measured like any other.
+ShadowComparison compareShadows(
+    std::span<const Light> reference,
+    std::span<const std::uint8_t> isLit,
+    std::size_t width,
+    std::span<const std::uint8_t> apart = {});
+
+/// Returns the exact Euclidean distance of each pixel centre to the nearest marked pixel centre (Felzenszwalb and
+/// Huttenlocher 2012). Without marked pixels, returns the diagonal of the picture.
+std::vector<float> distanceTransform(std::span<const std::uint8_t> marked, std::size_t width);
+
+} // namespace gnomon::raytrace

@@ -1,0 +1,157 @@
+#include "validation/frame_validation.h"
+
+#include "frame/frame_cuts.h"
+#include "frame/ray_casters.h"
+#include "render/exact_pass.h"
+#include "render/ray_shadows.h"
+#include "validation/ray_memory.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gnomon::validation {
+
+namespace {
+
+/// Prepares the finest level of `frame`'s view, with all casters that shadow rays can hit.
+frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame, plan::ShadowMode shadows) {
+    plan::Quality quality = frame.plan.quality;
+    quality.shadows = shadows;
+    quality.errorPixels = 0;
+    quality.maxTriangles.reset();
+    frame::PreparedFrame fine =
+        renderer.prepare(frame.plan.view, quality, frame::Waiting::UntilComplete, frame.before.memory());
+    fine.usesHeadlight = frame.usesHeadlight;
+    return fine;
+}
+
+/// Draws and returns the picture of the finest level with ray-traced shadows. For GroundTruth::FullDetail, throws Error
+/// if the level is incomplete.
+render::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame, GroundTruth groundTruth) {
+    frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Rays);
+    std::optional<RayMemory> memory;
+    if (groundTruth == GroundTruth::FullDetail) memory.emplace(renderer, fine);
+    renderer.draw(fine, {});
+    return renderer.backend().picture();
+}
+
+/// Traces shadow rays from the surfaces of `frame` against the finest level. The frame must have been drawn with its
+/// surfaces just before.
+ShadowTruth truthOfFullDetail(frame::Renderer& renderer, const frame::Frame& frame, const render::DrawInputs& drawing) {
+    const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
+    // Prepared as an exact frame, which has no auxiliary bytes per page, because one scene contains all triangles here.
+    const frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Exact);
+    const RayMemory memory(renderer, fine);
+    const raytrace::Scene scene = render::rayScene(drawing, listsOf(fine));
+    // The error limit of the cut bounds the distance between drawn and true surface.
+    const auto light =
+        render::lightByRays(scene, drawing, surfaces, std::max(render::kContactTolerancePixels, frame.errorPixels));
+    return shadowTruth(scene, drawing, surfaces, light);
+}
+
+/// Traces shadow rays from the surfaces of `frame` against the cut of its maps. The frame must have been drawn with its
+/// surfaces just before.
+ShadowTruth truthOfSameDetail(
+    const frame::Renderer& renderer, const frame::Frame& frame, const render::DrawInputs& drawing) {
+    const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
+    // The same error rule as for the maps selects the same clusters. Only the volume is larger.
+    const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
+    lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
+    wider.volumes = volumes;
+    const lod::Cut cut = lod::cut(wider);
+    const std::array lists = {drawing.image, &cut.lists.casters[0]};
+    const raytrace::Scene scene = render::rayScene(drawing, lists);
+    const auto light = render::lightByRays(scene, drawing, surfaces, render::kContactTolerancePixels);
+    return shadowTruth(scene, drawing, surfaces, light);
+}
+
+/// Returns the share of all pixels of `frame` whose lit or dark result differs from integer arithmetic over its whole
+/// cut. The frame must have been drawn with its surfaces just before.
+double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, render::DrawInputs drawing) {
+    const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
+    const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
+    lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
+    wider.volumes = volumes;
+    const lod::Cut cut = lod::cut(wider);
+    drawing.exactCasters = &cut.lists.casters[0];
+    const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const render::SurfaceSample& surface = surfaces.pixels[i];
+        const bool isLit = surface.isLitSide() && surface.litFraction() >= 0.5F;
+        wrong += isLit != (truth.pixels[i] != 0) ? 1U : 0U;
+    }
+    return static_cast<double>(wrong) / static_cast<double>(truth.pixels.size());
+}
+
+/// Draws the frame before `now` again and compares both. A plan does not change if its own view is planned again.
+/// `maps` are the maps of `now`.
+Crawl crawlSince(
+    frame::Renderer& renderer,
+    const plan::PlannedFrame& before,
+    const render::DrawInputs& now,
+    const render::FloatPicture& maps) {
+    frame::PreparedFrame prepared =
+        renderer.prepare(before.plan.view, before.plan.quality, frame::Waiting::UntilComplete, before.memory);
+    frame::FrameOptions options;
+    options.wantsSurfaces = true;
+    options.wantsWholeMaps = true;
+    const render::DrawInputs then = renderer.drawing(prepared, options);
+    renderer.draw(prepared, options);
+    const render::FloatPicture thenMaps = renderer.backend().shadowDepth();
+    return crawl({&then, &thenMaps}, renderer.backend().surfaces(), {&now, &maps});
+}
+
+} // namespace
+
+FrameValidation validate(frame::Renderer& renderer, const frame::Frame& frame, const ValidationOptions& options) {
+    const bool hasMaps = !frame.plan.passes.empty();
+    const bool isCompared = (options.countsWrongPixels || options.groundTruth == GroundTruth::Exact) &&
+                            (hasMaps || frame.hasOneCasterList());
+    const bool hasGroundTruth =
+        options.groundTruth != GroundTruth::None && options.groundTruth != GroundTruth::Exact && hasMaps;
+    const bool isMeasured = options.measuresAliasing && hasMaps;
+    const bool hasCrawl =
+        options.measuresCrawl && hasMaps && frame.before.previous && !frame.before.previous->plan.passes.empty();
+    FrameValidation proof;
+    if (frame.options.observerCamera ||
+        !(hasGroundTruth || isCompared || isMeasured || hasCrawl || options.comparesWithFinest))
+        return proof;
+    render::Backend& backend = renderer.backend();
+    frame::FrameOptions plain = frame.options;
+    plain.overlay = render::Overlay::None;
+    plain.wantsSurfaces = hasGroundTruth || isCompared || isMeasured || hasCrawl;
+    plain.wantsWholeMaps = hasCrawl;
+    frame::PreparedFrame again = static_cast<const frame::PreparedFrame&>(frame);
+    renderer.draw(again, plain, frame.history.maps);
+    const render::DrawInputs drawn = renderer.drawing(again, plain);
+    const render::Picture picture = backend.picture();
+    const render::FloatPicture maps = hasCrawl ? backend.shadowDepth() : render::FloatPicture();
+    if (isMeasured) proof.aliasing = measuredAliasing(drawn, backend.surfaces());
+    if (hasGroundTruth)
+        proof.truth = options.groundTruth == GroundTruth::FullDetail ? truthOfFullDetail(renderer, frame, drawn)
+                                                                     : truthOfSameDetail(renderer, frame, drawn);
+    if (isCompared) proof.wrongPixelsAll = wrongPixels(renderer, frame, drawn);
+    if (options.comparesWithFinest)
+        proof.imageDifference = render::difference(finestPicture(renderer, frame, options.groundTruth), picture).mean;
+    if (hasCrawl) proof.crawl = crawlSince(renderer, *frame.before.previous, drawn, maps);
+    // Restores the requested frame, so that its picture and its pages are available again.
+    again = renderer.prepare(
+        frame.plan.view, frame.plan.quality, frame.options.waiting, frame.before.memory(), frame.options.margin());
+    again.usesHeadlight = frame.usesHeadlight;
+    renderer.draw(again, frame.options);
+    return proof;
+}
+
+void setAccuracy(const FrameValidation& proof, telemetry::FrameRow& row) {
+    row.measuredAliasing = proof.aliasing ? std::optional(proof.aliasing->worst()) : std::nullopt;
+    row.wrongShadowFraction = proof.truth ? std::optional(proof.truth->answerable.wrongFraction) : std::nullopt;
+    row.shadowEdgeP99Px = proof.truth ? std::optional(proof.truth->answerable.edgeP99Pixels) : std::nullopt;
+    row.missedShadowFraction = proof.truth ? std::optional(proof.truth->missedFraction()) : std::nullopt;
+    row.unexplainedShadowFraction = proof.truth ? std::optional(proof.truth->unexplainedFraction()) : std::nullopt;
+    row.imageDifference = proof.imageDifference;
+    row.wrongPixelsAll = proof.wrongPixelsAll;
+    row.crawl = proof.crawl ? std::optional(proof.crawl->share()) : std::nullopt;
+}
+
+} // namespace gnomon::validation

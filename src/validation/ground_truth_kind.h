@@ -1,0 +1,31 @@
+// The kinds of ground truth for the shadows of a frame.
+#pragma once
+
+#include "core/words.h"
+
+#include <array>
+#include <cstdint>
+
+namespace gnomon::validation {
+
+/// The ground truth (option --oracle) for the shadows of a frame.
+enum class GroundTruth : std::uint8_t {
+    None,
+    SameDetail, // rays against the cut of the maps, in the caster volume of the whole frustum
+    FullDetail, // rays against the finest level in that volume
+    Exact,      // integer arithmetic against the cut of the frame in that volume
+};
+
+/// All kinds of ground truth except None.
+inline constexpr std::array kGroundTruths = {
+    Word<GroundTruth>{GroundTruth::SameDetail, "same"},
+    Word<GroundTruth>{GroundTruth::FullDetail, "full"},
+    Word<GroundTruth>{GroundTruth::Exact, "exact"},
+};
+
+/// Returns true if this ground truth requires shadow maps.
+constexpr bool isOfMaps(GroundTruth groundTruth) {
+    return groundTruth == GroundTruth::SameDetail || groundTruth == GroundTruth::FullDetail;
+}
+
+} // namespace gnomon::validation

@@ -1,0 +1,89 @@
+// A texel plot: the storage factor of a scheme for each light direction of a hemisphere, shown as a disc.
+#pragma once
+
+#include "core/camera.h"
+#include "shadow/fit/view_frustum.h"
+#include "shadow/scheme.h"
+
+#include <optional>
+#include <vector>
+
+namespace gnomon::viewer {
+
+/// The map of a hemisphere of lights to a disc. The centre is the pole (`up` or down), the rim is the horizon, and the
+/// upper end is the heading of the camera. The radius is proportional to the angle from the pole.
+struct LightDisc {
+    glm::dvec3 up{0, 1, 0};       // unit length
+    glm::dvec3 heading{0, 0, -1}; // unit length, perpendicular to `up`: the view direction without its pitch
+    bool fromBelow = false;
+
+    /// Returns the unit direction towards the light at `point`, with x to the right and y to the upper end. Points
+    /// outside the unit circle count as points on it.
+    glm::dvec3 direction(const glm::dvec2& point) const;
+
+    /// Returns the point of a direction, the inverse of `direction`. Directions of the other hemisphere are outside the
+    /// rim.
+    glm::dvec2 point(const glm::dvec3& towardsLight) const;
+};
+
+/// Returns the disc of a camera.
+LightDisc lightDisc(const Camera& camera, bool fromBelow);
+
+/// The input of a storage factor.
+struct TexelPlotInput {
+    LightDisc disc;
+    CameraBasis basis;
+    shadow::ViewFrustum frustum;
+    shadow::Scheme scheme;
+};
+
+/// Returns the storage factor for a light in world space.
+double storageFactor(const TexelPlotInput& input, const glm::dvec3& towardsLight);
+
+/// The storage factors over the disc on a square grid. They are computed a few at a time, so that no frame waits for
+/// them.
+class TexelPlot {
+public:
+    /// Creates a grid of `side` x `side` cells, with `side` at least 1.
+    explicit TexelPlot(int side)
+        : side_(side), values_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {}
+
+    int side() const { return side_; }
+
+    /// Starts the computation for another `input`. Old values remain until new ones replace them. An empty question
+    /// stops the computation.
+    void ask(const std::optional<TexelPlotInput>& input);
+
+    /// Computes up to `count` more values.
+    void improve(int count);
+
+    /// Returns true if all values are computed.
+    bool isComplete() const { return !input_ || next_ == values_.size(); }
+
+    /// Returns the factor in a cell, by column and row from the lower left. Returns nothing outside the disc or before
+    /// the computation.
+    std::optional<double> at(int column, int row) const { return values_[index(column, row)]; }
+
+    /// Returns the centre of a cell in the square of the unit circle.
+    glm::dvec2 middle(int column, int row) const;
+
+    /// The min and max of the computed factors.
+    struct Range {
+        double min = 0;
+        double max = 0;
+    };
+
+    std::optional<Range> range() const;
+
+private:
+    std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
+    }
+
+    int side_;
+    std::optional<TexelPlotInput> input_;
+    std::size_t next_ = 0; // number of processed cells
+    std::vector<std::optional<double>> values_;
+};
+
+} // namespace gnomon::viewer

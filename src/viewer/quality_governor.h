@@ -1,0 +1,117 @@
+// The quality governor of the time target: it reduces quality while frames take too long, and restores it when there is
+// time.
+#pragma once
+
+#include "plan/frame_plan.h"
+#include "telemetry/frame_row.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace gnomon::viewer {
+
+/// The quality settings of a frame.
+struct QualityLevel {
+    double errorPixels = 1;        // pixels of the window
+    std::optional<int> slices = 4; // nothing: the plan chooses the number
+    int texelsWidth = 2048;        // of all maps together
+    int texelsHeight = 2048;
+    double resolution = 1;  // pixels that are drawn over those of the window, along a side
+    bool mayBeExact = true; // shadows of kind auto may be exact
+    bool operator==(const QualityLevel&) const = default;
+};
+
+/// The kinds of quality that the governor can reduce.
+enum class QualityKind : std::uint8_t { Detail, Slices, Texels, Resolution, Exactness };
+inline constexpr std::size_t kQualityKinds = 5;
+
+/// The errors of a frame's shadows according to its plan, in drawn pixels. A value is missing if there are no maps or
+/// no cheaper plan.
+struct ShadowErrors {
+    std::optional<double> aliasingBound; // perspective aliasing
+    std::optional<double> fewerSlices;   // with one slice less
+    std::optional<double> fewerTexels;   // with half the texels
+    std::optional<double> withMaps;      // of shadow maps in place of exact shadows of kind auto
+    double texelShare = 0;               // of the counted cost of its maps; the rest is their casters'
+};
+
+/// Returns the errors of `plan`. If `withLess` is true, also returns the errors of cheaper plans for the same scene.
+ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& facts, bool withLess);
+
+/// The measured times and counts of a frame.
+struct FrameLoad {
+    double milliseconds = 0; // whole frame
+    double imageMs = 0;
+    double shadowMs = 0;
+    double triangles = 0; // of the image
+    double pixels = 0;
+    bool resolvesPoints = false; // shadows are computed per image point, without maps
+    ShadowErrors errors;
+};
+
+/// Reduces the quality in steps. Each step has the smallest error per saved time: half an octave of the error in
+/// pixels, one slice, half of the texels, half of the pixels (down to half of the resolution), or shadow maps in place
+/// of exact shadows. Errors are in pixels of the window. The errors of detail and resolution are known; the errors of
+/// maps are the aliasing bounds of the plan. Savings follow from the measured times and counts of the stages. The
+/// governor learns how many triangles a coarser cut saves, because many small parts do not become fewer. It compares
+/// the times of exact shadows and of maps when one kind follows the other. Two consecutive frames above the target
+/// cause a step. Twelve frames that would stay below the target cause a step back. A single slow frame changes nothing.
+/// The result depends only on the measured values, not on a clock.
+class QualityGovernor {
+public:
+    /// Processes a frame that was drawn with `level(wanted)`. `target` is in milliseconds, above 0.
+    void measure(const FrameLoad& load, double target, const QualityLevel& wanted);
+
+    /// Restores full quality.
+    void relax();
+
+    /// Returns the quality to draw with if the user chose `wanted`.
+    QualityLevel level(const QualityLevel& wanted) const;
+
+    /// Returns a description of the reductions, for example "detail 1 -> 2.8 px, slices 4 -> 3, texels 2048x2048 ->
+    /// 1448x1448, resolution 71%". Returns an empty text at full quality.
+    std::string reductions(const QualityLevel& wanted) const;
+
+    /// Returns true if no further step would save time and the last frames exceeded the target.
+    bool isExhausted() const { return isExhausted_; }
+
+private:
+    using Steps = std::array<int, kQualityKinds>;
+
+    /// A step of one kind of quality. A reduction adds `error`; its restoration adds `milliseconds`.
+    struct Change {
+        QualityKind kind = QualityKind::Detail;
+        double error = 0;        // pixels
+        double milliseconds = 0; // above 0
+    };
+
+    static int maxSteps(QualityKind kind, const QualityLevel& wanted);
+    static QualityLevel levelAt(const Steps& steps, const QualityLevel& wanted);
+
+    Change reduction(QualityKind kind, const FrameLoad& load, const QualityLevel& now) const;
+    Change restoration(QualityKind kind, const FrameLoad& load, const QualityLevel& now) const;
+    std::optional<Change> cheapest(const FrameLoad& load, const QualityLevel& wanted) const;
+    std::optional<Change> costliest(const FrameLoad& load, double target, const QualityLevel& wanted) const;
+    double detailMs(const FrameLoad& load) const;
+    double pixelMs(const FrameLoad& load) const;
+    void learn(const FrameLoad& load);
+    void reduce(FrameLoad load, double target, const QualityLevel& wanted);
+    void restore(FrameLoad load, double target, const QualityLevel& wanted);
+
+    int& step(QualityKind kind) { return steps_[static_cast<std::size_t>(kind)]; }
+
+    int step(QualityKind kind) const { return steps_[static_cast<std::size_t>(kind)]; }
+
+    Steps steps_{};
+    double elasticity_ = 0.5;       // of triangles to the error: T ~ error^-elasticity
+    double exactOverMaps_ = 2;      // the shadow time of exact shadows over that of maps: as measured last
+    double exactMs_ = 0;            // the shadow time of the last frame with exact shadows; 0: maps have followed it
+    double trianglesBefore_ = 0;    // of the last frame
+    int detailBefore_ = 0;          // its steps
+    double millisecondsBefore_ = 0; // of the last frame; 0 if the quality has changed since then
+    bool isExhausted_ = false;
+    int framesWithTime_ = 0; // consecutive frames that would stay within the target after a step back
+};
+
+} // namespace gnomon::viewer

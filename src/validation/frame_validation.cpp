@@ -58,6 +58,7 @@ ShadowTruth truthOfSameDetail(
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
     lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
+    wider.sectionVolumes = 0;
     const lod::Cut cut = lod::cut(wider);
     const std::array lists = {drawing.image, &cut.lists.casters[0]};
     const raytrace::Scene scene = render::rayScene(drawing, lists);
@@ -72,6 +73,7 @@ double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, r
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
     lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
+    wider.sectionVolumes = 0;
     const lod::Cut cut = lod::cut(wider);
     drawing.exactCasters = &cut.lists.casters[0];
     const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);

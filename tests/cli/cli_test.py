@@ -84,7 +84,7 @@ class CommandLine(ProgramTest):
         self.expect(1, "missing", "bench", self.sundial, "--path", missing)
         self.expect(1, "this file is already a model", "build", self.sundial, "-o", self.place / "undone.gnm")
         self.expect(1, "--memory", "render", self.sundial, "-o", self.place / "undone.png", "--memory", "1")
-        self.expect(1, "no cut", "export", self.sundial, "-o", self.place / "undone.ply", "--triangles", "1")
+        self.expect(1, "no level of detail has so few", "export", self.sundial, "-o", self.place / "undone.ply", "--triangles", "1")
         self.expect(1, "cannot create", "render", self.sundial, "-o", missing / "undone.png")
         self.assertEqual(list(self.place.path.glob("*undone*")), [])
 

@@ -157,8 +157,8 @@ class Series(ProgramTest):
             ("contradict", ("--turntable", "3", "--path", PATH, *out)),
             ("contradict", ("--path", PATH, "--eye", "1,2,3", *out)),
             ("--frames needs --path", ("--frames", "3", *out)),
-            ("of one picture", ("--turntable", "3", "--stats", self.place / "no.json", *out)),
-            ("of one frame", ("--turntable", "3", "--samples", "2", "--overlay", "lod", *out)),
+            ("a single picture", ("--turntable", "3", "--stats", self.place / "no.json", *out)),
+            ("a single frame", ("--turntable", "3", "--samples", "2", "--overlay", "lod", *out)),
             ("--time needs a path", ("--time", "1", *out)),
             ("contradict", ("--camera", PATH, "--time", "1", "--eye", "1,2,3", *out)),
         ):

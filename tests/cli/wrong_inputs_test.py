@@ -143,7 +143,7 @@ ROWS = [
     (2, "3dtiles writes all levels of detail", "export sundial.gnm -o tiles --format 3dtiles --error 1"),
     (2, "expected a memory size", "export sundial.gnm -o tiles --format 3dtiles --memory lots"),
     (1, "bad latitude", "export sundial.gnm -o tiles --format 3dtiles --geodetic 91,0,0"),
-    (1, "something in it", "export sundial.gnm -o . --format 3dtiles"),
+    (1, "found other files", "export sundial.gnm -o . --format 3dtiles"),
     (2, "--format: obj not in {ply,glb,3dtiles}", "export sundial.gnm -o b.ply --format obj --error 1"),
     (2, "walk, orbit, flyby, approach or source", "path sundial.gnm --kind dance -o p.json"),
     (2, "--path is required", "bench sundial.gnm"),

@@ -219,9 +219,9 @@ TEST_F(ReadMadeGltf, ClaimsThatTheBytesDoNotHoldAreRefused) {
     const auto holds = [](const std::string& message, const char* words) {
         EXPECT_NE(message.find(words), std::string::npos) << message;
     };
-    holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["count"] = 4; }), "accessor 0: lies outside");
+    holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["count"] = 4; }), "accessor 0: the range is outside");
     holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["count"] = kMany; }), "a need for");
-    holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["byteOffset"] = 8; }), "accessor 0: lies outside");
+    holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["byteOffset"] = 8; }), "accessor 0: the range is outside");
     holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteLength"] = kMany; }), "buffer view 0: lies");
     holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteOffset"] = kMany; }), "buffer view 0: lies");
     holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["buffer"] = 7; }), "no such buffer");

@@ -64,7 +64,9 @@ TEST(Help, HasNoRowWithoutAnOption) {
 TEST(Help, ShowsEachSettingOnceInTheHelpOfAllOptions) {
     const manual::CommandWords words = allWords();
     for (const char* const command : {"render", "view", "explain", "bench", "measure"}) {
-        const std::string text = helpText(manual::commandAt(words, {command}), command, HelpDetail::All);
+        manual::CommandWords withoutNotes = manual::commandAt(words, {command});
+        withoutNotes.notes.clear();
+        const std::string text = helpText(withoutNotes, command, HelpDetail::All);
         for (const settings::Setting& setting : settings::table())
             EXPECT_EQ(occurrences(text, "\n  " + setting.option() + " "), 1U) << command << " " << setting.option();
     }

@@ -1,6 +1,5 @@
 #include "preprocess/read/ply/ply_ranges.h"
 
-#include "core/check.h"
 #include "preprocess/read/ply/ply_fast.h"
 #include "preprocess/read/ply/ply_layout.h"
 
@@ -114,7 +113,7 @@ void PlyRanges::takeIndex(const RowIndex::Part& index) {
 }
 
 const RowIndex::Part& PlyRanges::index() const {
-    GNOMON_CHECK(index_.has_value());
+    if (!index_) throw Error(file_.path(), "the rows have no index yet, so they can only be read in order");
     return *index_;
 }
 

@@ -235,11 +235,11 @@ TEST_F(GltfContainer, DamagedPacksAreRefused) {
     packed.resize(meshopt_encodeVertexBuffer(packed.data(), packed.size(), kCorners.data(), 3, 12));
     EXPECT_EQ(refusal(good, packed), "no error");
     holds(refusal(good, {1, 2, 3, 4}), "buffer view 0: the data of EXT_meshopt_compression is damaged");
-    holds(refusal(with("mode", "OTHER"), packed), "cannot be understood");
-    holds(refusal(with("byteStride", 3), packed), "cannot be understood");
-    holds(refusal(with("byteStride", 4096), packed), "cannot be understood");
-    holds(refusal(with("count", -3), packed), "cannot be understood");
-    holds(refusal(with("count", 2.5), packed), "cannot be understood");
+    holds(refusal(with("mode", "OTHER"), packed), "EXT_meshopt_compression has invalid values");
+    holds(refusal(with("byteStride", 3), packed), "EXT_meshopt_compression has invalid values");
+    holds(refusal(with("byteStride", 4096), packed), "EXT_meshopt_compression has invalid values");
+    holds(refusal(with("count", -3), packed), "EXT_meshopt_compression has invalid values");
+    holds(refusal(with("count", 2.5), packed), "EXT_meshopt_compression has invalid values");
     holds(refusal(with("filter", "QUATERNION"), packed), "unsupported filter of EXT_meshopt_compression");
     holds(refusal(with("filter", "OCTAHEDRAL"), packed), "unsupported filter of EXT_meshopt_compression");
 }

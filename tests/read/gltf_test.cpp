@@ -221,9 +221,15 @@ TEST_F(ReadMadeGltf, ClaimsThatTheBytesDoNotHoldAreRefused) {
     };
     holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["count"] = 4; }), "accessor 0: the range is outside");
     holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["count"] = kMany; }), "a need for");
-    holds(refusal([](GltfMaker& m) { m.document["accessors"][0]["byteOffset"] = 8; }), "accessor 0: the range is outside");
-    holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteLength"] = kMany; }), "buffer view 0: lies");
-    holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteOffset"] = kMany; }), "buffer view 0: lies");
+    holds(
+        refusal([](GltfMaker& m) { m.document["accessors"][0]["byteOffset"] = 8; }),
+        "accessor 0: the range is outside");
+    holds(
+        refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteLength"] = kMany; }),
+        "buffer view 0: the range is outside");
+    holds(
+        refusal([](GltfMaker& m) { m.document["bufferViews"][0]["byteOffset"] = kMany; }),
+        "buffer view 0: the range is outside");
     holds(refusal([](GltfMaker& m) { m.document["bufferViews"][0]["buffer"] = 7; }), "no such buffer");
     holds(refusal([](GltfMaker& m) { m.document["accessors"][1]["componentType"] = 5126; }), "not unsigned integers");
     holds(

@@ -1,6 +1,7 @@
 #include "preprocess/read/gltf/gltf_file.h"
 
 #include "core/error.h"
+#include "core/formatted.h"
 #include "core/json_file.h"
 #include "preprocess/read/gltf/gltf_document.h"
 #include "preprocess/read/gltf/uri.h"
@@ -234,14 +235,14 @@ std::span<const std::byte> GltfFile::inBuffer(
     std::string_view name, int view, double buffer, double offset, double length) {
     const std::string place = where(name, static_cast<std::uint64_t>(view));
     if (!isWhole(buffer) || buffer >= static_cast<double>(buffers_.size()))
-        throw Error(place, "no such buffer", "one of " + std::to_string(buffers_.size()), std::to_string(buffer));
+        throw Error(place, "no such buffer", "one of " + std::to_string(buffers_.size()), formatted("%g", buffer));
     const std::vector<std::byte>& bytes = buffers_[static_cast<std::size_t>(buffer)];
     if (!isWhole(offset) || !isWhole(length) || offset + length > static_cast<double>(bytes.size()))
         throw Error(
             place,
             "the range is outside its buffer",
             "within " + std::to_string(bytes.size()) + " bytes",
-            std::to_string(length) + " bytes from " + std::to_string(offset));
+            formatted("%.15g bytes from byte %.15g on", length, offset));
     return std::span(bytes).subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
 

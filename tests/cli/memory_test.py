@@ -63,7 +63,7 @@ class MemoryTest(unittest.TestCase):
         self.assertEqual(refused.returncode, 1)
         minimum = re.search(r"expected --memory (\d+)M or more", refused.stderr)
         self.assertTrue(minimum, refused.stderr)
-        built = run("build", mesh, "-o", model, "--memory", f"{least[1]}M", "--chunk-triangles", chunk_triangles, "--error", "estimated", "--json")
+        built = run("build", mesh, "-o", model, "--memory", f"{minimum[1]}M", "--chunk-triangles", chunk_triangles, "--error", "estimated", "--json")
         self.assertEqual(built.returncode, 0, built.stderr)
         peak = json.loads(built.stdout)["peak_rss_bytes"]
         self.assertLessEqual(peak, int(minimum[1]) << 20)
@@ -125,7 +125,7 @@ class MemoryTest(unittest.TestCase):
                 self.assertEqual((done.code, said.count("\n")), (1, 1), said)
                 self.assertEqual(list(out.iterdir()), [])
                 if limit == "1M":
-                    limits.append(f"{least[1]}M")
+                    limits.append(f"{minimum[1]}M")
 
 
 if __name__ == "__main__":

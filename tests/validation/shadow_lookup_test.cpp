@@ -62,12 +62,16 @@ TEST(ShadowLookup, OfOpenGlIsThatOfPlainCodeOverTheSameMaps) {
 class RequestedFrame {
 public:
     RequestedFrame(
-        frame::Renderer& renderer, frame::DrawnModel& model, const plan::View& view, const plan::Quality& quality) {
+        frame::Renderer& renderer,
+        frame::DrawnModel& model,
+        const plan::View& view,
+        const plan::Quality& quality,
+        const frame::History& history) {
         render::Backend& backend = model.backend();
         frame::FrameOptions options;
         options.wantsSurfaces = true;
         options.wantsWholeMaps = true;
-        frame_ = renderer.render(view, quality, options);
+        frame_ = renderer.render(view, quality, options, history);
         ValidationOptions validationOptions;
         validationOptions.measuresCrawl = true;
         crawl_ = validate(renderer, frame_, validationOptions).crawl;
@@ -85,7 +89,10 @@ public:
 
     const render::CameraRelativeSpace& space() const { return frame_.space; }
 
-    /// What the proof found since the frame before.
+    /// The history that the next frame continues.
+    const frame::History& history() const { return frame_.history; }
+
+    /// What the validation found since the frame before.
     const std::optional<Crawl>& crawl() const { return crawl_; }
 
     bool isInView(const glm::vec3& position) const {
@@ -162,7 +169,8 @@ SlowCrawl crawlOfASlowWalk(bool stabilize) {
     for (int frame = 0; frame < 12; ++frame) {
         view.camera.eye = {0.31 + 0.0173 * frame, 3 + 0.004 * frame, 17 - 0.0291 * frame};
         view.camera.target = view.camera.eye + glm::dvec3(0.02 * frame, -2, -10);
-        auto now = std::make_unique<RequestedFrame>(renderer, model, view, quality);
+        auto now = std::make_unique<RequestedFrame>(
+            renderer, model, view, quality, before ? before->history() : frame::History());
         if (before) {
             const SlowCrawl step = crawlBetween(*before, *now);
             EXPECT_EQ(now->crawl()->points, step.points);

@@ -1,7 +1,6 @@
 #include "inspect/seen_values.h"
 
 #include "core/error.h"
-#include "core/printable.h"
 #include "hierarchy/page_fields.h"
 #include "settings/backend_choice.h"
 
@@ -78,12 +77,12 @@ std::size_t fieldNamed(const hierarchy::ModelFile& model, const std::string& nam
     if (found != fields.end()) return static_cast<std::size_t>(found - fields.begin());
     std::string known = "none, vertex, height, slope, error";
     for (const hierarchy::Field& field : fields)
-        known += ", " + printable(field.name);
+        known += ", " + field.name;
     throw Error(
         model.path(),
         "the model has no such value for colours; fields are kept by the build that is told to",
         "one of " + known,
-        "'" + printable(name) + "'");
+        "'" + name + "'");
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "inspect/value_picture.h"
 
 #include "core/angle.h"
-#include "core/printable.h"
 #include "hierarchy/world_frame.h"
 #include "inspect/seen_values.h"
 
@@ -41,7 +40,7 @@ std::string titleOf(const settings::ValueColors& colors, std::string_view unit) 
     case settings::ColorBy::Error:
         return "stored error in " + std::string(unit);
     default:
-        return printable(colors.field);
+        return colors.field; // a legend draws a space for a character without a glyph
     }
 }
 

@@ -5,8 +5,6 @@
 
 namespace gnomon::make {
 
-/// Half the max extent of a unit in x and z. The rest of its lot is road.
-inline constexpr double kUnitHalf = 15;
 inline constexpr double kLotPitch = 40;
 
 /// Add one unit each at the origin of the site.

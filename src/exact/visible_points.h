@@ -27,9 +27,6 @@ public:
     /// be reset for the light and have memory for all points. Runs on all cores of the caller's TBB arena.
     void addTo(SampleList& samples, std::uint32_t tolerance) const;
 
-    /// The memory of the arrays per point, in bytes.
-    static constexpr std::uint64_t kBytesPerPoint = 13 * sizeof(std::uint32_t);
-
 private:
     std::array<FrameArray<std::int32_t>, 3> corner_, edge1_, edge2_;
     FrameArray<float> second_, third_;

@@ -202,10 +202,6 @@ void KeptTrees::drop(std::uint32_t page) {
     state_->pages.erase(page);
 }
 
-void KeptTrees::dropAll() {
-    state_->pages.clear();
-}
-
 Bytes KeptTrees::bytes() const {
     return {static_cast<std::uint64_t>(std::max<std::int64_t>(state_->bytes.load(std::memory_order_relaxed), 0))};
 }

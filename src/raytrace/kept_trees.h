@@ -42,9 +42,6 @@ public:
     /// Removes the trees of `page`. Afterwards, no CutScene that contains clusters of the page may be queried.
     void drop(std::uint32_t page);
 
-    /// Removes the trees of all pages.
-    void dropAll();
-
     /// Returns the memory that Embree uses for the trees.
     Bytes bytes() const;
 

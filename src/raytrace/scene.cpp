@@ -168,12 +168,6 @@ bool Scene::isOccluded(const Ray& ray) const {
     return found.tfar < 0;
 }
 
-std::vector<std::optional<Hit>> Scene::firstHits(std::span<const Ray> rays) const {
-    std::vector<std::optional<Hit>> result(rays.size());
-    forAllRays(rays.size(), [&](std::size_t i) { result[i] = firstHit(rays[i]); });
-    return result;
-}
-
 std::vector<std::uint8_t> Scene::occlusion(std::span<const Ray> rays) const {
     std::vector<std::uint8_t> result(rays.size());
     forAllRays(rays.size(), [&](std::size_t i) { result[i] = isOccluded(rays[i]) ? 1 : 0; });

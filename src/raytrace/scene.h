@@ -61,9 +61,6 @@ public:
 
     bool isOccluded(const Ray& ray) const override;
 
-    /// Returns the first hit of each ray. Runs on all cores.
-    std::vector<std::optional<Hit>> firstHits(std::span<const Ray> rays) const;
-
     /// Returns 1 for each ray that hits a triangle, else 0. Runs on all cores.
     std::vector<std::uint8_t> occlusion(std::span<const Ray> rays) const;
 

@@ -78,8 +78,11 @@ function(gnomon_tests name)
             add_dependencies(${label}_tests ${name}_tests)
         endif()
     endforeach()
-    list(JOIN arg_LABELS "\\;" labels)
-    gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*:*/Slow*" PROPERTIES LABELS "unit\\;${labels}" DISCOVERY_TIMEOUT 60)
+    gtest_discover_tests(${name}_tests TEST_FILTER "-Slow*:*/Slow*" TEST_LIST ${name}_quick DISCOVERY_TIMEOUT 60)
+    # PROPERTIES of the line above splits a list of labels, so a script that ctest includes after the tests sets them.
+    set(script ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake)
+    file(WRITE ${script} "if(${name}_quick)\n    set_tests_properties(\${${name}_quick} PROPERTIES LABELS \"unit;${arg_LABELS}\")\nendif()\n")
     gtest_discover_tests(${name}_tests TEST_FILTER "Slow*:*/Slow*" TEST_LIST ${name}_slow
         PROPERTIES LABELS slow DISCOVERY_TIMEOUT 60)
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${script})
 endfunction()

@@ -1,6 +1,7 @@
 // The task and the summary of a computation of sun hours.
 #pragma once
 
+#include "settings/settings.h"
 #include "sun/sun_period.h"
 #include "task/sun_hours_team.h"
 

@@ -53,7 +53,8 @@ void ClusterCaster::rasterizeInto(std::size_t map) {
         rasterizeClipped(map);
 }
 
-/// Computes the cell boxes of triangles and tests them against the mask, several triangles at once.
+/// Computes the boxes of cells that triangles cover, and tests the boxes against the receiver mask. Each SIMD lane
+/// processes one triangle.
 void ClusterCaster::rasterizeWhole(std::size_t map) {
     const SampleGrid& grid = *context_.grid;
     const std::size_t count = caster_.geometry.triangles.size();
@@ -100,8 +101,8 @@ void ClusterCaster::rasterizeWhole(std::size_t map) {
     }
 }
 
-/// Rasterises triangles that are partly behind the centre of the warp. Only the part with a sufficient w can cover a
-/// sample.
+/// Rasterises triangles that are partly behind the centre of the map's warp. Only the part of a triangle with w of at
+/// least GridMap::minW can cover a sample.
 void ClusterCaster::rasterizeClipped(std::size_t map) {
     const GridMap& cells = context_.grid->maps()[map];
     const int side = context_.grid->side();
@@ -157,7 +158,7 @@ void ClusterCaster::rasterizeNearLight(std::size_t map) {
     }
 }
 
-/// Returns the columns of `box` that the triangle covers in a row of cells.
+/// Returns the columns of `box` that the triangle covers in row `row` of the cells.
 CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row) const {
     const double low = row == box.y0 ? -std::numeric_limits<double>::infinity() : row - kCellSlack;
     const double high = row == box.y1 ? std::numeric_limits<double>::infinity() : row + 1 + kCellSlack;
@@ -180,7 +181,7 @@ CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row
         std::max(box.x0, cellAt(min - kCellSlack, side)), row, std::min(box.x1, cellAt(max + kCellSlack, side)), row};
 }
 
-/// Prepares a test. Returns false if the triangle's plane is parallel to the light.
+/// Prepares `test` for a triangle. Returns false if the triangle's plane is parallel to the light direction.
 bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
     const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
     const auto orientation = [&] {
@@ -194,7 +195,7 @@ bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
 bool ClusterCaster::prepare(std::size_t triangle, PointTriangleTest& test) const {
     const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
     const glm::i64vec3& light = *context_.samples->space().pointLight;
-    // The sign of n . (A - L) is the opposite of the light's side.
+    // The test needs the sign of n . (A - L), and facingPoint returns the sign of n . (L - A).
     const auto orientation = [&] { return -facingPoint(cornersOf(context_, caster_, triangle), light); };
     test.name = caster_.geometry.firstTriangleId + static_cast<std::uint32_t>(triangle);
     return test.set(corner(0), corner(1), corner(2), glm::dvec3(light), context_.coordinateError, orientation);
@@ -208,7 +209,8 @@ void ClusterCaster::rasterizeTriangle(std::size_t map, std::size_t triangle, con
         rasterizeTriangleAs<TriangleTest>(map, triangle, box, isNarrowed);
 }
 
-/// Returns true if the sample certainly lies in the triangle's plane. Such a triangle casts no shadow on it.
+/// Returns true if doubles prove that the sample lies in the plane of the tested triangle. The triangle then casts no
+/// shadow on the sample.
 bool ClusterCaster::isHitAtOnce(const PointTriangleTest& test, std::size_t place) const {
     return test.surelyHolds(ownCorners(context_, place));
 }
@@ -224,8 +226,9 @@ float ClusterCaster::highestOf(std::size_t triangle) const {
     return std::max({h(0), h(1), h(2)});
 }
 
-/// Returns true if no sample at [begin, end) lies below `highest`, the largest h of a triangle. The triangle then casts
-/// no shadow on them. Long ranges return false, because their blocks have boxes for this test.
+/// Returns true if no sample of [begin, end) is below `highest`, the largest h of a triangle. The triangle then casts
+/// no shadow on these samples. Returns false for a point light. Also returns false for kMinBlockSamples or more
+/// samples, because testBlocks tests the heights of whole blocks.
 template <class Test>
 bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest) const {
     if (!std::is_same_v<Test, TriangleTest> || end - begin >= kMinBlockSamples) return false;
@@ -237,7 +240,8 @@ bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest
     return true;
 }
 
-/// Tests the triangle against the samples at [begin, end). `blocks` stores the prepared block test for later spans.
+/// Tests the triangle against the samples [begin, end). The first long span prepares `blocks`, and later spans of the
+/// same triangle reuse it.
 template <class Test>
 void ClusterCaster::testSpan(
     std::size_t triangle, const Test& test, std::optional<BlockTest>& blocks, std::size_t begin, std::size_t end) {

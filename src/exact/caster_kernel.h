@@ -1,4 +1,4 @@
-// Rasterises the triangles of a cluster into the sample grid, and resolves each sample that a triangle may shadow.
+// Rasterises the triangles of a cluster into the sample grid, and tests them against the samples in the covered cells.
 #pragma once
 
 #include "exact/caster_context.h"
@@ -11,11 +11,12 @@ void rasterizeCluster(const CasterContext& context, std::size_t caster, CasterCo
 /// Returns the corners of triangle `triangle` of a caster, in cells from the origin.
 Corners cornersOf(const CasterContext& context, const Caster& caster, std::size_t triangle);
 
-/// Returns the corners of the triangle that contains the sample at `place` in the grid.
+/// Returns the corners of the triangle that contains the sample at position `place` of the grid, in cells from the
+/// origin.
 Corners ownCorners(const CasterContext& context, std::size_t place);
 
-/// Computes with integers how triangle `triangle` of `caster` affects the sample at `place` in the grid. Returns status
-/// bits.
+/// Tests with integers whether triangle `triangle` of `caster` shadows the sample at position `place` of the grid.
+/// Returns the status bits of the sample (kDark and others).
 std::uint8_t resolveExactly(
     const CasterContext& context, const Caster& caster, std::size_t triangle, std::size_t place);
 

@@ -32,7 +32,7 @@ struct PlaneLanes {
     }
 };
 
-/// Returns the lanes at `i` that are in `run` and belong to `map`.
+/// Returns the mask of the lanes, beginning at sample `i`, that are within `run` and belong to `map`.
 HWY_INLINE Mask ofMap(const SampleRun& run, std::size_t i, std::size_t map) {
     const auto isListed = hn::FirstN(kDoubles, run.end - i);
     if (run.samples->space().maps == 1) return isListed;
@@ -40,7 +40,7 @@ HWY_INLINE Mask ofMap(const SampleRun& run, std::size_t i, std::size_t map) {
     return hn::And(isListed, hn::Eq(maps, hn::Set(kDoubles, static_cast<double>(map))));
 }
 
-/// The positions of samples on a plane.
+/// The projected positions of samples on the plane of a map, one sample per lane.
 struct PlaceLanes {
     HWY_INLINE PlaceLanes(const PlaneLanes& plane, const SampleList& samples, std::size_t i) {
         const auto u = hn::LoadU(kDoubles, &samples.u[i]);
@@ -54,7 +54,7 @@ struct PlaceLanes {
     Doubles x, y, w;
 };
 
-/// The min and max over lanes. NaN is ignored.
+/// The min and max of values per lane. NaN is ignored.
 struct RangeLanes {
     HWY_INLINE RangeLanes()
         : min(hn::Set(kDoubles, std::numeric_limits<double>::infinity())),
@@ -91,7 +91,7 @@ Extent extentInLanes(const glm::dmat4x3& plane, std::size_t map, const SampleRun
     return extent;
 }
 
-/// Returns cellAt for each lane.
+/// Returns the result of cellAt for each lane.
 HWY_INLINE hn::Vec<IntTag> cellLanes(Doubles x, int side) {
     const auto last = hn::Set(kDoubles, side - 1);
     const auto zero = hn::Zero(kDoubles);

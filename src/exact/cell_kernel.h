@@ -1,4 +1,4 @@
-// The positions of samples on the planes of sample grids, several samples at once.
+// Projects samples onto the planes of sample grids and finds their cells, with one sample per SIMD lane.
 #pragma once
 
 #include "exact/sample_list.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::exact {
 
-/// The extent of a map's samples on the map's plane.
+/// The extent of the samples of a map on the plane of the map.
 struct Extent {
     std::size_t samples = 0;
     double minW = std::numeric_limits<double>::infinity();
@@ -30,17 +30,17 @@ struct SampleRun {
     std::size_t end = 0;
 };
 
-/// Returns the extent of the samples of `run` that belong to `map`, on the plane x/w, y/w with (x, y, w) = plane * (u,
-/// v, h, 1). The function ignores NaN. The result does not depend on the instruction set.
+/// Returns the extent of the samples of `run` that belong to `map`. Sample (u, v, h) has the position (x / w, y / w)
+/// with (x, y, w) = plane * (u, v, h, 1). The function ignores NaN. The result does not depend on the instruction set.
 Extent extentOn(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run);
 
-/// Computes the cell of each sample of `run` that belongs to `map`: y * side + x, where (x, y) w = matrix * (u, v, h,
-/// 1), clamped to [0, side). `cells` is indexed by the position in the run. Entries of other maps are not changed. The
-/// result does not depend on the instruction set.
+/// Computes the index of the cell of each sample of `run` that belongs to `map`. The index is y * side + x, with (x, y,
+/// 1) w = matrix * (u, v, h, 1) and with x and y clamped to [0, side). `cells` is indexed by the position in the run.
+/// Entries of samples of other maps do not change. The result does not depend on the instruction set.
 void findCells(
     const glm::dmat4x3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells);
 
-/// Returns the cell of coordinate `x`, clamped to [0, side).
+/// Returns the column or row of the cell that contains coordinate `x`, clamped to [0, side).
 inline int cellAt(double x, int side) {
     return x >= side ? side - 1 : x > 0 ? static_cast<int>(x) : 0;
 }

@@ -1,5 +1,5 @@
-// One cluster of casters: its corners in the sheared light space or relative to a point light, and the test against the
-// receiver masks of the maps. Included once per instruction set.
+// One cluster of casters in exact shadows. Its corners are in the sheared light space, or relative to a point light.
+// The cluster is tested against the receiver masks of the maps. Included once per instruction set.
 #if defined(GNOMON_EXACT_CLUSTER_CASTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_CLUSTER_CASTER_INL_H
 #undef GNOMON_EXACT_CLUSTER_CASTER_INL_H
@@ -39,7 +39,7 @@ constexpr std::size_t kMaxTriangles = raster::kMaxClusterTriangles;
 /// Rasterises one cluster of casters into the sample grid of each map.
 class ClusterCaster {
 public:
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): initialising zeros would cost more than most casts
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeroing the arrays would take longer than most clusters
     ClusterCaster(const CasterContext& context, std::size_t caster, CasterCounts& counts)
         : context_(context), caster_(context.casters[caster]), counts_(counts) {}
 
@@ -96,7 +96,8 @@ private:
     alignas(64) std::array<std::int32_t, kMaxTriangles> corner_[3];
 };
 
-/// Returns true if a caster from `low` to `high` with the largest h `h` may shadow a sample of the map.
+/// Returns true if a caster may shadow a sample of the map. The caster covers cells from `low` to `high`, and its
+/// largest height towards the light is `h`.
 inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, const glm::dvec2& high, double h) const {
     const int side = context_.grid->side();
     if (high.x < -kCellSlack || high.y < -kCellSlack || low.x > side + kCellSlack || low.y > side + kCellSlack)
@@ -109,8 +110,8 @@ inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, co
     return context_.grid->mask(map).mayShadow(box, roundedUp(h));
 }
 
-/// Tests the cluster's box against the mask for a point light. A box that reaches behind the light or close to it may
-/// cover any cell.
+/// Tests the cluster's box against the receiver mask of a point light. If the box extends behind the light or close to
+/// it, the cluster may cover any cell.
 inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
     const GridMap& cells = context_.grid->maps()[map];
     glm::dvec2 low(std::numeric_limits<double>::infinity());
@@ -135,8 +136,8 @@ inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
     return isUnmasked(map, glm::dvec2(0), glm::dvec2(context_.grid->side()), h + context_.coordinateError);
 }
 
-/// Tests the cluster's box against the mask for a directional light. The four corners of the box's shadow on the light
-/// plane suffice, because w is positive at all of them or the test returns true.
+/// Tests the cluster's box against the receiver mask of a directional light. The test projects the four corners of the
+/// box's shadow on the light plane. If w is not positive at all four corners, it returns true.
 inline bool ClusterCaster::mayShadow(std::size_t map) const {
     if (context_.samples->space().pointLight) return mayShadowFromPoint(map);
     const LightShear& shear = context_.samples->space().shear;
@@ -190,7 +191,8 @@ inline void ClusterCaster::shear() {
             0);
 }
 
-/// Sets the nearness of each vertex for a point light: the coordinate along the axis of the map's face.
+/// Computes the height of each vertex towards a point light. The height is the coordinate along the axis of the map's
+/// cube face.
 inline void ClusterCaster::findNearness(const GridMap& cells) {
     const auto axis = static_cast<std::size_t>(cells.nearAxis);
     for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i)

@@ -22,8 +22,8 @@ double reachOf(std::span<const Caster> casters) {
     return static_cast<double>(reach);
 }
 
-/// The casters of one round: of each eight adjacent casters in the list, those from `first` to before `end`. After each
-/// round, dark samples are removed. Clusters that only these samples need are then skipped.
+/// The casters of one round: in each group of eight adjacent casters of the list, those from `first` to before `end`.
+/// Each round can remove dark samples. Later rounds then skip clusters that could shadow only removed samples.
 struct Round {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -35,12 +35,13 @@ constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
 // Dark samples are removed if they are at least this fraction of the remaining samples.
 constexpr double kWorthwhile = 0.25;
 
-/// Returns true if the caster has vertices, and thus casts shadows. Other casters only provide triangles for samples.
+/// Returns true if the caster has vertices, and can thus cast shadows. Casters without vertices only contain triangles
+/// on which samples lie.
 bool castsAnything(const Caster& caster) {
     return caster.geometry.vertexCount > 0;
 }
 
-/// Rasterises the clusters of `round` among the first `casting` casters. Returns the counts.
+/// Rasterises the clusters of `round` among the first `casting` casters. Returns the counts of the work.
 CasterCounts rasterizeRound(const CasterContext& context, std::size_t casting, const Round& round) {
     tbb::combinable<CasterCounts> counts;
     const std::size_t strides = (casting + kStride - 1) / kStride;
@@ -55,7 +56,8 @@ CasterCounts rasterizeRound(const CasterContext& context, std::size_t casting, c
     return sum;
 }
 
-/// Returns the sum of `sumOf(begin, end)` over pieces of [0, size), in parallel.
+/// Divides [0, size) into ranges, calls `sumOf(begin, end)` for each range in parallel, and returns the sum of the
+/// results.
 template <class SumOf>
 std::size_t sumOver(std::size_t size, const SumOf& sumOf) {
     return tbb::parallel_reduce(
@@ -90,14 +92,14 @@ std::size_t ExactShadows::countDark() const {
     });
 }
 
-/// Removes the `dark` dark samples from the grid, if there are so many that this saves time.
+/// Removes the dark samples from the grid, if their number `dark` is large enough to save time.
 void ExactShadows::removeDark(std::size_t dark) {
     if (static_cast<double>(dark) < kWorthwhile * static_cast<double>(grid_.size())) return;
     const auto isResolved = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
     grid_.remove(samples_, sorted_, isResolved, [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; });
 }
 
-/// Copies the statuses of the samples still in the grid, and counts each kind.
+/// Copies the statuses of the samples that are still in the grid, and counts the samples per status.
 void ExactShadows::takeStatuses(ExactStatistics& statistics) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid_.size(), kGrain), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)

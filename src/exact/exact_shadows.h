@@ -1,27 +1,28 @@
-// Exact shadows: resolves for each visible point whether a triangle lies between the point and the light. The result is
-// computed once, with integers. It does not depend on cells, warps or instruction sets, which only find the candidate
-// triangles (frustum-traced shadows: Wyman, Hoetzlein and Lefohn 2015; alias-free shadow maps: Aila and Laine 2004).
+// Exact shadows: tests for each visible point whether a triangle lies between the point and the light. Cells, warps and
+// instruction sets only find candidate triangles. Integer arithmetic computes the results, so they do not depend on the
+// candidate search (frustum-traced shadows: Wyman, Hoetzlein and Lefohn 2015; alias-free shadow maps: Aila and Laine
+// 2004).
 #pragma once
 
 #include "exact/caster_kernel.h"
 
 namespace gnomon::exact {
 
-/// The cost and the results of the exact test of a frame.
+/// The cost and the results of the exact shadows of a frame.
 struct ExactStatistics {
-    std::uint64_t samples = 0; // pixels that face the light
+    std::uint64_t samples = 0; // visible points that face the light, one per pixel
     std::uint64_t cells = 0;   // of all maps
     std::uint64_t dark = 0;
-    std::uint64_t darkWithoutTolerance = 0; // dark samples if each tolerance were 0
+    std::uint64_t darkWithoutTolerance = 0; // number of dark samples if each tolerance were 0
     bool endedEarly = false;                // true: all samples were dark before the last round of casters
     std::uint64_t withinTolerance =
         0; // samples whose result depends on the tolerance or on the rule for ties at an edge
     CasterCounts counts;
 };
 
-/// The input of the exact test, besides the samples.
+/// The input of the exact shadows of a frame, besides the samples.
 struct ExactShadowInput {
-    std::span<const Caster> casters;    // all possible casters; the clusters that samples refer to come first
+    std::span<const Caster> casters;    // all possible casters; the clusters on which samples lie come first
     glm::uvec3 originCell{0};           // grid position of the frame's origin
     std::span<const glm::dmat3> planes; // one per map: see SampleGrid::sort
     int side = 512;                     // cells per side of a map
@@ -29,7 +30,7 @@ struct ExactShadowInput {
     std::size_t receiverOnlyClusters = 0;
 };
 
-/// Resolves the samples of one frame after another and reuses its memory.
+/// Computes the exact shadows of one frame after another, and reuses its memory.
 class ExactShadows {
 public:
     /// Returns the sample list, which the caller fills before `resolve`.
@@ -37,7 +38,7 @@ public:
 
     const SampleList& samples() const { return samples_; }
 
-    /// Resolves all samples and returns the statistics. Runs in the caller's TBB arena.
+    /// Computes the statuses of all samples and returns the statistics. Runs in the caller's TBB arena.
     ExactStatistics resolve(const ExactShadowInput& input);
 
     /// Returns the status bits of each sample, in the order of `samples()`.
@@ -45,7 +46,7 @@ public:
 
     const SampleGrid& grid() const { return grid_; }
 
-    /// Returns the memory of the samples and their cells, in bytes, for the frame with the most samples so far.
+    /// Returns the max memory of the samples and their cells over all frames so far, in bytes.
     std::uint64_t bytes() const { return maxSamples_ * kBytesPerSample + grid_.cellBytes(); }
 
     /// The memory per sample with its statuses, in bytes.

@@ -7,7 +7,8 @@
 
 namespace gnomon::exact {
 
-/// An array of values that are undefined until they are written. Unused capacity costs address space, not memory.
+/// An array whose values are undefined until they are written. Unused capacity needs address space, but no physical
+/// memory.
 template <class T>
 class FrameArray {
 public:

@@ -1,13 +1,13 @@
-// The shear along the light. In the sheared space all light rays are parallel to the h axis.
+// The shear of space that makes all rays of a directional light parallel to the h axis.
 #pragma once
 
 #include "core/integer_light.h"
 
 namespace gnomon::exact {
 
-/// The shear that makes light rays parallel to the h axis. (u, v) identifies the ray of a point, and h is the position
-/// along the ray. The absolute entries are at most 1. Determinants keep their absolute value and change their sign with
-/// `sign`.
+/// The shear along a light direction. It maps a point to (u, v, h): (u, v) identifies the light ray through the point,
+/// and h is the position along the ray. The absolute entries of the shear are at most 1. Determinants keep their
+/// absolute value. They change their sign if `sign` is -1.
 struct LightShear {
     int along = 1; // axis of the largest component of the light direction: 0, 1 or 2
     int first = 2; // the other two axes, in cyclic order
@@ -15,7 +15,7 @@ struct LightShear {
     double firstRatio = 0; // u = p[first] - firstRatio * p[along]
     double secondRatio = 0;
     double sign = 1;      // h = sign * p[along]: larger is nearer to the light
-    double component = 0; // absolute value of the largest component: h grows by it per `direction`
+    double component = 0; // absolute value of the largest component: the change of h along one `direction`
 };
 
 LightShear shearAlong(const IntegerLight& light);

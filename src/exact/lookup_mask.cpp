@@ -10,16 +10,17 @@ namespace gnomon::exact {
 
 namespace {
 
-/// Relative error of a sum of four terms in the rasteriser's floats: five roundings (Higham 2002, section 3.1), and
+/// Max relative error of a sum of four terms in the rasteriser's floats: five roundings (Higham 2002, section 3.1), and
 /// three more as a reserve.
 constexpr double kSumError = 0x1p-21;
-/// Relative error of a quotient.
+/// Max relative error of a quotient in the rasteriser's floats.
 constexpr double kQuotientError = 0x1p-21;
-/// Max displacement by snapping and by the rounding of a pixel coordinate, plus the distance to a pixel centre.
+/// Margin in texels: the max displacement of a vertex by snapping and by rounding, plus the distance from an edge to a
+/// pixel centre.
 constexpr double kTexelMargin = 1;
 
-/// A clip-space coordinate over a box: the value at the middle, the change towards each side, and the max error of the
-/// rasteriser's value in the box.
+/// A clip-space coordinate as a linear function over a box: the value at the middle, the change from the middle towards
+/// each side, and the max error of the rasteriser's value in the box.
 struct ClipRow {
     std::array<double, 3> half{};
     double middle = 0;
@@ -45,7 +46,8 @@ struct ClipRow {
     }
 };
 
-/// The range of row / w over the corners. It is also the range over the box, because w is positive there.
+/// The range of a clip-space coordinate divided by w, over the corners of a box. It is also the range over the whole
+/// box, because w is positive there.
 struct QuotientRange {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
@@ -62,7 +64,7 @@ int clampedTexel(double coordinate, int low, int high) {
     return static_cast<int>(std::clamp(coordinate, static_cast<double>(low), static_cast<double>(high)));
 }
 
-/// Computes the texels of [first, end) whose centres may lie in `range` (normalised device coordinates).
+/// Computes the texels of [first, end) whose centres may lie in `range`, which is in normalised device coordinates.
 void setTexels(const QuotientRange& range, int first, int end, int& low, int& high) {
     const double scale = 0.5 * (end - first);
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
@@ -72,8 +74,8 @@ void setTexels(const QuotientRange& range, int first, int end, int& low, int& hi
     high = clampedTexel(std::floor(max) + 1, first, end);
 }
 
-/// Computes the rows whose samples may lie in `range` of y / w. Snapping moves an edge by less than the distance to the
-/// next row.
+/// Computes the rows of a logarithmic map whose samples may lie in `range` of y / w. The snapping of vertices moves an
+/// edge by less than the distance to the next row.
 void setUnevenRows(const QuotientRange& range, const raster::View& view, int& low, int& high) {
     const std::span<const float> rows = view.rowPositions;
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };

@@ -10,17 +10,17 @@
 
 namespace gnomon::exact {
 
-/// Bounds of the texels and depths that a caster's box can draw into a map.
+/// Bounds of the texels and depths that a caster within a box can draw into a map.
 struct CasterBound {
     raster::PixelBox texels{}; // within the viewport
-    float nearest = 0;         // lower bound of the depth of its texels, in [0, 1]
+    float nearest = 0;         // lower bound of the depths that the caster can draw, in [0, 1]
 };
 
-/// Returns the bound of `box` (grid positions) in a depth pass with `view`, for any rounding of vertices. If the box
-/// reaches the plane w = 0, the bound is the whole viewport at depth 0.
+/// Returns bounds for a caster within `box` (grid positions) in a depth pass with `view`. They are valid for any
+/// rounding of vertices. If the box extends to the plane w = 0, the bounds are the whole viewport at depth 0.
 CasterBound casterBound(const raster::View& view, const raster::CellBox& box);
 
-/// The texels that a lookup reads, as columns and rows of the depth texture, both ends included.
+/// The texels that one shadow map lookup reads, as columns and rows of the depth texture, both ends included.
 struct LookupTexels {
     std::int32_t firstColumn = 0;
     std::int32_t firstRow = 0;
@@ -30,14 +30,14 @@ struct LookupTexels {
     bool operator==(const LookupTexels&) const = default;
 };
 
-/// The mask of a frame's depth texture. The object reuses its memory between frames.
+/// The lookup mask of the depth texture of a frame. The object reuses its memory between frames.
 class LookupMask {
 public:
-    /// Resets to an empty mask of a texture of width x height, both above 0.
+    /// Resets the mask to no lookups, for a texture of width x height texels. Both must be above 0.
     void reset(int width, int height);
 
-    /// The lookups of one thread. Adjacent lookups read the same blocks, so a run passes only its deepest lookup to the
-    /// mask.
+    /// Collects the lookups of one thread. Consecutive lookups often read the same blocks, so the object passes only
+    /// the deepest lookup of such a run to the mask.
     class Run {
     public:
         explicit Run(LookupMask& mask) : mask_(&mask) {}
@@ -59,29 +59,28 @@ public:
                 texels.lastRow >> kShift};
             if (!(blocks == blocks_)) flush();
             blocks_ = blocks;
-            deepest_ = std::max(deepest_, depth); // max ignores a NaN, and no caster darkens such a lookup
+            deepest_ = std::max(deepest_, depth); // max ignores a NaN, and a caster never darkens a lookup with NaN
         }
 
     private:
         void flush() {
-            // Stored depths are in [0, 1]: a lookup with depth 0 or less is always lit.
+            // Stored depths are in [0, 1], so a lookup with depth 0 or less is always lit.
             if (deepest_ > 0) mask_->lower(blocks_, -deepest_);
             deepest_ = 0;
         }
 
         LookupMask* mask_;
-        LookupTexels blocks_; // blocks of the current run
+        LookupTexels blocks_; // blocks of the current run of lookups
         float deepest_ = 0;
     };
 
     /// Completes the mask. Call it after all lookups are added and before the first query.
     void finish() { mask_.finish(); }
 
-    /// Returns true if no lookup that a caster could darken reads the texels of `box` or other texels of the same
-    /// blocks.
+    /// Returns true if no lookup that a caster could darken reads a texel of `box` or of a block that intersects `box`.
     bool isEmpty(const raster::PixelBox& box) const;
 
-    /// Returns true if a caster within `bound` may change the result of a lookup.
+    /// Returns true if a caster with the bounds `bound` may darken a lookup.
     bool mayShadow(const CasterBound& bound) const;
 
 private:

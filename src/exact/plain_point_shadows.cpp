@@ -15,12 +15,12 @@ struct SeenTriangle {
     std::uint32_t name = 0;
 };
 
-/// Triangles in square buckets on the six faces of a cube around the light.
+/// Triangles in square buckets on the six faces of a cube around the point light.
 class CubeBuckets {
 public:
     explicit CubeBuckets(const glm::i64vec3& light) : light_(light), lists_(6 * kSide * kSide) {}
 
-    /// Adds a triangle to all buckets that the box of its corners covers.
+    /// Adds a triangle to each bucket that intersects the projected box of its corners.
     void add(const Corners& corners, std::uint32_t index) {
         const glm::dvec3 min(glm::min(glm::min(corners[0], corners[1]), corners[2]) - light_);
         const glm::dvec3 max(glm::max(glm::max(corners[0], corners[1]), corners[2]) - light_);
@@ -73,12 +73,13 @@ private:
     std::vector<std::vector<std::uint32_t>> lists_;
 };
 
-/// All triangles that cast shadows.
+/// All triangles that cast shadows from a point light.
 struct SeenScene {
     explicit SeenScene(const glm::i64vec3& from) : light(from), buckets(from) {}
 
     void add(const Caster& caster, const CasterContext& context) {
-        if (caster.geometry.vertexCount == 0) return; // it only provides triangles for the samples
+        // a caster without vertices casts no shadow; it only contains triangles of samples
+        if (caster.geometry.vertexCount == 0) return;
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             const Corners corners = cornersOf(context, caster, t);
             buckets.add(corners, static_cast<std::uint32_t>(triangles.size()));
@@ -86,7 +87,7 @@ struct SeenScene {
         }
     }
 
-    /// Returns the status of a point on the triangle named `own`.
+    /// Returns the status of `point`, which lies on the triangle with id `own`.
     std::uint8_t statusOf(const PointOnTriangle& point, std::uint32_t own) const {
         const glm::i64vec3 scaled = scaledPoint(point);
         const std::optional<PointRay> ray = rayToPoint(light, scaled);
@@ -94,7 +95,8 @@ struct SeenScene {
         const glm::dvec3 fromLight = glm::dvec3(scaled) * 0x1p-24 - glm::dvec3(light);
         std::uint8_t status = kLit;
         for (const std::uint32_t t : buckets.at(fromLight)) {
-            // The triangle contains the sample; a cut piece of it can be off by a rounding.
+            // Skips the triangle of the sample itself. If a section cut this triangle, rounding may move the sample off
+            // its plane.
             if (triangles[t].name == own) continue;
             const RayHit hit = intersectTowards(triangles[t].corners, light, scaled, *ray);
             if (hit.kind == Hit::None) continue;

@@ -10,8 +10,8 @@ namespace gnomon::exact {
 
 namespace {
 
-/// A triangle and the box of its shadow on the light plane. The box is one cell larger on each side, more than any
-/// rounding error.
+/// A triangle and the box of its shadow on the light plane. The box is enlarged by one cell on each side, which exceeds
+/// every rounding error.
 struct PlainTriangle {
     Corners corners{};
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
@@ -19,7 +19,8 @@ struct PlainTriangle {
     std::uint32_t name = 0;
 };
 
-/// Triangles in square buckets of the light plane. Triangles outside the grid are in the outermost buckets.
+/// Triangles in square buckets of the light plane. The outermost buckets also contain the triangles outside the bucket
+/// grid.
 class Buckets {
 public:
     Buckets(const glm::dvec2& min, const glm::dvec2& max)
@@ -61,7 +62,7 @@ PlainTriangle plainTriangle(const Corners& corners, const LightShear& shear) {
     return result;
 }
 
-/// The scene that each sample is tested against.
+/// The scene against which each sample is tested.
 struct PlainScene {
     const CasterContext& context;
     std::span<const Caster> casters;
@@ -82,7 +83,8 @@ std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainSc
     std::uint8_t status = kLit;
     for (const std::uint32_t t : scene.buckets.at(u, v)) {
         const PlainTriangle& triangle = scene.triangles[t];
-        // The triangle contains the sample; a cut piece of it can be off by a rounding.
+        // Skips the triangle of the sample itself. If a section cut this triangle, rounding may move the sample off its
+        // plane.
         if (triangle.name == own) continue;
         if (u < triangle.min.x || v < triangle.min.y || u > triangle.max.x || v > triangle.max.y) continue;
         const RayHit hit = intersect(triangle.corners, samples.space().light, scaled, samples.tolerance[i]);
@@ -114,7 +116,8 @@ std::vector<std::uint8_t> plainStatuses(
     std::vector<PlainTriangle> triangles;
     Buckets buckets(min, max);
     for (const Caster& caster : casters) {
-        if (caster.geometry.vertexCount == 0) continue; // it only provides triangles for the samples
+        // a caster without vertices casts no shadow; it only contains triangles of samples
+        if (caster.geometry.vertexCount == 0) continue;
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             PlainTriangle triangle = plainTriangle(cornersOf(context, caster, t), samples.space().shear);
             triangle.name = caster.geometry.firstTriangleId + static_cast<std::uint32_t>(t);

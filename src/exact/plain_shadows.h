@@ -1,5 +1,5 @@
-// Exact shadows without acceleration: tests each sample against each triangle near its ray, with integers only. The
-// results are the ground truth for pictures.
+// Exact shadows by brute force: tests each sample against each triangle near its ray, with integers only. The results
+// are the ground truth for pictures.
 #pragma once
 
 #include "exact/caster_kernel.h"
@@ -8,10 +8,10 @@
 
 namespace gnomon::exact {
 
-/// Returns the status of each sample, as ExactShadows computes it. The function calls `intersect` for each triangle
-/// whose box on the light plane is near the sample. If `isRequested` is not empty, it tests only samples with a
-/// non-zero entry, and the others count as lit. The function needs at least 40 bytes of memory per triangle, for the
-/// boxes.
+/// Returns the status of each sample for a directional light, equal to the result of ExactShadows. The function calls
+/// `intersect` for each triangle whose box on the light plane is near the sample. If `isRequested` is not empty, only
+/// samples with a non-zero entry are tested, and all others are lit. The boxes need at least 40 bytes of memory per
+/// triangle.
 std::vector<std::uint8_t> plainStatuses(
     const SampleList& samples,
     std::span<const Caster> casters,

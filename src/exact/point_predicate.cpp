@@ -24,7 +24,7 @@ int signOfLong(Long value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// Returns the sign of a . b, for components of `b` below 2^61, computed in 192 bits.
+/// Returns the sign of the dot product a . b, computed with 192 bits. Components of `b` must be below 2^61.
 int signOfProduct(const LongVector& a, const glm::i64vec3& b) {
     constexpr int kLimb = 64;
     Long high = 0; // multiples of 2^64

@@ -1,5 +1,5 @@
-// The shadow predicate for a point light, with integers. It uses the rules of predicate.h, but all rays end at one grid
-// point.
+// The shadow predicate for a point light, in integer arithmetic. It uses the rules of predicate.h, but all rays end at
+// the light, which is a grid point.
 #pragma once
 
 #include "exact/predicate.h"
@@ -8,15 +8,16 @@
 
 namespace gnomon::exact {
 
-/// Number of bits for the coordinates of a point light: less than 2^52 cells from the frame's origin, per axis.
+/// Number of bits for the coordinates of a point light. The light is less than 2^52 cells from the frame's origin, per
+/// axis.
 constexpr int kPointLightBits = 52;
 
 /// Returns the side of the triangle that faces the light at grid point `light`: 1, -1, or 0 if the light lies in its
 /// plane.
 int facingPoint(const Corners& corners, const glm::i64vec3& light);
 
-/// The ray from scaledPoint / 2^24 to a point light: the direction, rounded like that of a directional light, and the
-/// tolerance of two grid steps along it.
+/// The ray from scaledPoint / 2^24 to a point light. The direction is rounded like the direction of a directional
+/// light. The tolerance is two grid steps along the ray.
 struct PointRay {
     IntegerLight direction;
     std::uint32_t tolerance = 0;
@@ -35,7 +36,7 @@ std::optional<PointRay> rayToPoint(const glm::i64vec3& light, const glm::i64vec3
 /// tolerance of rayToPoint. Products are below 2^146.
 RayHit intersectTowards(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
 
-/// Intersects `caster` with the segment to `light` for a known `ray`.
+/// Intersects `caster` with the segment to `light`, whose `ray` is already known.
 RayHit intersectTowards(
     const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint, const PointRay& ray);
 

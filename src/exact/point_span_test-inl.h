@@ -1,5 +1,5 @@
-// The test of one triangle against adjacent samples, for a point light. It uses doubles where their error bounds
-// suffice, and integers otherwise. Included once per instruction set.
+// The test of one triangle against adjacent samples, for a point light, with one sample per SIMD lane. It uses doubles
+// where their error bounds suffice, and integers otherwise. Included once per instruction set.
 #if defined(GNOMON_EXACT_POINT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
@@ -15,10 +15,10 @@ namespace gnomon::exact::HWY_NAMESPACE {
 
 /// A triangle and a point light, prepared for tests against samples.
 ///
-/// Let A be the first corner relative to the light, b and c the edges from there, d = sample - corner A, and n = b x c.
-/// The edge functions over AB and CA are (A x b) . d and -(A x c) . d. The edge function over BC is n . (A + d) minus
-/// the other two. All are multiplied by the sign of n . A. If n . d is then positive, the plane lies between the sample
-/// and the light.
+/// Let A be the first corner relative to the light, b and c the edges from this corner, d = sample - corner A, and n =
+/// b x c. The edge functions of AB and CA are (A x b) . d and -(A x c) . d. The edge function of BC is n . (A + d)
+/// minus the other two. All are multiplied by the sign of n . A. If n . d is then positive, the triangle's plane lies
+/// between the sample and the light.
 ///
 /// The error bounds use these terms: samples have an error of e per axis; corners and the light are whole numbers below
 /// 2^53; |x| is the sum of the absolute components of x; R = |A|; s is the larger of |b| and |c|; u = 2^-53. The error
@@ -39,7 +39,7 @@ struct PointTriangleTest {
     double volume = 0;        // n . A, times the sign: positive
     double size = 0;          // |n|
     double edgeError[2] = {};
-    double heightError[2] = {}; // error of n . d
+    double heightError[2] = {}; // error of n . d: [0] + [1] * |d|
     bool isWhole = false;       // true: all sums in n are below 2^53, so n is exact
     int flat = -1;              // the axis along which all corners are equal, or -1
     std::uint32_t name = 0;
@@ -56,7 +56,7 @@ struct PointTriangleTest {
         const Orientation& orientation);
 
     /// Returns true if doubles prove that the triangle `corners` (in the coordinates of the samples) lies in the plane
-    /// of this triangle. This holds for duplicate triangles and overlapping floors. The proof needs triangles that are
+    /// of this triangle. Examples are duplicate triangles and overlapping floors. The proof needs triangles that are
     /// flat along the same axis, or whole-number sums below 2^53.
     HWY_INLINE bool surelyHolds(const Corners& corners) const;
 };
@@ -134,9 +134,9 @@ HWY_INLINE Doubles dotLanes(const double* a, Doubles x, Doubles y, Doubles z) {
     return hn::MulAdd(constant(a[0]), x, hn::MulAdd(constant(a[1]), y, hn::Mul(constant(a[2]), z)));
 }
 
-/// Bounds of the height at which the plane is one cell ahead, along the rays to the light. The rays start at samples
-/// `d` from corner A, and the plane is `height` ahead of them. The rounding of directions adds an uncertainty of
-/// `slack` times the size of the normal. Near the light, the bounds are the widest possible interval.
+/// Bounds of the `height` that a plane has over a sample if it is one cell ahead of the sample along the ray to the
+/// light. `d` is the sample minus corner A. The rounding of ray directions adds an uncertainty of `slack` times the
+/// size of the normal. Near the light, the bounds are the widest possible interval.
 struct CellAheadLanes {
     Doubles min, max;
 
@@ -155,8 +155,9 @@ struct CellAheadLanes {
     }
 };
 
-/// Tests samples like testSamples for a directional light: it marks certain results and calls `resolve(place, mayCast)`
-/// for samples that need integers. A tolerance of two steps, in whole 2^-24 of a direction, is one to two cells.
+/// Tests samples like testSamples for a directional light: it marks certain results, and calls `resolve(place,
+/// mayCast)` for samples that need integers. The tolerance of two grid steps is rounded to whole units of 2^-24 of a
+/// direction, so it is one to two cells along h.
 template <class Resolve>
 HWY_INLINE void testSamples(
     const PointTriangleTest& t,

@@ -81,7 +81,7 @@ RayHit intersect(
     if (first.sign != second.sign) return {};
     const EdgeSide third = sideOf(caster[2], caster[0], light, scaledPoint);
     if (first.sign != third.sign) return {};
-    // Of the plane above the point, times `towards`.
+    // The height of the triangle's plane above the point along the light, times `towards`.
     const Wide height = dot(normal, caster[0] * kScale - scaledPoint);
     const Wide ahead = towards > 0 ? height : -height;
     if (ahead <= 0) return {};

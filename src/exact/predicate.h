@@ -1,5 +1,5 @@
-// The shadow predicate: computes with integers whether a triangle lies between a point and the light. The result does
-// not depend on the way the triangle was found.
+// The shadow predicate: tests with integers whether a triangle lies between a point and the light. The result does not
+// depend on the search that found the triangle.
 #pragma once
 
 #include "core/integer_light.h"
@@ -24,27 +24,27 @@ struct PointOnTriangle {
     std::uint32_t third = 1;
 };
 
-/// Returns the point times 2^24, as integers.
+/// Returns the coordinates of the point times 2^24, which are integers.
 glm::i64vec3 scaledPoint(const PointOnTriangle& point);
 
-/// Returns the sign of n . direction with n = (B - A) x (C - A): the side of the triangle that faces the light. The
-/// result is 0 if the light lies in the triangle's plane.
+/// Returns the sign of the dot product n . direction, with n = (B - A) x (C - A). The sign tells which side of the
+/// triangle faces the light. It is 0 if the light direction is parallel to the triangle's plane.
 int facing(const Corners& corners, const IntegerLight& light);
 
 /// Returns the tolerance of two grid steps along `light`, as an argument of `intersect`. A triangle within the
 /// tolerance casts no shadow.
 std::uint32_t twoSteps(const IntegerLight& light);
 
-/// Returns the sign of n . (eye - A), with the eye in 2^-24 cells: the visible side of the triangle. The result is 0 if
-/// the eye lies in the plane.
+/// Returns the sign of n . (eye - A), which tells which side of the triangle is visible. `scaledEye` is in units of
+/// 2^-24 cells. The result is 0 if the eye lies in the plane.
 int visibleSide(const Corners& corners, const glm::i64vec3& scaledEye);
 
-/// Returns true if scaledPoint / 2^24 lies in the plane of the triangle. No ray from there has a hit ahead.
+/// Returns true if scaledPoint / 2^24 lies in the plane of the triangle. No ray from this point then hits the triangle.
 bool isInPlane(const Corners& corners, const glm::i64vec3& scaledPoint);
 
 /// The intersection of a triangle with the ray from a point towards the light.
 enum class Hit : std::uint8_t {
-    None,            // the triangle is beside the ray, behind the point, or contains the point in its plane
+    None,            // the triangle is beside the ray or behind the point, or its plane contains the point
     WithinTolerance, // ahead, but within the tolerance
     Ahead,           // ahead, farther than the tolerance: the triangle casts a shadow on the point
 };
@@ -55,8 +55,8 @@ struct RayHit {
     bool isOnEdge = false;
 };
 
-/// Intersects `caster` with the ray from scaledPoint / 2^24 along the light. `tolerance` is in 2^-24 of the light's
-/// direction and below 2^31. A triangle ahead within the tolerance has the result WithinTolerance.
+/// Intersects `caster` with the ray from scaledPoint / 2^24 along the light. `tolerance` is in units of 2^-24 of the
+/// light's direction, and below 2^31. The result for a triangle within the tolerance is WithinTolerance.
 ///
 /// The sign of E . (A - P) with E = (B - A) x L tells on which side of edge AB the ray passes. If it is 0, the code
 /// uses minus the sign of the first non-zero component of E. This corresponds to moving P by (e, e^2, e^3) (simulation

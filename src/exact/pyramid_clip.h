@@ -1,5 +1,5 @@
-// Clips a triangle to the pyramid of a map for a point light. This serves triangles that are partly beside or behind
-// the light.
+// Clips a triangle to the view pyramid of a map for a point light. Triangles that are partly beside or behind the light
+// need this clipping.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,9 +17,10 @@ struct CellReach {
     double maxY = 0;
 };
 
-/// Returns a range that contains the cells of [0, side] x [0, side] that a triangle covers as seen from the light,
-/// extended by `slack`. Returns nothing if it covers no cell. Corners are (x, y, 1) w, with w of any sign. If the
-/// clipped triangle comes nearer to the light than `minW`, x / w is unreliable, and the function returns all cells.
+/// Returns the range of cells that a triangle covers as seen from the light, extended by `slack`. The range is within
+/// [0, side] x [0, side] and may be too large. Returns nothing if the triangle covers no cell. The corners are (x, y,
+/// 1) w, with w of any sign. If the clipped triangle comes nearer to the light than `minW`, x / w is unreliable, and
+/// the function returns all cells.
 std::optional<CellReach> reachOfPyramid(
     const std::array<glm::dvec3, 3>& corners, double side, double slack, double minW);
 

@@ -19,17 +19,17 @@ struct CellBox {
     bool empty() const { return x0 > x1 || y0 > y1; }
 };
 
-/// A pyramid over the blocks of a map's cells.
+/// The receiver mask of one map, as a pyramid of levels over the blocks of the map's cells.
 class ReceiverMask {
 public:
     static constexpr int kBlockBits = 3; // a block has 8 x 8 cells
     static constexpr float kNone = std::numeric_limits<float>::infinity();
 
-    /// Resets to an empty mask over width x height cells. Reuses the memory.
+    /// Resets the mask to no samples, for width x height cells. Reuses the memory.
     void reset(int width, int height);
 
-    /// Returns the smallest h of the samples in block (x, y), rounded down, or kNone without samples. Call `finish`
-    /// after all blocks are set.
+    /// Returns the smallest h of the samples in block (x, y), rounded down, or kNone if the block has no samples. After
+    /// the caller has set all blocks, it must call `finish`.
     float& lowest(int x, int y) { return levels_[0].lowest[index(0, x, y)]; }
 
     float lowest(int x, int y) const { return levels_[0].lowest[index(0, x, y)]; }
@@ -43,8 +43,8 @@ public:
     /// Returns true if no block contains a sample.
     bool isEmpty() const { return levels_.back().lowest[0] == kNone; }
 
-    /// Returns true if a caster over the cells of `box` may shadow a sample. `highest` is the largest h of the caster.
-    /// The test includes the cells around `box`.
+    /// Returns true if a caster may shadow a sample. The caster covers the cells of `box`, and `highest` is its largest
+    /// h. The test also includes the other cells of the covered blocks.
     bool mayShadow(const CellBox& box, float highest) const;
 
 private:

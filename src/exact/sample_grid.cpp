@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kChunk = 16384;
 
-/// Calls `visit(begin, end, chunk)` for chunks of [0, size) in parallel.
+/// Calls `visit(begin, end, chunk)` for equal chunks of [0, size) in parallel.
 template <class Visit>
 void forChunks(std::size_t size, const Visit& visit) {
     const std::size_t chunks = (size + kChunk - 1) / kChunk;
@@ -45,8 +45,8 @@ struct Stretch {
     glm::dvec2 offset{0};
 };
 
-/// Returns the transformation of `extent` to side x side cells with a margin of 0.1% on each side. No scale exceeds
-/// `max`.
+/// Returns the transformation of `extent` to side x side cells, with a margin of 0.1% on each side. Both scales are
+/// limited to `max`.
 Stretch stretchOf(const Extent& extent, int side, double max) {
     Stretch stretch;
     stretch.scale = glm::min(side * 0.998 / (extent.max - extent.min), glm::dvec2(max));
@@ -74,8 +74,8 @@ double errorOf(const glm::dmat4x3& plane, const glm::dvec3& weights, double coor
     return 2 * coordinateError * (size(0) + size(1) + size(2)) + 0x1p-50 * size(3);
 }
 
-/// Returns the smallest w at which x and y of a caster are exact to an eighth of the slack. Samples, corners and their
-/// floats share the slack. Returns infinity if an extent of 0 makes a scale invalid.
+/// Returns the smallest w at which the error of a caster's x and y is at most an eighth of kCellSlack. Samples, corners
+/// and their float copies share this slack. Returns infinity if an extent of 0 makes a scale invalid.
 double minUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, double coordinateError) {
     const double w = errorOf(plane, {0, 0, 1}, coordinateError);
     const double x = errorOf(plane, {stretch.scale.x, 0, stretch.offset.x}, coordinateError);
@@ -83,7 +83,8 @@ double minUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, d
     return x == x && y == y ? (std::max(x, y) + side * w) * (8 / kCellSlack) : std::numeric_limits<double>::infinity();
 }
 
-/// Returns true if w varies so little that the warp is useful, and if x and y of a caster are precise enough.
+/// Returns true if the warp is usable: w varies by at most 2^20 over the samples, and x and y of casters are precise
+/// enough.
 bool isUsable(
     const glm::dmat4x3& plane, const Extent& extent, const Stretch& stretch, int side, double coordinateError) {
     constexpr double kMaxVariation = 1 << 20;
@@ -92,13 +93,13 @@ bool isUsable(
     return std::isfinite(min) && min <= extent.minW / 2;
 }
 
-/// Extends a homography of the light plane to points with a height.
+/// Extends a homography of the light plane to points (u, v, h, 1). The result ignores h.
 glm::dmat4x3 withoutHeight(const glm::dmat3& plane) {
     return {plane[0], plane[1], glm::dvec3(0), plane[2]};
 }
 
-/// Returns the projection of a point light at `light` through a face of its cube. x / w and y / w are in [-1, 1], and w
-/// is the distance along the face's axis, which is (map / 2) % 3.
+/// Returns the projection from a point light at `light` through face `map` / 2 of the cube around it. x / w and y / w
+/// are in [-1, 1]. w is the distance along the axis of the face, which is (map / 2) % 3.
 glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
     const int along = map / 2 % 3;
     const int first = (along + 1) % 3;
@@ -111,7 +112,8 @@ glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
     return plane;
 }
 
-/// Returns the nearness to the light of the farthest sample of a range.
+/// Returns the smallest height of the samples [begin, end) towards a point light, along the axis of the map's cube
+/// face.
 double minNearness(const SampleList& samples, const GridMap& map, std::size_t begin, std::size_t end) {
     const FrameArray<double>& values = map.nearAxis == 0 ? samples.u : map.nearAxis == 1 ? samples.v : samples.h;
     if (map.nearSign > 0) return *std::min_element(&values[begin], &values[end]);
@@ -153,8 +155,8 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
         }
     }
     if (!isUnwarped) return;
-    // The error of x is at most 6 scale coordinateError. This is errorOf with an offset of at most 2^50 coordinateError
-    // scale.
+    // The error of x is at most 6 scale coordinateError. This is the result of errorOf if the offset is at most 2^50
+    // coordinateError scale.
     const double max = kCellSlack / 64 / coordinateError;
     const std::vector<Extent> plainExtents = extentsOf(samples, used);
     for (std::size_t map = 0; map < used.size(); ++map)
@@ -162,8 +164,9 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
             maps_[map] = mapOf(used[map], stretchOf(plainExtents[map], side_, max), 1);
 }
 
-/// Fits the maps of a point light. Cells are so large that the error of x and y of a sample stays below its part of the
-/// slack. If cells as large as the whole face are too small, all samples of the face share one cell.
+/// Computes the maps of a point light. Cells are so large that the error of a sample's x and y stays below the share of
+/// kCellSlack for samples. If even a cell of the size of the whole face is too small, all samples of the face share one
+/// cell.
 void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError) {
     const glm::dvec3 light(*samples.space().pointLight);
     const double farthestAlong = std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
@@ -178,8 +181,8 @@ void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError)
         if (extent.samples == 0) continue;
         const double error = 2 * coordinateError + 0x1p-50 * farthestAlong;
         const Stretch stretch = stretchOf(extent, side_, kCellSlack / 128 * extent.minW / error);
-        // The slopes of a triangle are computed from points beside the face. These must not be so far away that doubles
-        // lose whole cells.
+        // The code computes the slopes of a triangle from points beside the face. If these points were too far away,
+        // the rounding of doubles would exceed whole cells.
         const double farthest =
             std::max(stretch.scale.x, stretch.scale.y) * (coordinateError * 0x1p49 + farthestAlong) * 0x1p-36;
         const double minW = std::max(minUsableW(used[map], stretch, side_, coordinateError), farthest);
@@ -239,7 +242,7 @@ void SampleGrid::order(SampleList& samples) {
     }
 }
 
-/// Calls `visit` for pieces of all samples in parallel.
+/// Divides the samples into pieces, and calls `visit` for the pieces in parallel.
 void SampleGrid::forPieces(const std::function<void(Piece&)>& visit) {
     pieces_.clear();
     for (std::size_t begin = 0; begin < size_; begin += kChunk) {
@@ -249,8 +252,8 @@ void SampleGrid::forPieces(const std::function<void(Piece&)>& visit) {
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) { visit(pieces_[i]); });
 }
 
-/// Moves the remaining samples of all pieces together, and corrects the first sample of each cell by the removed
-/// samples of earlier pieces.
+/// Moves the remaining samples of all pieces together. Reduces the first sample index of each cell by the number of
+/// samples that earlier pieces removed.
 void SampleGrid::closeGaps(SampleList& samples, FrameArray<std::uint8_t>& statuses) {
     std::size_t size = 0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {

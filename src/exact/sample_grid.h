@@ -1,6 +1,6 @@
-// The sample grid: the samples of a frame, sorted into the cells of a warped grid on the light plane. Samples that a
-// triangle may shadow are adjacent in memory (irregular z-buffer: Johnson et al. 2005; alias-free shadow maps: Aila and
-// Laine 2004).
+// The sample grid: the samples of a frame, sorted into the cells of a warped grid on the light plane. The samples that
+// a triangle may shadow are thus adjacent in memory (irregular z-buffer: Johnson et al. 2005; alias-free shadow maps:
+// Aila and Laine 2004).
 #pragma once
 
 #include "exact/blocks/sample_blocks.h"
@@ -14,37 +14,39 @@
 
 namespace gnomon::exact {
 
-/// The projection to the cells of one map. For a directional light it maps the light plane: (u, v, 1) -> (x, y, 1) w.
-/// For a point light it maps the view through a face of a cube: (u, v, h, 1) -> (x, y, 1) w. The projection affects
-/// only the speed, not the result.
+/// The projection of light space to the cells of one map. For a directional light it projects a point of the light
+/// plane: (u, v, 1) -> (x, y, 1) w. For a point light it projects the view through a face of a cube: (u, v, h, 1) ->
+/// (x, y, 1) w. The projection affects only the speed, not the shadows.
 struct GridMap {
     glm::dmat4x3 cellsFromLight{0}; // columns of u, v, h and 1
-    /// Corners with a smaller w are too near or behind; samples of a directional light have at least twice this w.
+    /// Min usable w: corners with a smaller w are too near to the light or behind it. Samples of a directional light
+    /// have at least twice this w.
     double minW = 0;
     bool isEmpty = true;
-    int nearAxis = 2;    // the axis of u, v and h that grows towards the light when multiplied by `nearSign`
+    int nearAxis = 2;    // axis of u, v and h whose coordinate, multiplied by `nearSign`, grows towards the light
     double nearSign = 1; // 1 or -1
 };
 
-/// The margin of a triangle's box, in cells. It is larger than the errors of x and y of corners and samples together.
+/// Margin by which the box of a triangle is extended, in cells. It exceeds the sum of the errors of x and y of corners
+/// and samples.
 constexpr double kCellSlack = 2e-3;
 
 /// The samples, sorted by map, row and column of their cells.
 class SampleGrid {
 public:
-    /// Sorts `samples` into side x side cells per map; side is at most 16384. `planes` has one homography per map to
-    /// arbitrary coordinates. The function scales them so that the samples fill the cells. The arrays u, v and h of
-    /// `samples` get the order of the cells. The other arrays keep their order, and `source` refers to them. For a
-    /// point light, the function uses the faces of the cube in place of `planes`.
+    /// Sorts `samples` into side x side cells per map; side is at most 16384. `planes` has one homography of the light
+    /// plane per map, to arbitrary coordinates. The function scales these coordinates so that the samples fill the
+    /// cells. The arrays u, v and h of `samples` receive the order of the cells. The other arrays keep their order, and
+    /// `source` contains their indices. For a point light, the function uses the faces of a cube instead of `planes`.
     ///
     /// A map loses its warp in three cases: w is not positive at all samples, w varies by more than 2^20, or the error
     /// of coordinates (`coordinateError`, see coordinateErrorFor) could move a point by more than a fraction of
     /// kCellSlack. Without a warp, cells are so large that this error is harmless.
     void sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
-    /// Removes the samples for which `isRemoved(place)` is true, and updates the masks. The other samples and their
-    /// `statuses` keep their order. Calls `onRemoved(place)` for each removed sample, from any thread. `samples` must
-    /// be in the order of `sort`. Runs in the caller's TBB arena.
+    /// Removes the samples for which `isRemoved(place)` is true, and updates the receiver masks. The other samples and
+    /// their `statuses` keep their order. Calls `onRemoved(place)` for each removed sample, from any thread. `samples`
+    /// must have the order that `sort` created. Runs in the caller's TBB arena.
     template <class IsRemoved, class OnRemoved>
     void remove(
         SampleList& samples,
@@ -58,13 +60,14 @@ public:
 
     const ReceiverMask& mask(std::size_t map) const { return masks_[map]; }
 
-    /// Returns the first sample of cell (x, y) of `map`. The range ends at the first sample of the next cell.
+    /// Returns the index of the first sample in cell (x, y) of `map`. The samples of a cell end at the first sample of
+    /// the next cell.
     std::uint32_t first(std::size_t map, int x, int y) const { return first_[cell(map, x, y)]; }
 
-    /// Returns the boxes of adjacent samples. They do not exist for a point light.
+    /// Returns the boxes of adjacent samples. Boxes exist only for a directional light.
     const SampleBlocks& blocks() const { return blocks_; }
 
-    /// The triangle of each sample, and its index in the list.
+    /// The triangle id of each sample, and the sample's index in the sample list.
     FrameArray<std::uint32_t> triangle, source;
 
     std::size_t size() const { return size_; }
@@ -73,7 +76,7 @@ public:
     static constexpr std::uint64_t kBytesPerSample =
         2 * sizeof(std::uint32_t) + sizeof(double) + SampleBlocks::kBytesPerSample;
 
-    /// Returns the memory of the cells in bytes, without the masks.
+    /// Returns the memory of the cells in bytes, without the receiver masks.
     std::uint64_t cellBytes() const { return first_.size() * sizeof(std::uint32_t); }
 
 private:
@@ -87,7 +90,7 @@ private:
         std::size_t begin = 0;
         std::size_t end = 0;
         std::size_t firstCell = 0; // the first cell that begins in the range
-        std::size_t kept = 0;      // remaining samples, at the start of the range
+        std::size_t kept = 0;      // number of remaining samples, which are moved to the start of the range
     };
 
     void forPieces(const std::function<void(Piece&)>& visit);
@@ -102,10 +105,10 @@ private:
     std::size_t size_ = 0;
     std::vector<GridMap> maps_;
     std::vector<ReceiverMask> masks_;
-    std::vector<std::uint32_t> first_; // by cell, followed by the end
+    std::vector<std::uint32_t> first_; // first sample of each cell, followed by the number of samples
     std::vector<Piece> pieces_;        // pieces of the current removal
     SampleBlocks blocks_;
-    FrameArray<double> spare_; // first the cell of a sample and its rank there, then the next array to sort
+    FrameArray<double> spare_; // scratch memory: first the cell and rank of each sample, then the next array to sort
 };
 
 template <class IsRemoved, class OnRemoved>

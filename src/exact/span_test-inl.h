@@ -1,5 +1,5 @@
-// The test of one triangle against adjacent samples, several at once. It uses doubles where their error bounds suffice,
-// and integers otherwise. Included once per instruction set.
+// The test of one triangle against adjacent samples, with one sample per SIMD lane. It uses doubles where their error
+// bounds suffice, and integers otherwise. Included once per instruction set.
 #if defined(GNOMON_EXACT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_SPAN_TEST_INL_H
@@ -31,30 +31,33 @@ HWY_INLINE Doubles constant(double value) {
 
 /// A triangle in the sheared light space, prepared for tests against samples.
 ///
-/// Let d = sample - A and N = (B - A) x (C - A). `ab` and `ca` define the edge functions over AB and CA. The edge
-/// function over BC is the area minus the other two. The plane is -N . d / area above the sample.
+/// Let d = sample - A and N = (B - A) x (C - A). `ab` and `ca` define the edge functions of AB and CA. The edge
+/// function of BC is the area minus the other two. The height of the triangle's plane above the sample is -N . d /
+/// area.
 ///
 /// The error bounds use these terms: coordinates have an error of e; |x| is the sum of the absolute components of x; s
 /// is the larger of |B - A| and |C - A|; u = 2^-53. A difference has an error of 2 e plus one rounding. A 2 x 2
 /// determinant of differences p and q has an error of 2 e (|p| + |q|) + 8 e^2 + 4 u |p| |q|.
-/// - The area therefore has an error of 4 e s + 8 e^2 + 4 u s^2. The edge functions over AB and CA have an error of
-///   2 e (s + |d|) + 8 e^2 + 4 u s |d|. The two differences of the third one add 2 u s^2 + 3 u s |d|. The bound is
-///   8 e s + 24 e^2 + 6 u s^2 + (4 e + 11 u s) |d|.
+/// - The area therefore has an error of 4 e s + 8 e^2 + 4 u s^2.
+/// - The edge functions of AB and CA have an error of 2 e (s + |d|) + 8 e^2 + 4 u s |d|.
+/// - The two differences of the third edge function add 2 u s^2 + 3 u s |d|. The bound for all three edge functions is
+/// 8 e s + 24 e^2 + 6 u s^2 + (4 e + 11 u s) |d|.
 /// - |N| is at most s^2. N . d has an error of 2 e s^2 + (4 e s + 8 e^2 + 8 u s^2) |d|. Terms of e^2 s are omitted.
-/// They
-///   are small against e s^2, because corners are whole cells apart and e is below 2^-17. The error of area * tolerance
-///   is the same as for a |d| of this size.
-/// kRounding is 2 u, and the code doubles all bounds again. This covers the rounding of s, |d| and of the bounds.
+/// They are small compared with e s^2, because corners are whole cells apart and e is below 2^-17.
+/// - The error of area * tolerance is the same as for a |d| of the size of the tolerance.
+///
+/// kRounding is 2 u, and the code doubles all bounds again. This covers the rounding of s, of |d| and of the bounds.
 struct TriangleTest {
     double a[3] = {};  // corner A: u, v, h
-    double ab[2] = {}; // u, v, with the sign that makes the area positive
+    double ab[2] = {}; // edge function of AB: its u and v, with the sign that makes the area positive
     double ca[2] = {};
     double area = 0;
     double normal[2] = {};      // u and v of N; the h of N is the area
-    double size = 0;            // s
+    double size = 0;            // s as defined above
     double edgeError[2] = {};   // error of an edge function: [0] + [1] * |d|
     double heightError[2] = {}; // error of N . d - area * tolerance: [0] + [1] * (|d| + the largest tolerance)
-    std::uint32_t name = 0;     // samples of this triangle are skipped, because they lie on it
+    // id of the triangle; samples with this id are skipped, because they lie on the triangle
+    std::uint32_t name = 0;
 
     /// Prepares the test. Returns false if the plane of the triangle is parallel to the light: the triangle then casts
     /// no shadow. `orientation` returns the exact sign of the area if rounding may hide it.
@@ -103,13 +106,13 @@ HWY_INLINE void mark(std::uint8_t& status, std::uint8_t bits) {
     if ((shared.load(std::memory_order_relaxed) & bits) != bits) shared.fetch_or(bits, std::memory_order_relaxed);
 }
 
-/// Marks a sample as dark. The other bits have no meaning for a dark sample, so a plain store suffices.
+/// Marks a sample as dark. A relaxed store suffices, because the other bits of a dark sample have no meaning.
 HWY_INLINE void markDark(std::uint8_t& status) {
     std::atomic_ref<std::uint8_t> shared(status);
     if ((shared.load(std::memory_order_relaxed) & kDark) == 0) shared.store(kDark, std::memory_order_relaxed);
 }
 
-/// Calls `visit(lane)` for each lane of the mask.
+/// Calls `visit(lane)` for each lane that is set in the mask.
 template <class Visit>
 HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
     alignas(8) std::uint8_t bytes[8] = {};
@@ -118,7 +121,7 @@ HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
         visit(static_cast<std::size_t>(__builtin_ctz(bits)));
 }
 
-/// Returns the lanes of samples, from `place` on, that lie on the triangle with this name.
+/// Returns the mask of the lanes, beginning at sample `place`, whose samples lie on the triangle with id `name`.
 HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t place, std::uint32_t name) {
     const hn::Rebind<std::uint32_t, DoubleTag> names;
     const auto own = hn::Eq(hn::LoadU(names, &grid.triangle[place]), hn::Set(names, name));
@@ -126,14 +129,16 @@ HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t plac
         hn::BitCast(kDoubles, hn::PromoteTo(kWides, hn::BitCast(kNarrows, hn::VecFromMask(names, own)))));
 }
 
-/// Lanes of samples that the triangle may shadow. Their results depend on the tolerance of each sample.
+/// The values of samples that the triangle may shadow, one per SIMD lane. The result depends on the tolerance of each
+/// sample.
 struct NearLanes {
-    alignas(64) double min[hn::MaxLanes(kDoubles)]; // smallest edge function
+    alignas(64) double min[hn::MaxLanes(kDoubles)]; // min of the three edge functions
     alignas(64) double edgeError[hn::MaxLanes(kDoubles)];
     alignas(64) double height[hn::MaxLanes(kDoubles)]; // height of the plane above the sample, times the area
     alignas(64) double heightError[hn::MaxLanes(kDoubles)];
 
-    /// Resolves lane `lane`, the sample at `place`. Calls `resolve(place, mayCast)` if the lane needs integers.
+    /// Resolves the sample at position `place`, whose values are in lane `lane`. Calls `resolve(place, mayCast)` if
+    /// doubles do not suffice.
     template <class Resolve>
     HWY_INLINE void resolveLane(
         const TriangleTest& t,
@@ -156,8 +161,9 @@ struct NearLanes {
 };
 
 /// Tests the triangle against the samples [begin, end) of the grid. Calls `resolve(place, mayCast)` for samples that
-/// need integers; `mayCast` is false if the triangle is at most within tolerance. A triangle beyond the largest
-/// tolerance of all samples makes a sample dark at once. Few samples therefore need their own tolerance.
+/// need integers. `mayCast` is false if the triangle is at most within the tolerance of the sample. If the triangle is
+/// farther ahead than the largest tolerance of all samples, the sample is dark at once. Few samples therefore need
+/// their own tolerance.
 template <class Resolve>
 HWY_INLINE void testSamples(
     const TriangleTest& t, const CasterContext& context, std::size_t begin, std::size_t end, const Resolve& resolve) {
@@ -180,12 +186,12 @@ HWY_INLINE void testSamples(
         const auto heightError = hn::MulAdd(size, constant(t.heightError[1]), constant(t.heightError[0]));
         const auto below =
             hn::MulAdd(constant(t.normal[0]), du, hn::MulAdd(constant(t.normal[1]), dv, hn::Mul(constant(t.area), dh)));
-        const auto height = hn::Neg(below); // of the plane over the sample, times the area
+        const auto height = hn::Neg(below); // height of the plane above the sample, times the area
         const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
         const auto excess = hn::NegMulAdd(constant(t.area), tolerance, height);
-        // A sample must not be tested against its own triangle: doubles may report a hit at the sample. In a section, a
-        // cut piece may also lie outside its triangle.
+        // A sample must not be tested against its own triangle, because doubles may report a hit at the sample. If a
+        // section cuts the triangle, a cut piece with the sample may also lie outside the triangle.
         const auto mayCast = hn::AndNot(ownLanes(*context.grid, i, t.name), mayBeAhead);
         const auto isDark = hn::And(mayCast, hn::And(hn::Gt(min, edgeError), hn::Gt(excess, heightError)));
         forLanes(isDark, [&](std::size_t lane) { markDark(context.statuses[i + lane]); });

@@ -7,7 +7,7 @@
 namespace gnomon::exact {
 
 void VisiblePoints::reset(std::size_t maxPoints) {
-    constexpr std::size_t kPadding = 16; // a batch may be read so many elements beyond its end
+    constexpr std::size_t kPadding = 16; // the code that reads a batch may read this many elements beyond its end
     size_.store(0, std::memory_order_relaxed);
     for (auto* vectors : {&corner_, &edge1_, &edge2_})
         for (auto& values : *vectors)

@@ -1,4 +1,4 @@
-// The visible points of one image, stored so that several lights can be tested one after another.
+// The visible points of one image, stored so that the shadows of several lights can be computed one after another.
 #pragma once
 
 #include "exact/sample_list.h"

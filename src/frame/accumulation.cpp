@@ -10,7 +10,8 @@ namespace gnomon::frame {
 
 namespace {
 
-/// Converts `place`, in units of 2^-32, to the value in [-1/2, 1/2) that differs by an integer.
+/// Converts a position `place`, in units of 2^-32, to a number in [-1/2, 1/2). Adding an integer to a position does not
+/// change the result.
 double aroundMiddle(std::uint32_t place) {
     return std::ldexp(static_cast<double>(static_cast<std::int32_t>(place)), -32);
 }
@@ -18,7 +19,8 @@ double aroundMiddle(std::uint32_t place) {
 } // namespace
 
 glm::dvec2 subpixelOffset(int sample) {
-    // The direction numbers of the two Sobol dimensions: van der Corput, and the polynomial x + 1.
+    // The direction numbers of the two Sobol dimensions. The first dimension is the van der Corput sequence, and the
+    // second has the primitive polynomial x + 1.
     std::uint32_t x = 0;
     std::uint32_t y = 0;
     std::uint32_t directionX = std::uint32_t{1} << 31U;
@@ -35,7 +37,7 @@ glm::dvec2 subpixelOffset(int sample) {
 }
 
 glm::dvec2 mapShift(int sample) {
-    // The inverse of the plastic number, and its square (Roberts 2018).
+    // The factors are the inverse of the plastic number, and its square (Roberts 2018).
     const glm::dvec2 place = static_cast<double>(sample) * glm::dvec2(0.7548776662466927, 0.5698402909980532);
     return place - glm::floor(place + 0.5);
 }
@@ -86,14 +88,15 @@ void Accumulation::drawSunlit(int sample) {
     if (plan().penumbra.directions > 1) {
         const glm::dvec2 point = plan::discPoint(sample, wanted_);
         renderer_->drawTowards(*frame_, plan::towardsDisc(view.towardsLight, view.sunAngleRadians, point), options);
-    } else if (hasSky) { // the last part of the sky has replaced the prepared frame
+    } else if (hasSky) { // the previous frame's image of the sky has replaced the prepared frame
         renderer_->drawTowards(*frame_, view.towardsLight, options);
     } else {
         renderer_->drawSample(*frame_, options);
     }
 }
 
-/// Adds the last drawn image to the sum. With sky light, first adds the image of a part of the sky.
+/// Adds the last drawn image of frame `sample` to the sum. With sky light, also draws the image with the light of sky
+/// sample `sample`, and adds both.
 void Accumulation::take(int sample) {
     render::Backend& backend = renderer_->backend();
     if (plan().sky.directions == 0) return sum_.add(backend.light(), tilesOf(sample).get());

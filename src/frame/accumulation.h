@@ -1,5 +1,5 @@
-// An image as the mean of several frames with different subpixel positions and light directions. The mean, a sum of
-// linear light, gives antialiasing, penumbrae and sky light.
+// An image as the mean of several frames with different subpixel positions and light directions. The mean is computed
+// in linear light. It gives antialiasing, penumbrae and sky light.
 #pragma once
 
 #include "frame/renderer.h"
@@ -10,31 +10,32 @@ namespace gnomon::frame {
 
 /// Returns the subpixel position of frame `sample` (0, 1, ...) of an accumulation, relative to the pixel's centre. The
 /// unit is pixels to the right and up, each in [-1/2, 1/2). The positions are the first two dimensions of the Sobol
-/// sequence (1967), shifted by half a pixel. The first is the centre. Of the first 2^m positions, each elementary
-/// rectangle with area 2^-m contains exactly one.
+/// sequence (1967), shifted by half a pixel. The first position is the centre. Each elementary rectangle with area 2^-m
+/// contains exactly one of the first 2^m positions.
 glm::dvec2 subpixelOffset(int sample);
 
-/// Returns the shift of the texel grids of frame `sample` (0, 1, ...) of an accumulation, in texels, each in [-1/2,
-/// 1/2). The first shift is 0. The shifts are the R2 sequence (Roberts 2018), which does not correlate with
-/// `subpixelOffset`.
+/// Returns the shift of the shadow maps' texel grids in frame `sample` (0, 1, ...) of an accumulation. The unit is
+/// texels, each in [-1/2, 1/2). The first shift is 0. The shifts are the R2 sequence (Roberts 2018), which does not
+/// correlate with `subpixelOffset`.
 glm::dvec2 mapShift(int sample);
 
-/// The accumulation of frames of one view, and their mean. If the plan of the first frame samples the light's disc,
-/// each frame has one direction to the disc. If the plan samples the sky, each frame is the sum of two images. The
-/// first has the light of the sun, the ground and the headlight. The second has the light of a part of the sky. Frames
-/// that only add directions to the disc are drawn only in the tiles with penumbrae.
+/// The accumulation of several frames of one view, and their mean. If the plan of the first frame samples the light's
+/// disc, each frame has the light from one point of the disc. If the plan samples the sky, each frame is the sum of two
+/// images. The first image has the light of the sun, the ground and the headlight. The second image has the light of
+/// one sky sample. Frames that only add points of the disc are drawn only in the tiles with penumbrae.
 class Accumulation {
 public:
-    /// Starts a new accumulation with `frame`, the last frame of `renderer`. This frame must have `isAccumulated` and
-    /// no subpixel offset. `renderer` and `frame` must exist until the last `add`. The number of frames is `samples`
-    /// (at least 1), or the number of directions in the plan if that is larger. With sky light, all frames are drawn in
-    /// all tiles. Without it, the first `samples` frames, but at least plan::minFirstPoints, are drawn in all tiles.
+    /// Starts a new accumulation with `frame`, which must be the last frame of `renderer`. This frame must have
+    /// `isAccumulated` and no subpixel offset. `renderer` and `frame` must exist until the last `add`. The number of
+    /// frames is `samples` (at least 1), or the number of light directions in the plan if that is larger. With sky
+    /// light, all frames are drawn in all tiles. Without sky light, the first max(samples, plan::minFirstPoints) frames
+    /// are drawn in all tiles.
     void begin(Renderer& renderer, const Frame& frame, int samples);
 
-    /// Removes all frames.
+    /// Removes all accumulated frames.
     void clear() { sum_.reset(); }
 
-    /// Draws one more frame and adds it. Requires `samples()` < `wanted()`.
+    /// Draws one more frame and adds it to the mean. Requires `samples()` < `wanted()`.
     void add();
 
     /// Returns the number of accumulated frames.
@@ -43,12 +44,12 @@ public:
     /// Returns the number of frames of the complete accumulation, over which the light directions are distributed.
     int wanted() const { return wanted_; }
 
-    /// Returns the mean light before tone mapping.
+    /// Returns the mean light of the accumulated frames, before tone mapping.
     render::LightPicture light() const { return sum_.mean(); }
 
     render::Picture picture() const { return sum_.picture(shown_); }
 
-    /// Returns nullopt unless the background is transparent.
+    /// Returns the mean coverage of the pixels, or nullopt if the background is not transparent.
     std::optional<render::Coverage> coverage() const {
         return shown_.isTransparent ? std::optional(sum_.coverage()) : std::nullopt;
     }
@@ -64,7 +65,7 @@ private:
     Renderer* renderer_ = nullptr;
     const Frame* frame_ = nullptr;
     int wanted_ = 1;
-    int whole_ = 1; // number of first frames that are drawn in all tiles
+    int whole_ = 1; // number of frames, from the first on, that are drawn in all tiles
     render::GroundShares onGround_;
     render::ToneMapping shown_;
     render::LightSum sum_;

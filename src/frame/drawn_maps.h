@@ -8,29 +8,30 @@
 
 namespace gnomon::frame {
 
-/// All inputs besides the plan that determine the map lookups of an image. Culled maps are valid only for an equal
-/// image.
+/// All inputs of an image, besides the plan, that determine its lookups in the shadow maps. Maps that receivers culled
+/// are valid only for an image with equal inputs.
 struct MappedImage {
     FrameOptions options;
     bool usesHeadlight = false;
-    std::vector<glm::dvec3> ground; // its outline; empty without a ground
+    std::vector<glm::dvec3> ground; // outline of the ground in world space; empty without a ground
     lod::DrawLists lists;
 
     bool operator==(const MappedImage&) const = default;
 };
 
-/// The maps of one frame in the depth texture. They are the key to the texels of the backend.
+/// Describes the shadow maps of one frame in the backend's depth texture. A frame compares it with its own plan to find
+/// the maps that it can reuse.
 struct DrawnMaps {
     plan::FramePlan plan;
     MappedImage image;
-    bool isCulled = false; // true: the maps lack the casters that the image does not look up
+    bool isCulled = false; // true: casters that cannot change a lookup of the image were not drawn
 };
 
-/// Returns the image of `frame` with `options`.
+/// Returns the inputs of the image of `frame` with `options`.
 MappedImage mappedImage(const PreparedFrame& frame, const FrameOptions& options);
 
-/// Marks the passes of `frame` that can use `maps` for an image with `options`. All other passes must be drawn. `maps`
-/// can be null.
+/// Marks the passes of `frame` whose maps are already in `maps`, for an image with `options`. The caller must draw all
+/// other passes. `maps` can be null.
 void decideMapReuse(PreparedFrame& frame, const FrameOptions& options, const DrawnMaps* maps);
 
 } // namespace gnomon::frame

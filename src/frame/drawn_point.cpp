@@ -12,8 +12,8 @@ namespace gnomon::frame {
 
 namespace {
 
-/// A line of sight in grid cells, relative to the origin of camera-relative space. The parameter along the line is the
-/// depth from the eye in world units.
+/// A line of sight in grid cells, relative to the origin of camera-relative space. Its parameter is the depth from the
+/// eye in world units.
 struct SightLine {
     glm::dvec3 start{0};
     glm::dvec3 direction{0};
@@ -36,8 +36,8 @@ SightLine sightLine(const render::DrawInputs& drawing, const glm::ivec2& pixel) 
         projection.depth.isParallel ? projection.depth.clip.near : 0};
 }
 
-/// Returns true if the line may intersect a box of cells. The box is one cell larger on each side, so that rounding
-/// loses no intersection.
+/// Returns true if the line may intersect a box of grid cells. The test extends the box by one cell on each side, so
+/// that rounding loses no intersection.
 bool mayMeet(const SightLine& line, const glm::dvec3& low, const glm::dvec3& high) {
     double near = line.minDepth;
     double far = std::numeric_limits<double>::infinity();
@@ -56,12 +56,13 @@ bool mayMeet(const SightLine& line, const glm::dvec3& low, const glm::dvec3& hig
 
 struct Crossing {
     double depth = 0;
-    glm::dvec3 point{0}; // in cells; `corners` are also in cells, but relative to the start of the line
+    glm::dvec3 point{0}; // intersection in cells; `corners` are also in cells, but relative to the start of the line
     std::array<glm::dvec3, 3> corners{};
 };
 
-/// Returns the intersection of the line with a triangle, whose corners are relative to the line's start. Two triangles
-/// with a common edge compute the same volume for it, with opposite signs. Therefore no line passes between them.
+/// Returns the intersection of the line with a triangle, whose corners are relative to the line's start. The function
+/// uses the signed volume of the line and each edge. Two triangles with a common edge compute the same volume with
+/// opposite signs. Therefore no line passes between them.
 std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dvec3, 3>& corners) {
     const auto& [a, b, c] = corners;
     const glm::dvec3 volumes(
@@ -78,7 +79,7 @@ std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dv
     return Crossing{depth, line.start + onTriangle, corners};
 }
 
-/// The first intersection of the line with the drawn clusters, outside the regions that section planes remove.
+/// The first intersection of a line of sight with the drawn clusters. Parts that section planes remove do not count.
 class FirstCrossing {
 public:
     FirstCrossing(const SightLine& line, const render::DrawInputs& drawing)
@@ -103,11 +104,12 @@ public:
 
     const std::optional<Crossing>& first() const { return first_; }
 
-    /// Returns the max distance of the first intersection from the source, in world units.
+    /// Returns the stored error of the intersected cluster: the max distance between the intersection and the source,
+    /// in world units.
     double error() const { return error_; }
 
-    /// Returns the parameter along the line at which it enters the region that no section plane removes. Returns
-    /// nullopt if the line starts inside this region.
+    /// Returns the line parameter at which the line enters the region that no section plane removes. Returns nullopt if
+    /// the line starts in this region.
     std::optional<double> entry() const {
         std::optional<double> last;
         for (const Plane& plane : sections_) {
@@ -137,7 +139,7 @@ private:
     double error_ = 0;
 };
 
-/// Returns the corner of the triangle that is nearest to the intersection.
+/// Returns the corner of the intersected triangle that is nearest to the intersection.
 glm::dvec3 nearestCorner(const Crossing& crossing, const SightLine& line) {
     const glm::dvec3 point = crossing.point - line.start;
     return line.start +
@@ -162,7 +164,7 @@ std::optional<DrawnPoint> drawnPoint(
             found.add(*page, page->clusters[range.firstCluster + i], snapError);
     }
     const std::optional<double> entry = found.entry();
-    if (entry) { // no triangle covers the cap of a section, so the depth buffer tells whether the pixel shows it
+    if (entry) { // no triangle covers the cap of a section, so the depth buffer tells whether the pixel shows the cap
         const float seen = renderer.backend().viewDepth().at(pixel.x, pixel.y);
         const double depth = *entry - frame.plan.view.eyeMovedBack.value_or(0);
         if (std::abs(seen - depth) <= 1e-5 * std::abs(*entry))

@@ -15,15 +15,15 @@
 
 #include <utility>
 
-// The steps of a frame: facts -> decide -> plan -> cut -> draw -> row. Each step uses only the results of the steps
-// before it. `planFrame` makes the choices that need the facts, `decideMapReuse` and `decideHeadlight` those that need
-// the history.
+// The steps of a frame are: facts -> decide -> plan -> cut -> draw -> row. Each step uses only the results of the steps
+// before it. `planFrame` makes the choices that need the scene facts. `decideMapReuse` and `decideHeadlight` make the
+// choices that need the history.
 
 namespace gnomon::frame {
 
 namespace {
 
-/// Shifts the texel grids of all maps. The maps must then be drawn again.
+/// Shifts the texel grids of all shadow maps by `shift` texels. All maps must then be drawn again.
 void moveMaps(plan::FramePlan& plan, const glm::dvec2& shift) {
     for (plan::ShadowPass& pass : plan.passes) {
         pass.map.shift = shift;
@@ -44,19 +44,19 @@ bool isTurnedAway(const plan::SceneFacts& facts) {
     return facts.isTurnedFromLight || (facts.light && facts.light->lit.empty());
 }
 
-/// Returns true if the number of lit pixels can decide whether Shading::Auto uses the headlight for `frame`.
+/// Returns true if the number of lit pixels of `frame` can determine whether Shading::Auto uses the headlight.
 bool canCountLitPixels(const Frame& frame) {
     return !frame.options.observerCamera && frame.facts.visible && frame.facts.visible->anything;
 }
 
 /// Chooses between the sun and the headlight before drawing. The first frame of a motion chooses for the whole motion,
-/// so that the shading does not switch. If neither the history nor the facts contain the answer, `asksLitPixels` is
-/// true afterwards.
+/// so that the shading does not switch. If neither the history nor the scene facts determine the choice, the function
+/// sets `asksLitPixels`.
 void decideHeadlight(Frame& frame) {
     std::optional<bool>& usesHeadlight = frame.history.usesHeadlight;
     usesHeadlight = frame.before.usesHeadlight;
     if (frame.plan.quality.look.shading != plan::Shading::Auto) return;
-    if (!usesHeadlight && frame.hasGround) usesHeadlight = false; // only the sun's shadow makes the ground visible
+    if (!usesHeadlight && frame.hasGround) usesHeadlight = false; // only the shadow of the sun makes the ground visible
     if (!usesHeadlight && canCountLitPixels(frame)) {
         if (isTurnedAway(frame.facts)) usesHeadlight = true;
         frame.asksLitPixels = !usesHeadlight;
@@ -66,7 +66,8 @@ void decideHeadlight(Frame& frame) {
 
 } // namespace
 
-/// Returns the memory of the image that must be reserved: the complete image, or only the sums of an accumulation.
+/// Returns the memory that must be reserved for the image: for the complete image, or only for the sums of an
+/// accumulation.
 Bytes Renderer::picturePart(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) const {
     if (residency_.holdsPictures()) return pictureBytes(view, quality, options);
     if (!options.isAccumulated) return {};
@@ -110,14 +111,15 @@ PreparedFrame Renderer::prepare(
     return frame;
 }
 
-/// Does the work of `prepare` for a given ground, except penumbrae and sky light: plans and cuts the frame until its
-/// pages are resident.
+/// Does the work of `prepare` for a given ground, without penumbrae and sky light. It plans and cuts the frame
+/// repeatedly, until the pages of the cut are resident.
 PreparedFrame Renderer::prepareShadows(const Asked& asked) {
     const plan::ShadowMode shadows = plan::chooseShadows(asked.quality, capabilities()).mode;
     residency_.keepRayTrees(shadows == plan::ShadowMode::Rays);
-    // time of waiting: all rounds except the cut of the last round, because only waiting causes them
+    // time of all rounds except the cut of the last round; only waiting for pages causes it
     double streamMs = 0;
-    // A cap on triangles searches its error limit among all resident clusters, so it needs the ancestors.
+    // With a cap on the number of triangles, the cut searches its error limit among all resident clusters. It therefore
+    // needs the ancestors of the pages.
     addTime(streamMs, [&] { residency_.admitLoaded(asked.waiting, asked.quality.maxTriangles.has_value()); });
     for (;;) {
         const Stopwatch round;
@@ -131,7 +133,8 @@ PreparedFrame Renderer::prepareShadows(const Asked& asked) {
     }
 }
 
-/// Returns the frame for the resident pages: its facts, its plan and its cut. `shadows` is the chosen kind of shadows.
+/// Returns the frame for the pages that are resident now: its facts, its plan and its cut. `shadows` is the kind of
+/// shadows, not Auto.
 PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     const hierarchy::ModelSummary& model = model_->summary();
     plan::Quality decided = asked.quality;
@@ -143,8 +146,8 @@ PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     frame.hasGround = asked.ground != nullptr;
     frame.errorPixels = decided.errorPixels;
     double factsPixels = 0;
-    // The loop repeats only if casters increase the error limit under a cap. The facts must come from the clusters that
-    // are drawn.
+    // The loop repeats only if the casters increase the error limit under a cap on triangles. The facts must then come
+    // from the new cut, because it is drawn.
     do {
         addTime(frame.selectMs, [&] {
             cutImage(frame, {asked.view, asked.margin}, decided, range, residency_, model.grid);
@@ -162,7 +165,7 @@ PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     return frame;
 }
 
-/// Sets the facts of `frame` and its visible ground, from the first cut.
+/// Computes the scene facts of `frame` and its visible ground from the first cut.
 void Renderer::findFacts(
     PreparedFrame& frame, const Asked& asked, plan::ShadowMode shadows, const std::optional<DepthSpan>& range) {
     const hierarchy::ModelSummary& model = model_->summary();
@@ -191,7 +194,7 @@ render::DrawStatistics Renderer::draw(
     if (frame.isExact()) return backend_->drawExactly(drawing);
     if (frame.isRayTraced()) return render::drawByRays(*backend_, drawing, residency_.rayTrees());
     render::DrawStatistics statistics = backend_->draw(drawing);
-    // no visible point needs a shadow computation
+    // no visible point needs an exact shadow test, but the statistics must exist
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace();
     if (!frame.plan.passes.empty())
         maps_ = std::make_shared<const DrawnMaps>(
@@ -199,8 +202,9 @@ render::DrawStatistics Renderer::draw(
     return statistics;
 }
 
-/// Draws `frame`. If the number of lit pixels must decide about the headlight and the light reaches next to nothing,
-/// draws the image again with the headlight. Exact shadows know the number before they shade.
+/// Draws `frame`. If the number of lit pixels has to choose the light, and the sun reaches almost no pixel, draws the
+/// image again with the headlight. With exact shadows, the number is known before the shading, so the image is drawn
+/// only once.
 render::DrawStatistics Renderer::drawInLight(Frame& frame) {
     if (frame.usesHeadlight) plan::skipLightSampling(frame.plan);
     render::DrawStatistics drawn = draw(frame, frame.options, frame.before.maps);
@@ -215,7 +219,8 @@ render::DrawStatistics Renderer::drawInLight(Frame& frame) {
     plan::skipLightSampling(frame.plan);
     if (drawn.isHeadlit) return drawn;
     if (frame.hasOneCasterList()) return draw(frame, frame.options);
-    const Milliseconds first = drawn.image.time; // the maps stay, because the headlight needs none
+    // the time of the maps stays as it is, because the headlight needs no maps
+    const Milliseconds first = drawn.image.time;
     drawn.image = backend_->drawImage(drawing(frame, frame.options));
     drawn.image.time.count += first.count;
     return drawn;
@@ -225,7 +230,7 @@ void Renderer::drawTowards(const Frame& frame, const glm::dvec3& towardsLight, c
     plan::View view = frame.plan.view;
     view.towardsLight = towardsLight;
     if (options.lightPart == render::LightPart::SkyDirection) view.pointLight.reset();
-    // All directions of the sky must use the same ground.
+    // All light directions of an image with sky light must use the same ground.
     const bool hasSky = frame.plan.sky.directions > 0;
     const std::shared_ptr<const Ground> ground =
         this->ground(hasSky ? frame.plan.view : view, frame.plan.quality.look, hasSky);

@@ -20,14 +20,14 @@ void cut(PreparedFrame& frame, const plan::Quality& quality, const Residency& re
     frame.cut = lod::cutFrame(cutQuery(residency, frame));
 }
 
-/// Returns the view pyramid of the image with `margin` more pixels on each side.
+/// Returns the view pyramid of the image, extended by `margin` pixels on each side.
 ConvexVolume imageVolume(lod::DetailView detail, const CutView& cutView) {
     detail.tanHalfX *= 1 + 2 * cutView.margin / cutView.view.width;
     detail.tanHalfY *= 1 + 2 * cutView.margin / cutView.view.height;
     return lod::viewPyramid(detail);
 }
 
-/// Returns the section planes of a view in local space. `origin` is the origin of local space in world space.
+/// Returns the section planes of a view in local space. `origin` is the origin of local space, in world space.
 std::vector<Plane> localSections(const plan::View& view, const glm::dvec3& origin) {
     std::vector<Plane> planes;
     for (const Plane& plane : view.sections)

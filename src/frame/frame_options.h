@@ -8,11 +8,12 @@
 
 namespace gnomon::frame {
 
-/// The treatment of pages that are not resident.
+/// The treatment of pages of a frame's cut that are not resident.
 enum class Waiting : std::uint8_t {
-    // A frame waits until its cut is resident, and prefetches no pages. All results except times are then reproducible.
+    // Waits until all pages of the cut are resident, and prefetches no pages. All results except times are then
+    // reproducible.
     UntilComplete,
-    // A frame draws the resident pages, and prefetches pages along the motion.
+    // Draws the resident pages at once, and prefetches pages along the camera motion.
     Never,
 };
 
@@ -20,18 +21,19 @@ enum class Waiting : std::uint8_t {
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
     render::Overlay overlay = render::Overlay::None;
-    bool wantsSurfaces = false; // stores the result of the backend's `surfaces`
-    bool reusesMaps = true;     // reuses maps that are identical to maps of the previous frame
-    // the caller also reads the maps themselves, so receivers cull no casters
+    bool wantsSurfaces = false; // stores the visible surfaces for the backend's `surfaces`
+    bool reusesMaps = true;     // reuses the shadow maps of the previous frame if they are identical
+    // the caller reads the shadow maps, so receivers must not cull casters
     bool wantsWholeMaps = false;
-    // the caller also reads other data than the colours, so the image is not drawn in bands
+    // the caller reads other data than the colours, so the image is not drawn in bands of rows
     bool wantsWholeImage = false;
-    // shows the view's frame from another camera: its cut, its casters and its maps
+    // another camera that shows the frame of the view: clusters, casters and maps stay those of the view
     std::optional<Camera> observerCamera;
     glm::dvec2 subpixel{0}; // sample position as in DrawInputs, at most half a pixel from the centre
-    // `drawSample` will follow: the cut has a `margin`, maps are complete, and the backend stores the light
+    // calls of `drawSample` will follow: the cut has a `margin`, the maps are complete, and the backend stores the
+    // light
     bool isAccumulated = false;
-    glm::dvec2 mapShift{0}; // shift of the texel grids of all maps, as in ShadowMap
+    glm::dvec2 mapShift{0}; // shift of the texel grids of all maps, in texels, as in ShadowMap
     render::LightPart lightPart = render::LightPart::All;
     double skyWeight = 0;                          // as in DrawInputs
     std::optional<glm::vec3> groundShade;          // as in DrawInputs

@@ -14,14 +14,15 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr double kMaxShadow = 16;  // max length of a shadow, in diagonals of the model
+constexpr double kMaxShadow = 16;  // max length of a shadow on the ground, in diagonals of the model
 constexpr double kMinLight = 1e-4; // min sine of the light's elevation
-// in heights of the model: beyond this distance, even a wide wall hides less than 0.4% of the sky
+// Distance up to which the ground shows occluded sky light, in heights of the model. Beyond it, even a wide wall hides
+// less than 0.4% of the sky.
 constexpr double kSkyReach = 8;
 
 using Polygon = std::vector<glm::dvec3>;
 
-/// Returns the min of dot(up, p) over the page boxes of the model.
+/// Returns the min of dot(up, p) over the page boxes of the model: the height of its lowest point.
 double lowestPoint(const ModelExtent& model, const glm::dvec3& up) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const hierarchy::PageInfo& page : model.pages) {
@@ -51,8 +52,8 @@ Polygon clipped(Polygon polygon, const ConvexVolume& volume) {
     return polygon;
 }
 
-/// Returns the convex hull of points in a plane perpendicular to `up`, counter-clockwise as seen from above (Andrew
-/// 1979).
+/// Returns the convex hull of points that lie in a plane perpendicular to `up`, counter-clockwise as seen from above
+/// (Andrew 1979).
 Polygon hullOf(Polygon points, const glm::dvec3& up) {
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
     const auto flat = [&](const glm::dvec3& p) {
@@ -80,7 +81,7 @@ Polygon hullOf(Polygon points, const glm::dvec3& up) {
     };
     half(points.begin(), points.end());
     half(points.rbegin(), points.rend());
-    std::reverse(hull.begin(), hull.end()); // right x front points down, because front points towards the viewer
+    std::reverse(hull.begin(), hull.end()); // right x front points down, so the hull is clockwise from above
     return hull;
 }
 
@@ -94,8 +95,8 @@ std::array<glm::dvec3, 8> cornersOf(const Box& bounds) {
     return corners;
 }
 
-/// Adds the corners of the shadow that the model's box throws onto the plane dot(up, p) = `height`, limited to the max
-/// length.
+/// Adds the corners of the shadow that the model's box throws onto the plane dot(up, p) = `height`. The shadow has a
+/// max length of kMaxShadow diagonals.
 void addShadow(
     const Box& bounds, const glm::dvec3& up, double height, const glm::dvec3& towardsLight, Polygon& points) {
     const double longest = kMaxShadow * glm::length(bounds.extent());
@@ -110,8 +111,8 @@ void addShadow(
     }
 }
 
-/// Adds points at kSkyReach times the height of each corner around the box, and the corners of its shadow for the whole
-/// disc of the sun.
+/// Adds points around the box at a distance of kSkyReach times the height of each corner. Also adds the corners of the
+/// box's shadow for the whole disc of the sun.
 void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up, double height, Polygon& points) {
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
     const double aslant = std::sqrt(0.5);
@@ -132,7 +133,7 @@ void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up
 /// Returns the convex hull of points in the plane perpendicular to `up`, clipped to the range of the grid.
 Polygon outlineOf(const ModelExtent& model, const glm::dvec3& up, Polygon points) {
     const Box& bounds = model.bounds;
-    // The clipping keeps differences of grid coordinates within 32 bits.
+    // The clipping limits the differences of grid coordinates to 32 bits.
     const double widest = std::max({bounds.extent().x, bounds.extent().y, bounds.extent().z});
     const double reach = 0.99 * model.grid.step() * hierarchy::kMaxGridCoordinate - widest;
     ConvexVolume within;
@@ -145,12 +146,12 @@ Polygon outlineOf(const ModelExtent& model, const glm::dvec3& up, Polygon points
     return clipped(hullOf(std::move(points), up), within);
 }
 
-/// Returns the polygon as a fan of triangles on the grid, below the plane. The corners are rounded down, after a shift
-/// of one grid step down, so that rounding never lifts them above the plane.
+/// Returns the polygon as a page with a fan of triangles on the grid, below the plane. The corners are shifted down by
+/// one grid step and then rounded down, so that rounding never lifts them above the plane.
 hierarchy::Page pageOf(const Polygon& outline, const hierarchy::Grid& grid, const glm::dvec3& up) {
     hierarchy::Page page;
     hierarchy::Cluster cluster;
-    // Negative coordinates wrap modulo 2^32; differences of coordinates are still correct.
+    // Negative coordinates wrap modulo 2^32, but differences of coordinates are still correct.
     const auto point = [](const glm::dvec3& cells) {
         const glm::i64vec3 whole(cells);
         return hierarchy::GridPoint{

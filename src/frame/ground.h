@@ -1,4 +1,4 @@
-// The ground: an invisible plane under the model, which shows only the model's shadows.
+// The ground: an invisible plane under the model that shows the shadow of the model.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -23,28 +23,28 @@ struct ModelExtent {
     std::span<const hierarchy::PageInfo> pages;
 };
 
-/// Returns the ground of `view`. Returns null if the look has no ground or if no shadow can be visible on it: the eye
-/// is below the ground, or the light is at or below the horizon. The plane touches the lowest corner, along up, of all
-/// page boxes. If up is an axis, this is the lowest point of the model. A shadow ends at 16 times the model's diagonal,
-/// or at the end of the grid. With `reachesSky`, the ground also contains the points where the model hides a visible
-/// share of the sky, more than one level of a screen.
+/// Returns the ground of `view`. Returns null if `look` has no ground, or if no shadow can be visible on the ground
+/// because the eye is below it or the light is at or below the horizon. The plane touches the lowest corner of all page
+/// boxes, measured along `up`. If `up` is an axis, this corner has the height of the lowest point of the model. A
+/// shadow ends at 16 times the model's diagonal, or at the end of the grid. With `reachesSky`, the ground also contains
+/// all points where the model hides so much of the sky that an 8-bit image shows it.
 std::shared_ptr<const Ground> groundOf(
     const plan::View& view, const plan::ShadingSettings& look, const ModelExtent& model, bool reachesSky = false);
 
-/// Adds `ground` to `facts`, the facts of a frame of `view` (a distant view if it is orthographic). The part of the
-/// ground in the frustum can be in shadow at all its depths. Returns false, without a change, if no part of the ground
-/// is in the frustum.
+/// Adds `ground` to `facts`, the scene facts of `view` (a distant view if it is orthographic). Any visible part of the
+/// ground counts as a possible receiver. Returns false, and changes nothing, if no part of the ground is in the
+/// frustum.
 bool addGround(const Ground& ground, const plan::View& view, double gridStep, plan::SceneFacts& facts);
 
-/// Returns `ground` after adding it to `facts`, or null if there is no ground in the frustum.
+/// Adds `ground` to `facts` and returns it. Returns null if no part of the ground is in the frustum.
 std::shared_ptr<const Ground> seenGround(
     const std::shared_ptr<const Ground>& ground, const plan::View& view, double gridStep, plan::SceneFacts& facts);
 
 /// Returns the bounding box of a model and its ground. `ground` can be null.
 Box withGround(Box model, const Ground* ground);
 
-/// Returns the max distance, along the light, between a caster in the box `model` and its shadow on `ground`, in world
-/// units.
+/// Returns the max distance, along the light direction, between a caster in the box `model` and its shadow on `ground`,
+/// in world units.
 double longestShadow(const Ground& ground, const plan::View& view, const Box& model);
 
 } // namespace gnomon::frame

@@ -1,4 +1,4 @@
-// The planning of penumbrae and sky light, based on the drawn clusters of a frame.
+// Plans penumbrae and sky light of a frame from its drawn clusters.
 #pragma once
 
 #include "frame/prepared_frame.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::frame {
 
-/// Completes the plan of `frame`, whose cut must be complete and resident. Returns immediately if the frame requests
-/// neither penumbrae nor sky light.
+/// Adds penumbrae and sky light to the plan of `frame`. All pages of the frame's cut must be resident. Returns
+/// immediately if the frame requests neither penumbrae nor sky light.
 void planLightSampling(PreparedFrame& frame, const Residency& residency);
 
 } // namespace gnomon::frame

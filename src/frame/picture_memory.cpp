@@ -14,10 +14,11 @@ namespace {
 // bytes per pixel: colour and coverage
 constexpr std::uint64_t kFinished = sizeof(render::Rgb) + sizeof(std::uint8_t);
 
-/// The bytes of a picture while it is drawn.
+/// The memory of an image while it is drawn, in bytes.
 struct Demand {
     std::uint64_t perPixel = 0;
-    std::uint64_t fixed = 0; // for any size: the depth texture and its masks, or the cells of exact shadows
+    // independent of the image size: the depth texture and its masks, or the cells of exact shadows
+    std::uint64_t fixed = 0;
     Bytes all;
 };
 
@@ -27,7 +28,8 @@ Demand demandOf(const plan::View& view, const plan::Quality& quality, const Fram
     constexpr std::uint64_t kMapOfLamp = sizeof(std::int32_t);
     constexpr std::uint64_t kCells = mebibytes(8).count;
     Demand demand;
-    demand.perPixel = sizeof(std::uint64_t) + 2 * sizeof(render::Rgb); // visibility buffer, picture and its copy
+    // visibility buffer, image and a copy of the image
+    demand.perPixel = sizeof(std::uint64_t) + 2 * sizeof(render::Rgb);
     if (options.wantsSurfaces) demand.perPixel += sizeof(render::SurfaceSample);
     if (options.isAccumulated)
         demand.perPixel += render::LightSum::bytes(1, quality.look.ground, quality.sky.directions > 0).count;
@@ -63,7 +65,7 @@ Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const F
 
 std::vector<render::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory) {
-    constexpr int kMinRows = 64; // a multiple of what is shaded together and of what is masked
+    constexpr int kMinRows = 64; // multiple of the rows per shading task and of the rows per mask block
     const std::vector<render::ImageRows> whole = {{0, view.height}};
     if (!canHaveBands(view, options)) return whole;
     const Demand demand = demandOf(view, quality, options);

@@ -1,5 +1,4 @@
-// The memory of a frame's image, without the pages of the model. An image that is too large is divided into bands of
-// rows.
+// The memory of a frame's image, without the pages of the model. An image that is too large is drawn in bands of rows.
 #pragma once
 
 #include "frame/frame_options.h"
@@ -9,14 +8,17 @@
 
 namespace gnomon::frame {
 
-/// Returns the memory that the software backend needs to draw and accumulate a frame of `view`. The result includes
-/// per-pixel buffers for the rows in `options`, the finished image, the samples of exact shadows (as if the sun reached
-/// every pixel), the shadow maps and the cells.
+/// Returns the memory that the software backend needs to draw and accumulate a frame of `view`. The result includes:
+/// - the buffers per pixel, for the rows in `options`,
+/// - the finished image,
+/// - the samples of exact shadows, as if the sun reached every pixel,
+/// - the shadow maps and the cells of exact shadows.
 Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
 
-/// Returns the bands in which an image of `view` is drawn within `memory`, from the bottom. The result is a single band
-/// if the whole image fits into half of the memory, or if the frame cannot be drawn in bands. Otherwise a band needs at
-/// most a quarter of the memory, but has at least 64 rows. The image has the same bytes for any number of bands.
+/// Returns the bands of rows in which an image of `view` is drawn within `memory`, from the bottom. The result is a
+/// single band if the whole image fits into half of the memory, or if the frame cannot be drawn in bands. Otherwise a
+/// band needs at most a quarter of the memory, but has at least 64 rows. The bands do not change the bytes of the
+/// image.
 std::vector<render::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory);
 

@@ -12,22 +12,25 @@
 
 namespace gnomon::frame {
 
-/// The complete input for drawing one view. The pages of the cut stay resident until the renderer prepares another
+/// The complete input for drawing one view. The pages of its cut stay resident until the renderer prepares another
 /// frame.
 struct PreparedFrame {
     plan::FramePlan plan;
     plan::PlanMemory memory; // for the plan of the next frame
     plan::SceneFacts facts;
     std::shared_ptr<const Ground> ground; // null if no part of the ground is in view
-    bool hasGround = false;               // true: the view has a ground, in view or not
+    bool hasGround = false;               // true: the look has a ground, even if the ground is out of view
     render::CameraRelativeSpace space;
     std::shared_ptr<const lod::ErrorRule> rule; // error rule of the cut
-    std::vector<ConvexVolume> volumes;          // of the cut: of the image, the casters and the sections
-    std::size_t sectionVolumes = 0;             // number of volumes of the sections
-    // true: the light reaches so few visible pixels that --shading auto uses the headlight
+    // volumes of the cut: the image, the casters of each pass, and the sections
+    std::vector<ConvexVolume> volumes;
+    std::size_t sectionVolumes = 0; // number of section volumes at the end of `volumes`
+    // true: shades with the headlight, because the sun reaches too few visible pixels (--shading auto)
     bool usesHeadlight = false;
-    bool asksLitPixels = false; // true: the number of lit pixels still has to decide `usesHeadlight`
-    double errorPixels = 1;     // error limit of the quality, or more if a cap on triangles increases it
+    // true: `usesHeadlight` depends on the number of lit pixels, which only drawing can count
+    bool asksLitPixels = false;
+    // error limit of the cut in pixels: the limit of the quality, or more if a cap on triangles requires it
+    double errorPixels = 1;
     lod::Cut cut;
     lod::DemandOutcome residency;
     double planMs = 0;
@@ -40,14 +43,14 @@ struct PreparedFrame {
         return plan.quality.shadows == plan::ShadowMode::Rays && facts.visible && facts.visible->anything;
     }
 
-    /// Returns true if this frame has exact shadows. Returns false if no visible surface can be in shadow.
+    /// Returns true if this frame computes exact shadows. Returns false if no visible surface can be in shadow.
     bool isExact() const {
         return plan.quality.shadows == plan::ShadowMode::Exact && facts.visible && facts.visible->anything &&
                !facts.isTurnedFromLight;
     }
 
-    /// Returns true if shadows are computed without maps. The only list of casters then contains all casters that can
-    /// throw a shadow into the view.
+    /// Returns true if shadows are computed without maps. The cut then has a single list of casters. It contains all
+    /// casters that can throw a shadow into the view.
     bool hasOneCasterList() const { return isRayTraced() || isExact(); }
 };
 

@@ -9,7 +9,8 @@ namespace gnomon::frame {
 
 namespace {
 
-/// Returns the frustum of all visible surfaces, also outside the depth range with an aliasing bound.
+/// Returns the frustum that contains all visible surfaces, also surfaces outside the depth range with an aliasing
+/// bound.
 shadow::ViewFrustum visibleFrustum(const plan::FramePlan& plan, const plan::SceneFacts& facts) {
     double near = plan.near;
     double far = plan.far;
@@ -73,7 +74,7 @@ ConvexVolume rayCasterVolume(const PreparedFrame& frame) {
 lod::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
     const plan::FramePlan& plan = frame.plan;
     const shadow::Region region = wholeRegion(plan, frame.facts);
-    lod::CasterDetail detail; // without texels: rays have none
+    lod::CasterDetail detail; // default texel size: rays have no texels
     detail.casters = rayCasterVolume(frame);
     detail.receivers = lod::localVolume(region.volume, frame.rule->view());
     detail.receiverNear = region.frustum.near;

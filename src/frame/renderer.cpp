@@ -16,7 +16,7 @@ bool cullsByReceivers(const PreparedFrame& frame, const FrameOptions& options) {
     return frame.plan.casterCulling == plan::CasterCulling::Receivers && !wantsWhole;
 }
 
-/// Sets the clip planes such that an orthographic image of `camera` shows all geometry within `bounds`.
+/// Sets the clip planes of `drawing` such that an orthographic image from `camera` shows all geometry within `bounds`.
 void clipAround(const Camera& camera, const Box& bounds, render::DrawInputs& drawing) {
     constexpr double kClipMargin = 1.01;
     const glm::dvec3 view = cameraBasis(camera).view;
@@ -65,8 +65,8 @@ render::DrawInputs Renderer::drawing(const PreparedFrame& frame, const FrameOpti
     drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {
         return *resident[page];
     };
-    // Reversed float depth has the same precision for any near plane. The limit is only for triangles that cross a near
-    // plane close to the eye.
+    // Reversed float depth has the same precision for any near plane. The min near depth is only for triangles that
+    // cross a near plane close to the eye.
     const plan::SceneFacts::Visible visible = frame.facts.visible.value_or(plan::SceneFacts::Visible{});
     const double minNear = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
     drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, minNear);

@@ -1,4 +1,5 @@
-// The renderer. It converts a model, a view and a history to an image, a row of the log and the next history.
+// The renderer of a model. It draws the image of a view, and returns statistics for the log and the history for the
+// next frame.
 #pragma once
 
 #include "frame/drawn_maps.h"
@@ -20,35 +21,36 @@ namespace gnomon::frame {
 /// A frame that has been drawn.
 struct Frame : PreparedFrame {
     FrameOptions options;
-    History before;  // the history that the frame continues
-    History history; // for the next frame
+    History before;  // history of the previous frame, as far as this frame continues it
+    History history; // history for the next frame
     telemetry::FrameRow row;
 };
 
-/// Draws the frames of a model. The renderer has no state that changes a picture: it only caches pages, trees and maps.
+/// Draws the frames of a model. The renderer has no state that changes an image: it only caches pages, ray-tracing
+/// trees and shadow maps.
 class Renderer {
 public:
-    /// `model` and `backend` must outlive the renderer. Throws Error if the root is damaged or if the memory is
-    /// smaller than the tables.
+    /// `model` and `backend` must outlive the renderer. Throws Error if the root page is damaged, or if the memory is
+    /// smaller than the tables of the model.
     Renderer(const hierarchy::ModelFile& model, render::Backend& backend, ResidencyOptions options);
 
-    /// Draws the frame of a view; the backend then contains its image. If `history` belongs to the same motion
-    /// (plan/camera_cut.h), it provides the hysteresis of the plan and determines the shading. Otherwise the image does
-    /// not depend on previous frames.
+    /// Draws a view, and returns the frame. The backend then contains the image. If `history` belongs to the same
+    /// motion (plan/camera_cut.h), it provides the hysteresis of the plan and the choice of the headlight. Otherwise
+    /// the image does not depend on previous frames.
     Frame render(
         const plan::View& view, const plan::Quality& quality, const FrameOptions& options, const History& history = {});
 
-    /// Returns the plan of a view, with the facts from the hierarchy, without drawing.
+    /// Returns the plan of a view without drawing it. The scene facts come from the hierarchy.
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
-    /// Makes all following plans for the capabilities `backend` instead of those of the backend.
+    /// Makes all following plans for the given capabilities instead of the capabilities of the renderer's own backend.
     void planFor(const plan::Capabilities& backend) { plannedFor_ = backend; }
 
-    /// Returns true if the light reaches so few pixels that Shading::Auto uses no sun.
+    /// Returns true if the light reaches so few pixels that Shading::Auto uses the headlight instead of the sun.
     static bool isNegligible(std::uint64_t litPixels, const plan::View& view);
 
-    /// Plans and cuts a view after a frame with the plan memory `memory`, and makes its pages resident. The function
-    /// does not draw. The cut extends `margin` pixels beyond the image.
+    /// Plans and cuts a view, and makes its pages resident. It does not draw. `memory` is the plan memory of the
+    /// previous frame. The cut extends `margin` pixels beyond the image.
     PreparedFrame prepare(
         const plan::View& view,
         const plan::Quality& quality,
@@ -56,30 +58,31 @@ public:
         const plan::PlanMemory& memory = {},
         double margin = 0);
 
-    /// Draws the frame that was prepared last, also repeatedly. Reuses those of `maps` that the texture still holds.
-    /// Afterwards the plan of the frame says which maps were reused.
+    /// Draws the frame that `prepare` returned last. Can be called repeatedly. Reuses the maps of `maps` that are still
+    /// in the depth texture, and marks them in the plan of `frame`.
     render::DrawStatistics draw(
         PreparedFrame& frame, const FrameOptions& options, const std::shared_ptr<const DrawnMaps>& maps = nullptr);
 
-    /// Draws the image of the last rendered frame again with the same cut, at the sample position in `options`. The
-    /// frame must have `isAccumulated`. The maps are drawn again if `options` shift them.
+    /// Draws the image of the last rendered frame again with the same cut, at the subpixel position in `options`. The
+    /// frame must have `isAccumulated`. If `options` shift the texel grids, the maps are drawn again.
     void drawSample(const PreparedFrame& frame, const FrameOptions& options);
 
-    /// Draws the view of `frame` with light from `towardsLight` (any length above 0), with a new plan and cut and the
-    /// same kind of shadows. Waits until all pages are resident. `options` selects the part of the light. `frame`
-    /// itself cannot be drawn again.
+    /// Draws the view of `frame` with light from the direction `towardsLight` (any length above 0). The view receives a
+    /// new plan and cut, with the same kind of shadows. The function waits until all pages are resident. `options`
+    /// selects the part of the light. Afterwards `frame` cannot be drawn again, because its pages may have been
+    /// evicted.
     void drawTowards(const Frame& frame, const glm::dvec3& towardsLight, const FrameOptions& options);
 
     /// Returns the backend's input for `frame`. `frame` must outlive the result.
     render::DrawInputs drawing(const PreparedFrame& frame, const FrameOptions& options) const;
 
-    /// Reserves memory for the image of a later frame.
+    /// Reserves memory for the image that a later frame will draw.
     void reservePicture(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) {
         residency_.reservePicture(picturePart(view, quality, options));
     }
 
-    /// Returns the shortfall of the frames since the last call, compared with the requested error, and resets it. Call
-    /// this after small test images to exclude them from the next result.
+    /// Returns the shortfall of the frames since the last call, and resets it. The shortfall is the excess of the drawn
+    /// error over the requested error. Call this function after small test images to exclude them from the next result.
     telemetry::Shortfall takeShortfall() { return std::exchange(shortfall_, {}); }
 
     const Residency& residency() const { return residency_; }
@@ -91,20 +94,20 @@ public:
     render::Backend& backend() const { return *backend_; }
 
 private:
-    /// The input of the steps before the cut.
+    /// The input for the planning of a frame.
     struct Asked {
         const plan::View& view;
         const plan::Quality& quality;
-        const std::shared_ptr<const Ground>& ground; // of the view; null without a ground
+        const std::shared_ptr<const Ground>& ground; // ground of the view; null without a ground
         const plan::PlanMemory& memory;
         Waiting waiting = Waiting::UntilComplete;
         double margin = 0;
     };
 
-    /// Returns the capabilities that plans are made for.
+    /// Returns the capabilities for which plans are made.
     plan::Capabilities capabilities() const { return plannedFor_.value_or(backend_->capabilities()); }
 
-    /// Returns the ground of `view`, or null.
+    /// Returns the ground of `view`, or null if it has none.
     std::shared_ptr<const Ground> ground(const plan::View& view, const plan::ShadingSettings& look, bool hasSky) const;
 
     static std::uint64_t minLitPixels(const plan::View& view);

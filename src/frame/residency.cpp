@@ -15,14 +15,14 @@ namespace {
 
 constexpr Milliseconds kUnreadPause{2000}; // pause before a failed read from a server is repeated
 
-/// Number of frames that prefetching looks ahead: a third of a second at 30 frames per second. This is longer than
-/// loading a page with all its ancestors takes.
+/// Number of frames that prefetching looks ahead: a third of a second at 30 frames per second. The loading of a page
+/// with all its ancestors takes less time.
 constexpr double kFramesAhead = 10;
 
 constexpr Bytes kProgram = mebibytes(64); // memory of the process before it opens a model
 
-/// Returns the memory for tables, pages and images. Throws Error if the model cannot be drawn, or if the memory is too
-/// small for its tables.
+/// Returns the memory for tables, pages and images, without the program itself. Throws Error if the model cannot be
+/// drawn, or if the memory is too small for the tables of the model.
 Bytes memoryWithoutProgram(const hierarchy::ModelFile& model, const ResidencyOptions& options) {
     if (const auto fault = hierarchy::drawingFault(model.pages(), model.summary().grid))
         throw Error(model.path(), *fault);
@@ -46,8 +46,8 @@ bool hasMoved(const lod::DetailView& a, const lod::DetailView& b) {
 } // namespace
 
 Bytes tableBytes(const hierarchy::ModelFile& model) {
-    // The row of the page table, links to children and parents, the entry of the store, and the item and node of the
-    // tree.
+    // Memory per page: the row of the page table, links to children and parents, the entry of the page store, and the
+    // item and node of the tree.
     constexpr std::uint64_t kBytesPerPage = sizeof(hierarchy::PageInfo) + 320;
     constexpr std::uint64_t kBytesPerLink = 8;
     std::uint64_t links = 0;
@@ -96,7 +96,7 @@ void Residency::reservePicture(Bytes bytes) {
              "at least " + readableBytes({required.count + kProgram.count}),
              readableBytes({memory_.count + kProgram.count})});
     const Bytes reserved{bytes.count + working};
-    // A smaller image keeps the larger reservation. Otherwise pages would fill the memory, and the next large image
+    // A smaller image does not reduce the reservation. Otherwise pages would fill the memory, and the next large image
     // would have to evict them.
     if (reserved == picture_ || (holdsPictures_ && reserved < picture_)) return;
     store_.reserve({reserved.count + reserved_.count});
@@ -110,19 +110,20 @@ void Residency::keepRayTrees(bool areKept) {
 }
 
 void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
-    // Frames that never wait draw the coarser ancestors until finer pages are loaded, so they need the ancestors.
+    // If frames do not wait for pages, they draw the coarser ancestors until finer pages are loaded. They therefore
+    // need the ancestors.
     hasNotWaited_ = hasNotWaited_ || waiting == Waiting::Never;
     isOpen_ = !hasNotWaited_ && !needsAllAbove;
     if (waiting == Waiting::Never) store_.admitLoaded();
 }
 
 lod::DemandOutcome Residency::serve(const lod::CutQuery& query, const lod::Cut& cut, Waiting waiting) {
-    // A frame that waits loads level after level without prefetching. It is complete equally early, even over a
-    // network, and reads a sixth fewer bytes.
+    // A frame that waits for its pages loads level after level, without prefetching. It is complete equally early, even
+    // over a network, and reads a sixth fewer bytes.
     if (waiting == Waiting::UntilComplete) {
         lod::DemandOutcome outcome = store_.load({.used = cut.used, .wanted = cut.wanted, .isOpen = isOpen_});
-        // If the store requires ancestor-complete pages once, the following passes require them too. Otherwise the
-        // frame could alternate between both modes without end.
+        // If the store requires ancestor-complete pages in one round of a frame, the following rounds require them too.
+        // Otherwise the frame could alternate between both modes without end.
         if (std::exchange(isOpen_, store_.isOpen()) != isOpen_) outcome.hasChanged = true;
         return outcome;
     }
@@ -194,7 +195,7 @@ lod::DetailView continued(const lod::DetailView& before, const lod::DetailView& 
     camera.eye = now.eye + frames * (now.eye - before.eye);
     const glm::dvec3 view = now.basis.view + frames * (now.basis.view - before.basis.view);
     const glm::dvec3 up = now.basis.up + frames * (now.basis.up - before.basis.up);
-    // For a camera that jumps or spins, the extrapolated direction is useless.
+    // If the camera jumps or spins, the extrapolated view direction is useless.
     const bool isSteady = glm::dot(view, now.basis.view) > 0.5 && glm::dot(up, now.basis.up) > 0.5;
     camera.target = camera.eye + (isSteady ? view : now.basis.view);
     camera.up = isSteady ? up : now.basis.up;

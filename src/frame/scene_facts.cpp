@@ -12,7 +12,7 @@ namespace gnomon::frame {
 
 namespace {
 
-/// Returns the receivers and casters of the image between the depths of `seen`.
+/// Returns the receivers and casters of the image whose depths are in `seen`.
 plan::SceneFacts::Light lightFacts(
     const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut, const DepthSpan& seen) {
     const lod::DetailView& detail = query.rule->view();
@@ -25,7 +25,7 @@ plan::SceneFacts::Light lightFacts(
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
     light.seen = lod::visibleSlabs(query, cut.lists.image, seen);
-    if (view.pointLight) { // lit sides are computed only for directional lights, so all depths count as lit
+    if (view.pointLight) { // lit sides are computed only for directional lights, so all visible depths count as lit
         light.lit = {seen};
         return light;
     }
@@ -62,7 +62,7 @@ plan::SceneFacts sceneFacts(
     const std::optional<lod::VisibleDepths> seen = lod::visibleDepthRange(query, cut.lists.image, scratch);
     if (!seen || !(seen->span.far > 0)) return facts;
     facts.visible = {seen->span.near, seen->span.far, true};
-    // The widest range ends at the floor of near. Nearer depths are clamped to its near end.
+    // `range` begins at the min near depth. Smaller depths are clamped to it.
     if (range)
         facts.light = lightFacts(
             view, query, cut, {std::max(seen->span.near, range->near), std::max(seen->span.far, range->near)});

@@ -1,5 +1,5 @@
 // Tests whether two consecutive views belong to one continuous motion. Only then does the plan of the second view use
-// the memory of the first.
+// the plan memory of the first view.
 #pragma once
 
 #include "core/angle.h"
@@ -11,11 +11,11 @@
 
 namespace gnomon::plan {
 
-/// Returns true if there is a camera cut between `before` and `now`, so that the plan must not use the memory of the
-/// first view. A camera cut is a change of the projection or of the kind of light, or a change above a limit in
-/// plan/hysteresis.h: a movement of the eye, a rotation of the view or of the light, or a zoom. `farthest` is the
-/// largest visible depth of `before` in world units, or 0 if nothing was visible. Parallel views use the distance to
-/// the target instead, because it sets the scale of the image.
+/// Returns true if there is a camera cut between the views `before` and `now`. The plan of `now` must then not use the
+/// memory of `before`. A camera cut is a change of the projection or of the kind of light. It is also a movement of the
+/// eye, a rotation of the view or of the light, or a zoom above a limit in plan/hysteresis.h. `farthest` is the largest
+/// visible depth of `before` in world units, or 0 if nothing was visible. Parallel views use the distance to the target
+/// instead, because it sets the scale of the image.
 inline bool isCameraCut(const View& before, double farthest, const View& now) {
     if (before.camera.projection != now.camera.projection) return true;
     if (before.pointLight.has_value() != now.pointLight.has_value()) return true;
@@ -38,9 +38,9 @@ struct RequestedFrame {
     const Quality& quality;
 };
 
-/// Returns true if `now` can be the next frame of the motion of `before`. During a motion, the camera, the light, the
-/// image size and the settings that a time target changes can vary. A change of any other setting ends the motion. A
-/// change of any setting while camera and light do not move also ends it.
+/// Returns true if `now` can be the next frame of the motion of `before`. If camera or light moves, the image size and
+/// the settings that a frame-time target adjusts can also change. A change of any other setting ends the motion. If
+/// neither camera nor light moves, every change ends the motion.
 inline bool isSameMotion(const RequestedFrame& before, const RequestedFrame& now) {
     View view = before.view;
     view.camera = now.view.camera;

@@ -12,7 +12,7 @@ struct Capabilities {
     bool occlusionCulling = false; // skips the hidden clusters of an image
     bool ground = false;           // draws the shadow of the model on the ground
     bool sections = false;         // cuts models by planes
-    bool bands = false;            // draws a range of rows of an image at a time
+    bool bands = false;            // draws only a range of the rows of an image at a time
     // knows the triangle of each pixel, so that colours can show vertices, errors and fields
     bool seesTriangles = false;
 

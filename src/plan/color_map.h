@@ -8,8 +8,8 @@
 
 namespace gnomon::plan {
 
-/// The colour maps, with their usual names. Lightness grows evenly along each map. Readers with deuteranopia and
-/// readers of a grey print therefore see the same order.
+/// The colour maps, with their usual names. Lightness increases evenly along each map. Readers with colour blindness
+/// (deuteranopia) and readers of a grey print therefore see values in the correct order.
 enum class ColorMap : std::uint8_t { Viridis, Cividis, Grey };
 inline constexpr std::array kColorMaps = {
     Word<ColorMap>{ColorMap::Viridis, "viridis"},

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kDefaultFloorRatio = 1e4; // default far / nearFloor
 
-/// Returns the view depths of the part of `bounds` in front of the eye. Returns empty facts if no part is in front of
-/// it.
+/// Returns the range of view depths of the part of `bounds` in front of the eye. If no part is in front of the eye, the
+/// result has `anything` = false.
 SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     SceneFacts::Visible result;
     if (bounds.isEmpty()) return result;
@@ -28,8 +28,8 @@ SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     return result;
 }
 
-/// Sets far. For stabilised slices, far is quantised in the opposite direction to near: it rises at once and falls only
-/// after several frames.
+/// Sets the far end of `range`. For stabilised slices, far is quantised like near, but in the opposite direction: it
+/// rises at once, and falls only after several frames.
 void setFar(
     DepthRange& range, const Quality& quality, double farthest, const std::optional<shadow::NearState>& inverseBefore) {
     range.depths.far = quality.far.value_or(farthest);
@@ -42,8 +42,8 @@ void setFar(
     if (quality.stabilize) range.memory->inverseFar = inverse;
 }
 
-/// Sets near to the quantised step at or below the nearest surface. The floor and the hysteresis of the previous frame
-/// limit the step.
+/// Sets the near end of `range` to the quantised step at or below the depth of the nearest surface. Near is at least
+/// the floor, and the hysteresis can keep it at the value of the previous frame.
 void setNear(
     DepthRange& range,
     const Quality& quality,
@@ -57,8 +57,8 @@ void setNear(
     if (range.memory->near.framesAbove > 0) range.nearFrom = DepthSource::Held;
 }
 
-/// Extends a range without depth to a ratio of kMinRatio; a surface perpendicular to the view direction has such a
-/// range. Throws Error if the given ends are not a valid range.
+/// Extends a range whose ends are equal to a ratio far / near of kMinRatio. A surface perpendicular to the view
+/// direction has such a range. Throws Error if the given ends are not a valid range.
 void separate(DepthSpan& depths, const Quality& quality) {
     constexpr double kMinRatio = 1 + 1e-3;
     if (!(depths.near > 0) || !std::isfinite(depths.far))
@@ -82,9 +82,9 @@ void separate(DepthSpan& depths, const Quality& quality) {
         depths.far = depths.near * kMinRatio;
 }
 
-/// Returns the near end of the shown range: `end`, or a quantised step at or below `depth` if `depth` is smaller than
-/// `end`. The result is never below `floor` unless `end` is. For a far end, all arguments and the result are inverse
-/// depths.
+/// Returns the near end of DepthRange::shown. The result is `end`, unless the nearest visible `depth` is smaller. Then
+/// the result is a quantised step at or below `depth`, but not below `floor`. `state` stores the hysteresis. The
+/// function also computes the far end: all depths and the result are then inverse depths.
 double shownEnd(double end, double depth, double floor, std::optional<shadow::NearState>& state) {
     const bool exceedsEnd = depth < end && floor < end;
     if (!exceedsEnd && !state) return end;
@@ -98,7 +98,7 @@ double shownEnd(double end, double depth, double floor, std::optional<shadow::Ne
     return end;
 }
 
-/// Sets the shown range, which extends beyond given depths to the visible surfaces.
+/// Sets `range.shown`: the range `range.depths`, extended to all visible surfaces.
 void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::optional<DepthMemory>& memory) {
     DepthMemory& now = *range.memory;
     if (memory) now.shownNear = memory->shownNear;
@@ -109,9 +109,9 @@ void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::
         shownEnd(range.depths.near, visible.nearest, range.shown.far / kDefaultFloorRatio, now.shownNear);
 }
 
-/// Sets the range of a parallel view to the visible depths, because its aliasing does not depend on depth. Stabilised
-/// slices use all depths of the model instead, because their texels must keep their size. The range therefore needs no
-/// hysteresis.
+/// Sets the range of a parallel view to the visible depths. Its aliasing does not depend on depth, so the range needs
+/// no hysteresis. With stabilised slices, the range contains all depths of the model instead, so that the texels
+/// preserve their size.
 void setParallelRange(DepthRange& range, const View& view, const Quality& quality, const SceneFacts::Visible& visible) {
     constexpr double kMinRatio = 1 + 1e-5;
     const double nearest = glm::length(view.camera.target - view.camera.eye); // depth of the near end of the model

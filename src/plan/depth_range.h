@@ -7,24 +7,25 @@
 
 namespace gnomon::plan {
 
-/// A depth range and the origin of each end.
+/// The depth range of a frame, and the origin of each end.
 struct DepthRange {
     DepthSpan depths; // near < far
     DepthSpan shown;  // `depths`, extended to the nearest and farthest visible depth
     DepthSource nearFrom = DepthSource::NothingInView;
     DepthSource farFrom = DepthSource::NothingInView;
-    bool isEmpty = false; // true: nothing is in view, and the range is arbitrary
-    // for the next frame; empty if nothing is in view or the projection is parallel
+    bool isEmpty = false; // true: no surface is in view, and the range is arbitrary
+    // memory for the next frame; empty if no surface is in view or the projection is parallel
     std::optional<DepthMemory> memory;
 };
 
 /// Returns the depth range of a frame.
 ///
 /// For a perspective view, near is the smallest view depth of a drawn surface, rounded down to a step of 2^(1/4). It is
-/// never below the floor. It falls at once. It rises only after kFramesBeforeNearRises frames that permit a higher
-/// step. Far is the largest view depth. Stabilised slices quantise far too, because their texels must keep their size.
-/// If `quality` gives an end, `shown` can extend beyond it. The ends of `shown` have the same hysteresis as near, and
-/// its near end is at least far / 10,000.
+/// never below the floor (`quality.nearFloor`). Near falls at once. It rises only after kFramesBeforeNearRises
+/// consecutive frames that permit a higher step. Far is the largest view depth. With stabilised slices, far is
+/// quantised too, so that the texels preserve their size. If `quality` gives near or far, visible surfaces can lie
+/// outside the range, and `shown` extends to them. The ends of `shown` have the same hysteresis as near. The near end
+/// of `shown` is at least its far end / 10,000.
 ///
 /// For a parallel view, the range contains the visible surfaces. With stabilised slices, it contains the whole model.
 /// All visible surfaces show shadows.

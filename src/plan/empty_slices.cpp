@@ -9,7 +9,7 @@ namespace gnomon::plan {
 
 namespace {
 
-/// Returns the union of `spans` and `more`, disjoint and sorted.
+/// Returns the union of `spans` and `more` as disjoint, sorted depth spans.
 std::vector<DepthSpan> joined(std::vector<DepthSpan> spans, std::span<const DepthSpan> more) {
     spans.insert(spans.end(), more.begin(), more.end());
     std::sort(spans.begin(), spans.end(), [](const DepthSpan& a, const DepthSpan& b) { return a.near < b.near; });

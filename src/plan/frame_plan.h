@@ -1,5 +1,5 @@
-// The plan of a frame, as a value: its passes with their volumes, matrices, texels and aliasing bounds, and the reason
-// for each skipped effect. A plan is made without GL, files or a clock, and a backend draws it.
+// The plan of a frame: its passes with their volumes, matrices, texels and aliasing bounds, and the reason for each
+// skipped effect. The planning uses no GL, files or clock. A backend draws the plan.
 #pragma once
 
 #include "core/camera.h"
@@ -44,7 +44,8 @@ struct View {
     std::vector<Plane> sections;          // in world space; a point is visible only on the inner side of all planes
     bool cutsCasters = true;              // true: the removed side of the sections casts no shadows
 
-    /// Returns the light direction that drawing uses. Only this function rounds it.
+    /// Returns the light direction for drawing, rounded to integers. All drawing must use this direction, so that it is
+    /// rounded only here.
     IntegerLight light() const { return roundedLight(towardsLight); }
 
     double aspect() const { return static_cast<double>(width) / height; }
@@ -56,8 +57,8 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-/// The layout of the cells of exact shadows: one map or four slices, with or without a warp. The image is the same for
-/// all layouts.
+/// The layout of the sample grids of exact shadows: one map or four slices, with or without a warp. The image is the
+/// same for all layouts.
 enum class CellScheme : std::uint8_t { WarpedMap, Map, WarpedSlices, Slices };
 inline constexpr std::array kCellSchemes = {
     Word<CellScheme>{CellScheme::WarpedMap, "map+w"},
@@ -89,35 +90,35 @@ inline constexpr std::array kCasterCullings = {
 /// The user's settings, with the names of the command line.
 struct Quality {
     ShadowMode shadows = ShadowMode::Maps; // chooseShadows replaces Auto
-    // the reason why Auto means Maps; nullopt: the backend determines the kind
+    // the reason why ShadowMode::Auto selects Maps; nullopt: the backend determines the kind of shadows
     std::optional<ShadowReason> mapsBecause;
     shadow::Warp warp;
     std::optional<int> zPartitions = 4; // nullopt: auto
     double splitLambda = 1;
     Choice facePartitions = Choice::Off;
-    int shadowTexelsWidth = 2048; // with the height, the number of texels of all maps together, borders included
+    int shadowTexelsWidth = 2048; // width times height is the total number of texels of all maps, borders included
     int shadowTexelsHeight = 2048;
     double maxAliasing = 4;
-    int filter = 0; // width of the PCF kernel in texels; 0: a single lookup
+    int filter = 0; // width of the PCF kernel in texels; 0: one lookup without a filter
     CasterCulling cullCasters = CasterCulling::Auto;
     bool stabilize = false;
-    CellScheme cellScheme = CellScheme::WarpedMap; // has no option; only a report compares the values
+    CellScheme cellScheme = CellScheme::WarpedMap; // no option sets it; only a report compares the layouts
     std::optional<double> near;                    // nullopt: auto
     std::optional<double> far;
     std::optional<double> nearFloor; // nullopt: far / 10000
     double errorPixels = 1;
     std::optional<std::uint64_t> maxTriangles;
-    Choice occlusion = Choice::Auto; // skips the hidden clusters of the image; Auto: if this reduces the cost
+    Choice occlusion = Choice::Auto; // skips the hidden clusters of the image; Auto: only if this saves time
     ShadingSettings look;
-    double lightError = 0.05; // max error of the visible share of the light's disc at a point
+    double lightError = 0.05; // max error of the visible fraction of the light's disc at a point
     SkyLight sky;
 
     bool operator==(const Quality&) const = default;
 };
 
-/// The known properties of the scene in a view. Some are known only after the traversal of the hierarchy.
+/// The properties of the scene in a view that a plan needs. Some are known only after the traversal of the hierarchy.
 struct SceneFacts {
-    Box bounds; // of the model and its ground, in world space
+    Box bounds; // bounds of the model and its ground, in world space
 
     /// The smallest and largest view depth of the surfaces drawn in the frustum.
     struct Visible {
@@ -139,19 +140,19 @@ struct SceneFacts {
         std::vector<DepthSpan> lit;       // depths of the visible surfaces that face the light: disjoint and sorted
         bool canBeShadowed = true;        // false: no caster can lie between the light and these surfaces
         std::vector<CasterBlock> casters; // all casters that can throw a shadow into the view
-        std::vector<shadow::VisibleSlab> seen; // the visible slabs, by depth
+        std::vector<shadow::VisibleSlab> seen; // the visible parts of the scene, as slabs sorted by depth
     };
 
     std::optional<Light> light;
     bool isTurnedFromLight = false; // true: certainly no visible surface faces the light
-    double layers = 0;              // mean number of drawn clusters per pixel, by their boxes
+    double layers = 0;              // mean number of clusters that overlap at a pixel, estimated from their boxes
 };
 
 /// A shadow map and how this frame draws it.
 struct ShadowPass {
     shadow::ShadowMap map;
     bool clampsDepth = true;              // true: a caster may be nearer to the light than the depth range of the map
-    std::uint64_t estimatedTriangles = 0; // number of caster triangles
+    std::uint64_t estimatedTriangles = 0; // estimated number of caster triangles in this map
     // true: the texture already contains this map from the previous frame, so it is not drawn again
     bool isReused = false;
 };
@@ -160,12 +161,12 @@ struct ShadowPass {
 struct FramePlan {
     View view;
     Quality quality;      // `shadows` is the drawn kind, never Auto
-    Capabilities backend; // the backend that the plan is made for
+    Capabilities backend; // capabilities of the backend that will draw the plan
     ShadowReason shadowReason = ShadowReason::Requested;
     CameraBasis basis;
     IntegerLight light;               // the light of the view
     glm::dvec3 towardsLight{0, 1, 0}; // the same direction as a unit vector in camera space
-    double near = 0;                  // near end of the depth range with an aliasing bound
+    double near = 0;                  // near end of the depth range in which the aliasing has a bound
     double far = 0;
     // [near, far], extended to all visible depths; shadows outside [near, far] have no aliasing bound
     DepthSpan shown;
@@ -175,34 +176,38 @@ struct FramePlan {
     std::vector<double> splits; // depths between the slices, with both ends; empty without maps
     bool hasFaces = false;
     shadow::PartitionSelector selector; // finds the partition of a point
-    // by the index from `selector`, or from shadow::cubeFaceOf for a lamp; -1: no map
+    // the pass of each partition; the index is the result of `selector`, or of shadow::cubeFaceOf for a lamp; -1: no
+    // map
     std::vector<int> passOfPartition;
     std::vector<ShadowPass> passes;
     std::vector<shadow::ShadowMap> sampleGridMaps; // maps whose matrices define the cells of exact shadows
     shadow::Aliasing aliasingBound;                // max aliasing bound over all passes, per axis
     double storageFactor = 0;
     CasterCulling casterCulling = CasterCulling::On; // never Auto
-    // false: no scheme that `auto` can choose has an aliasing bound of at most quality.maxAliasing
+    // false: the aliasing bound of every permitted scheme exceeds quality.maxAliasing
     bool isBoundKept = true;
-    // ^Number of texels required for quality.maxAliasing; 0: no number suffices. If all open schemes require more than
-    // the budget, this is the smallest of their numbers.
+    // Number of texels that keeps the aliasing within quality.maxAliasing; 0: no number suffices. If all permitted
+    // schemes need more texels than the budget, this is the smallest of their numbers.
     std::uint64_t requiredTexels = 0;
-    std::uint64_t cost = 0; // estimated caster triangles + texels / 16
-    Penumbra penumbra;      // for images that are the mean of frames
-    SkyLight sky;           // for images that are the mean of frames
+    // estimated drawing cost of the maps, in units of a caster triangle: caster triangles + texels / 16
+    std::uint64_t cost = 0;
+    Penumbra penumbra; // only used for images that are the mean of several frames
+    SkyLight sky;      // only used for images that are the mean of several frames
     std::vector<SkippedEffect> omitted;
     bool skipsHidden = false; // true: the image pass skips hidden clusters; the image is the same
-    int textureWidth = 0;     // size of the depth texture; 0 without maps
+    int textureWidth = 0;     // size of the depth texture in texels; 0 without maps
     int textureHeight = 0;
 };
 
-/// Converts `depth` from the eye of `plan` to the requested eye. The two differ for orthographic views.
+/// Converts `depth`, measured from the eye of `plan`, to the depth from the requested eye. The two eyes differ for
+/// orthographic views.
 inline double depthFromAskedEye(const FramePlan& plan, double depth) {
     return depth - plan.view.eyeMovedBack.value_or(0);
 }
 
-/// Returns the name of the scheme for the log: "off", "rays", "exact", "none", "map", "zp4", "fp" or "fp+zp4". "+w"
-/// marks warped maps and "+log" logarithmic maps. The scheme of a lamp is "cube".
+/// Returns the name of the plan's scheme for the log: "off", "rays", "exact", "none", "map", "zp4" (four slices), "fp"
+/// (face partitions) or "fp+zp4". The suffix "+w" marks warped maps and "+log" logarithmic maps. The scheme of a lamp
+/// is "cube".
 std::string schemeName(const FramePlan& plan);
 
 } // namespace gnomon::plan

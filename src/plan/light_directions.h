@@ -1,5 +1,5 @@
-// Low-discrepancy sets of directions that sample the disc of the sun and the sky. The mean over a set approximates the
-// light.
+// Low-discrepancy sets of directions that sample the disc of the sun or the sky. The mean of the light over a set
+// approximates the light of the whole disc or sky.
 #pragma once
 
 #include "plan/light_sampling.h"
@@ -9,60 +9,65 @@
 
 namespace gnomon::plan {
 
-/// A number of directions over a disc and its error. The error is the max difference, over all straight lines, between
-/// the share of directions on one side and the share of the disc's area there. It is the largest error of the lit share
-/// of a point that a straight edge shadows.
+/// A number of sample directions over the light's disc, and its error. A straight edge divides the disc into two parts.
+/// The error is the max difference, over all straight edges, between the fraction of directions in a part and the
+/// fraction of the disc's area in this part. It is thus the max error of the lit fraction of a point that is shadowed
+/// by a straight edge.
 struct DiscSampling {
     int directions = 1;
     double error = 1;
-    /// Number of points that suffices if no penumbra is wider than one pixel: the first `first` points, or more. For a
-    /// straight edge, the error of the mean over a pixel is then at most 0.106 of the penumbra's width. The centre of
-    /// the disc alone has the same error.
+    /// Number of samples that suffices for pixels whose penumbrae are at most one pixel wide: any number of samples
+    /// from `first` on. For a straight edge, the error of a pixel's mean light is then at most 0.106 of the penumbra's
+    /// width in pixels. The centre of the disc alone has the same error.
     int first = 1;
 };
 
 /// The available numbers of directions, ascending.
 extern const std::array<DiscSampling, 23> kDiscSamplings;
 
-/// Returns the smallest number of directions whose error is at most 0.85 of `lightError`. The subpixel positions of the
-/// frames cause the remaining error. Returns the largest number in the table if all errors are too large.
+/// Returns the smallest number of directions whose DiscSampling::error is at most 0.85 of `lightError`. The rest of
+/// `lightError` is for the errors from the subpixel positions of the frames. Returns the largest number of the table if
+/// all errors are too large.
 int directionsFor(double lightError);
 
-/// Returns the penumbra width, in pixels perpendicular to the beam, up to which a point light replaces the disc. The
-/// error of the mean over a pixel is then at most `lightError` of full light. For a straight edge, this error is at
-/// most 2 / (3 pi) of half the width. On a slanted surface the penumbra is wider, but the cosine reduces the light by
-/// the same factor.
+/// Returns the penumbra width below which a point light can replace the disc, in pixels perpendicular to the beam. The
+/// error of a pixel's mean light is then at most `lightError`, as a fraction of full light. For a straight edge, this
+/// error is at most 2 / (3 pi) of half the width. On a slanted surface the penumbra is wider, but the cosine reduces
+/// the light by the same factor.
 double minPenumbra(double lightError);
 
-/// Returns point `i` of `count` (i < count) in a disc of radius 1 (Vogel 1979). The first point is the centre.
-/// Consecutive points are far apart, so the first few points are also evenly distributed. The order also fits the pixel
-/// positions of frame::subpixelOffset with the same number.
+/// Returns sample `i` of `count` (i < count) in a disc of radius 1 (Vogel 1979). The first sample is the centre.
+/// Consecutive samples are far apart, so the first few samples are also evenly distributed. Frame `i` of an
+/// accumulation combines this sample with frame::subpixelOffset(i), and the order also distributes the pairs evenly.
 glm::dvec2 discPoint(int i, int count);
 
 /// Returns DiscSampling::first for `directions`, or `directions` if the table does not contain this number.
 int minFirstPoints(int directions);
 
-/// Returns the unit direction through `point` of the light's disc. The disc has the centre direction `middle`, of any
-/// length above 0, and the angular diameter `angleRadians`.
+/// Returns the unit direction towards a point of the light's disc. `point` is in a disc of radius 1. The light's disc
+/// has the centre direction `middle`, of any length above 0, and the angular diameter `angleRadians`.
 glm::dvec3 towardsDisc(const glm::dvec3& middle, double angleRadians, const glm::dvec2& point);
 
-/// A part of the sky with its unit direction and its weight, which is twice its brightness. The mean of weight times
-/// cosine over all parts is the light of a surface that sees the whole sky. This mean is 1 for a level surface.
+/// A sample direction of the sky (unit length) and its weight, which is twice the brightness of the sky in this
+/// direction. The light of a surface that sees the whole sky is the mean of weight times cosine over all samples. This
+/// mean is 1 for a horizontal surface.
 struct SkyPart {
     glm::dvec3 direction{0, 1, 0};
     double weight = 2;
 };
 
-/// Returns part `i` of `count` around `up`, which has any length above 0. All parts have the same solid angle
-/// (Fibonacci lattice).
+/// Returns sample `i` of `count` sky samples around the zenith direction `up`, which has any length above 0. All
+/// samples represent the same solid angle (Fibonacci lattice).
 SkyPart skyPart(int i, int count, SkyModel model, const glm::dvec3& up);
 
-/// Returns the mean of weight times cosine over `count` parts for a level surface. The result is close to 1.
+/// Returns the light that a horizontal surface receives from `count` sky samples: the mean of SkyPart::weight times
+/// cosine. The result is close to 1.
 double levelSkyLight(int count, SkyModel model);
 
-/// Returns the max error of a surface's light from the mean over `parts` directions. 1 is the light of a level surface
-/// that sees the whole sky. The estimate is for a sky behind at most two straight edges. It grows with the max
-/// brightness of the sky, which is 9/7 for an overcast sky.
+/// Returns an estimate of the max error of a surface's sky light if `parts` samples replace the sky. The error is
+/// relative to the light of a horizontal surface that sees the whole sky. The estimate assumes that at most two
+/// straight edges occlude the sky. The error is proportional to the max brightness of the sky, which is 9/7 for an
+/// overcast sky and 1 for a uniform sky.
 double skyError(int parts, SkyModel model);
 
 } // namespace gnomon::plan

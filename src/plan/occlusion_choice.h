@@ -1,18 +1,18 @@
-// The choice of occlusion culling for the image of a plan.
+// The choice whether the image of a plan uses occlusion culling.
 #pragma once
 
 #include "plan/frame_plan.h"
 
 namespace gnomon::plan {
 
-/// Min number of layers per pixel for which `auto` uses occlusion culling. Measured on two cores: with 1.6 layers (a
-/// plant from outside), the image took 10% more time. With 3 layers or more (flights, rooms, a toy from outside), it
-/// took between a fifth of the time and 1% more.
+/// Min mean number of clusters per pixel from which Choice::Auto uses occlusion culling. Measured on two cores: with
+/// 1.6 clusters per pixel (a plant from outside), the image took 10% more time than without culling. With 3 or more
+/// (flights, rooms, a toy from outside), it took between 20% and 101% of the time without culling.
 inline constexpr double kMinLayers = 2;
 
-/// Sets `plan.skipsHidden` for a plan with its view, quality and backend. Adds the reason to `plan.omitted` if the
-/// image is drawn with its hidden clusters. `layers` is the mean number of drawn clusters per pixel, by their boxes.
-/// Only Choice::Auto uses it.
+/// Sets `plan.skipsHidden` for a plan with its view, quality and backend. If the hidden clusters are drawn, adds the
+/// reason to `plan.omitted`. `layers` is the mean number of clusters that overlap at a pixel, estimated from their
+/// boxes. Only Choice::Auto uses `layers`.
 void chooseOcclusion(FramePlan& plan, double layers);
 
 } // namespace gnomon::plan

@@ -39,7 +39,7 @@ void requireValid(const View& view) {
             {"light direction", "this is no direction", "a finite length above 0", formatted("%g", lightLength)});
 }
 
-/// Returns the reason why this view needs no maps, or nullopt if it needs them.
+/// Returns the reason why this view needs no shadow maps, or nullopt if it needs them.
 std::optional<SkipReason> reasonForNoMaps(const Quality& quality, const SceneFacts& scene, const DepthRange& range) {
     if (quality.shadows == ShadowMode::Off) return SkipReason::SwitchedOff;
     if (quality.shadows == ShadowMode::Rays) return SkipReason::RayTraced;
@@ -50,7 +50,7 @@ std::optional<SkipReason> reasonForNoMaps(const Quality& quality, const SceneFac
     return std::nullopt;
 }
 
-/// Returns the reason why exact shadows have no sample to compute, or nullopt if they may have one.
+/// Returns the reason why no visible point needs an exact shadow test, or nullopt if some points may need it.
 std::optional<SkipReason> reasonForNoDecision(const SceneFacts& scene, const DepthRange& range) {
     if (range.isEmpty) return SkipReason::NothingInView;
     if (scene.isTurnedFromLight) return SkipReason::NothingFacesLight;
@@ -61,8 +61,8 @@ shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
     return {range.near, range.far, view.camera.fovYRadians / 2, view.aspect()};
 }
 
-/// Removes the warp and the face partitions for a parallel view. All its pixels have the same size, so no warp and no
-/// faces are optimal.
+/// Removes the warp and the face partitions from the settings for a parallel view. All its pixels have the same size,
+/// so maps without warp and without face partitions are optimal.
 void unwarp(Quality& quality) {
     quality.warp.rule = shadow::WarpRule::None;
     quality.facePartitions = Choice::Off;

@@ -1,5 +1,5 @@
-// The function that plans a frame. It converts a view, settings, scene facts and the memory of the previous frame to a
-// plan and the memory for the next frame. It is a pure function without GL, files or a clock.
+// The function that plans a frame. It computes a plan, and the memory for the next frame, from a view, settings, scene
+// facts and the memory of the previous frame. It is a pure function without GL, files or a clock.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -7,12 +7,12 @@
 
 namespace gnomon::plan {
 
-/// Returns the volume, in camera space, of all casters that can throw a shadow onto a visible point between the depths
-/// of `range`.
+/// Returns the volume, in camera space, of all casters that can throw a shadow onto a visible point whose depth is in
+/// `range`.
 ConvexVolume sweptView(const View& view, const DepthSpan& range);
 
-/// Returns a depth range that contains the range of the plan, before the hierarchy has been traversed. Returns nullopt
-/// if the plan draws no maps. `quality.shadows` must not be Auto.
+/// Returns a depth range that contains every depth range that planFrame can choose for `view`. The function does not
+/// need the scene facts. Returns nullopt if the plan draws no maps. `quality.shadows` must not be Auto.
 std::optional<DepthSpan> widestRange(const View& view, const Quality& quality, const Box& bounds);
 
 /// A plan, and the memory for the plan of the next frame.
@@ -21,8 +21,9 @@ struct PlannedFrame {
     PlanMemory memory;
 };
 
-/// Returns the plan for `view` with `quality`. `memory` comes from the previous frame and provides hysteresis.
-/// `backend` describes the backend that draws the plan. Throws Error if the view or a given depth range is invalid.
+/// Returns the plan for `view` with `quality`. `memory` is the plan memory of the previous frame, which provides
+/// hysteresis. `backend` has the capabilities of the backend that draws the plan. Throws Error if the view or a given
+/// depth range is invalid.
 PlannedFrame planFrame(
     const View& view,
     const Quality& quality,

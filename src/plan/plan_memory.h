@@ -1,4 +1,4 @@
-// The state that a plan passes to the plan of the next frame. No other state is passed from frame to frame.
+// The memory that a plan passes to the plan of the next frame. Plans share no other state.
 #pragma once
 
 #include "core/depth_span.h"
@@ -12,25 +12,25 @@
 
 namespace gnomon::plan {
 
-/// The ends of the depth range of a frame with visible surfaces.
+/// The ends of the depth range of a frame with visible surfaces, with the state of their hysteresis.
 struct DepthMemory {
     shadow::NearState near;
-    // 1 / far of stabilised slices, which has the same hysteresis as near
+    // 1 / far for stabilised slices; it has the same hysteresis as near
     std::optional<shadow::NearState> inverseFar;
-    std::optional<shadow::NearState> shownNear; // near end of the shown range; empty unless it is below near
+    std::optional<shadow::NearState> shownNear; // near end of DepthRange::shown; empty unless it is below near
     std::optional<shadow::NearState> inverseShownFar;
 };
 
-/// The recent depths of the visible surfaces that face the light. With them, a slice keeps its map while receivers
-/// appear and disappear.
+/// The recent depths of the visible surfaces that face the light. With this memory, a slice keeps its map while
+/// receivers appear and disappear for a few frames.
 struct LitMemory {
-    // depths during the last complete period; nullopt before the end of the first period
+    // depths during the last complete period of kFramesBeforeMapsGo frames; nullopt before the end of the first period
     std::optional<std::vector<DepthSpan>> before;
     std::vector<DepthSpan> since; // depths during the current period; both lists are disjoint and sorted
-    int frames = 0;               // length of the current period
+    int frames = 0;               // number of frames of the current period so far
 };
 
-/// The scheme of a plan.
+/// The choices that define the scheme of a plan.
 struct SchemeChoice {
     int slices = 1;
     bool faces = false;
@@ -39,7 +39,7 @@ struct SchemeChoice {
     bool operator==(const SchemeChoice&) const = default;
 };
 
-/// The scheme of a frame with maps, or of a frame in which all slices are empty.
+/// The memory of the scheme of a frame with maps. A frame in which all slices are empty also has this memory.
 struct SchemeMemory {
     SchemeChoice choice;
     shadow::OrientationState orientation;
@@ -49,7 +49,7 @@ struct SchemeMemory {
     int framesDominated = 0; // number of consecutive frames, including this frame, in which another scheme dominates
 };
 
-/// The complete memory between plans. It is empty before the first frame.
+/// The complete memory between plans. It is empty for the first frame.
 struct PlanMemory {
     std::optional<DepthMemory> depth;
     std::optional<SchemeMemory> scheme;

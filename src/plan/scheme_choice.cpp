@@ -55,7 +55,7 @@ shadow::ShadowMapSetup setupOf(const SchemeContext& context, const shadow::Shado
     return shadow::shadowMapSetup(context.view, options, orientation);
 }
 
-/// Computes the maps, the caster triangles and the cost of `candidate` from its options.
+/// Computes the maps of `candidate`, its numbers of caster triangles and its cost, all from candidate.options.
 void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate) {
     candidate.setup = setupOf(context, candidate.options);
     candidate.casterTriangles.clear();
@@ -78,9 +78,9 @@ std::uint64_t casterSum(const SchemeCandidate& candidate) {
     return sum;
 }
 
-/// Returns true if face partitions pay off for a given number of slices. The comparison is at equal cost: texels are
-/// removed from the maps with faces to pay for their additional caster triangles. `gain` is the share by which the
-/// faces then lower the aliasing bound.
+/// Returns true if face partitions lower the aliasing bound enough. The comparison uses equal cost: the maps with faces
+/// receive fewer texels, to compensate for their additional caster triangles. `gain` is set to the fraction by which
+/// the faces lower the bound.
 bool areFacesWorthIt(
     const SchemeContext& context, const SchemeCandidate& whole, const SchemeCandidate& faces, double& gain) {
     const std::uint64_t extra = casterSum(faces) - std::min(casterSum(faces), casterSum(whole));
@@ -108,19 +108,19 @@ SchemeCandidate chosenFaces(
     return whole;
 }
 
-/// Returns the smaller required number of texels, where 0 means that no number suffices.
+/// Returns the smaller of two required numbers of texels. The number 0 means that no number of texels suffices.
 std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
     return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
 }
 
-/// Returns true if `best` is better than the scheme of the previous frame by a clear margin. Either both or neither
-/// must stay within the max aliasing.
+/// Returns true if `best` is clearly better than `before`, by the factor kCheaper in cost or kLower in aliasing. Either
+/// both schemes or neither must stay within the max aliasing.
 bool dominates(const SchemeCandidate& best, const SchemeCandidate& before) {
     if (best.isWithinMaxAliasing) return static_cast<double>(before.cost) * kCheaper > static_cast<double>(best.cost);
     return before.aliasingBound() * kLower > best.aliasingBound();
 }
 
-/// Returns the scheme of the previous frame, evaluated for this frame, if hysteresis preserves it although `best` is
+/// Returns the scheme of the previous frame, evaluated for this frame, if hysteresis keeps it in use although `best` is
 /// better.
 std::optional<SchemeCandidate> held(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
@@ -137,8 +137,8 @@ std::optional<SchemeCandidate> held(
     return result;
 }
 
-/// Returns the candidate whose number of maps is closest to the previous frame, among the candidates that `best` does
-/// not dominate. A change of scheme thus changes as few maps as possible.
+/// Returns the candidate whose number of maps is closest to that of the previous frame. Candidates that `best`
+/// dominates are excluded. A change of scheme thus changes as few maps as possible.
 SchemeCandidate nearestInMaps(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
     if (!context.before) return best;
@@ -163,9 +163,9 @@ std::vector<SchemeCandidate> candidatesOf(const SchemeContext& context, const st
     return candidates;
 }
 
-/// Returns a candidate per choice. If no candidate stays within the max aliasing, the function evaluates them again
-/// without hysteresis: slices without a receiver in this frame have no map. It returns the second list if one of its
-/// candidates stays within the max aliasing.
+/// Returns one candidate per choice. If all candidates exceed the max aliasing, the function evaluates them again
+/// without the memory of earlier receivers. Slices without a receiver in this frame then have no map, so the other maps
+/// receive more texels. The function returns these second candidates if one of them stays within the max aliasing.
 std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const auto isWithinMaxAliasing = [](const SchemeCandidate& candidate) { return candidate.isWithinMaxAliasing; };
     std::vector<SchemeCandidate> candidates = candidatesOf(context, choices);
@@ -180,7 +180,7 @@ std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const 
     return std::any_of(bare.begin(), bare.end(), isWithinMaxAliasing) ? bare : candidates;
 }
 
-/// Returns the best candidate, or the scheme of the previous frame if hysteresis preserves it.
+/// Returns the best candidate, or the scheme of the previous frame if hysteresis keeps it in use.
 SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const std::vector<SchemeCandidate> candidates = bestCandidates(context, choices);
     const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
@@ -193,14 +193,15 @@ SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeCho
     return chosen;
 }
 
-/// Returns `chosen`, or the same scheme in the plain orientation if a rotation about the light does not pay off.
+/// Returns `chosen`, or the same scheme without rotation about the light if the rotation lowers the aliasing bound too
+/// little.
 SchemeCandidate inWorthwhileOrientation(
     const SchemeContext& context, SchemeCandidate chosen, std::vector<SkippedEffect>& omitted) {
     SchemeChoice plainChoice = chosen.choice;
     plainChoice.lightRoll = false;
     SchemeCandidate plain = evaluate(context, plainChoice);
-    // Without `before`, the rotation is complete at once. This measures its full gain, because the speed limit delays
-    // it over several frames.
+    // Without `before`, the rotation is complete at once, so the comparison uses its full gain. In the drawn frames,
+    // the speed limit distributes the rotation over several frames.
     SchemeContext afresh = context;
     afresh.before.reset();
     SchemeCandidate rolled = plain;
@@ -223,7 +224,7 @@ SchemeCandidate inWorthwhileOrientation(
 
 std::uint64_t trianglesIn(
     const ConvexVolume& volume, const CameraBasis& basis, std::span<const SceneFacts::CasterBlock> blocks) {
-    ConvexVolume aroundEye; // in world axes, as the blocks
+    ConvexVolume aroundEye; // planes in world axes relative to the eye, like the boxes of the blocks
     for (const Plane& plane : volume.planes)
         aroundEye.planes.push_back({toWorld(basis, plane.normal), plane.offset});
     std::uint64_t triangles = 0;

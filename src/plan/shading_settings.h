@@ -1,4 +1,4 @@
-// The shading, the background and the ground of an image.
+// The settings for the shading, the background and the ground of an image.
 #pragma once
 
 #include "core/words.h"
@@ -8,9 +8,9 @@
 
 namespace gnomon::plan {
 
-/// The light of a surface.
+/// The light that shades the surfaces.
 /// - Lit: the sun with its shadows, the sky and the ground.
-/// - Flat: as Lit, with the normal of each triangle.
+/// - Flat: the light of Lit, with one normal per triangle.
 /// - Headlight: a light at the eye.
 /// - Unlit: colours without any light.
 /// - Auto: Lit if the image has a ground or the sun reaches at least 0.5% of its pixels, otherwise Headlight.
@@ -39,7 +39,7 @@ struct Background {
 
 struct ShadingSettings {
     Shading shading = Shading::Auto;
-    double ambient = 1; // factor for the light of sky and ground; 1: the default light
+    double ambient = 1; // factor for the light from sky and ground; 1: the default light
     Background background;
     bool ground = false; // true: shows the model's shadow on a plane under it; the plane itself is invisible
 

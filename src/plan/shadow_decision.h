@@ -1,4 +1,4 @@
-// The choice between shadow maps, exact shadows, rays and no shadows for a frame. No other file makes this choice.
+// The choice between shadow maps, exact shadows, rays and no shadows for a frame. Only this file makes the choice.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -11,8 +11,9 @@ struct ShadowDecision {
     ShadowReason reason = ShadowReason::Requested;
 };
 
-/// Returns the kind of shadows that `backend` draws for `quality`. Auto is Off if the shading has no sun. Otherwise it
-/// is Maps if `quality` requests them or the backend draws nothing else, and Exact in all other cases.
+/// Returns the kind of shadows that `backend` draws for `quality`. Auto becomes Off if the shading has no sun.
+/// Otherwise it becomes Maps if `quality` requests maps or if the backend draws only maps. In all other cases it
+/// becomes Exact.
 ShadowDecision chooseShadows(const Quality& quality, const Capabilities& backend);
 
 } // namespace gnomon::plan

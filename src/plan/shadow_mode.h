@@ -8,8 +8,8 @@
 
 namespace gnomon::plan {
 
-/// The kinds of shadows. Maps looks up shadow maps, Exact computes each visible point with integers, and Rays traces
-/// rays. `chooseShadows` replaces Auto by one of the other kinds.
+/// The kinds of shadows. Maps looks up shadow maps, Exact tests each visible point with integers, and Rays traces rays.
+/// `chooseShadows` replaces Auto by one of the other kinds.
 enum class ShadowMode : std::uint8_t { Off, Maps, Exact, Rays, Auto };
 inline constexpr std::array kShadowModes = {
     Word<ShadowMode>{ShadowMode::Off, "off"},
@@ -21,7 +21,7 @@ inline constexpr std::array kShadowModes = {
 
 /// The reason for the kind of shadows of a frame.
 enum class ShadowReason : std::uint8_t {
-    Requested,      // the user named the kind
+    Requested,      // the user requested this kind
     NoSun,          // the shading has no sun, so nothing casts shadows
     MapsRequested,  // an option, an overlay or a validation of shadow maps needs maps
     FrameTime,      // exact shadows take longer than the target frame time of the window

@@ -1,4 +1,4 @@
-// The planning of a frame's shadow maps: their number, partitions and texels.
+// Plans the shadow maps of a frame: their number, partitions and texels.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -7,8 +7,7 @@
 namespace gnomon::plan {
 
 /// Sets the splits, the passes, the aliasing bound and the texture size of `plan`. The view, quality, light and depth
-/// range of `plan` must be set. `before` is the memory of the previous frame; the result is the memory for the next
-/// frame.
+/// range of `plan` must be set. `before` is the memory of the previous frame. Returns the memory for the next frame.
 SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const std::optional<SchemeMemory>& before);
 
 } // namespace gnomon::plan

@@ -1,5 +1,5 @@
-// The effects that a plan skips, and the reasons. Programs compare these values; the parts that display them make the
-// sentences.
+// The effects that a plan skips, and the reasons. Other code compares these values. The code that displays them makes
+// the sentences.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ enum class Effect : std::uint8_t {
     PartitionCulling,
     ReceiverMasks,
     OcclusionCulling,
-    LateCasters, // exact shadows: the remaining casters
+    LateCasters, // test of the remaining casters of exact shadows
     Penumbra,    // shadows from several directions of the light's disc
     SkyLight,    // light from several directions of the sky
 };
@@ -37,18 +37,19 @@ enum class SkipReason : std::uint8_t {
     NothingFacesLight, // no visible surface, in the view or in the slice, faces the light
     NoCasterInReach,   // no caster can shadow a visible surface
     SlicesStabilized,  // stabilised slices exclude the effect
-    NotStabilized,     // the effect needs stabilised slices
+    NotStabilized,     // the effect is only possible with stabilised slices
     LightGrazesFaces,  // the light grazes every face of the frustum
-    FacesGiveIt,       // the maps of face partitions follow the edges of the faces
-    GainTooSmall,      // SkippedEffect::gain is less than 1 - kWorthwhile
-    NoGain,            // the effect would not lower the aliasing bound
-    // without it, the scheme is cheaper, or the aliasing bound grows by too little (kWorthwhile)
+    FacesGiveIt,       // face partitions replace the effect: their maps already follow the edges of the faces
+    // the effect would lower the aliasing bound by SkippedEffect::gain, which is less than 1 - kWorthwhile
+    GainTooSmall,
+    NoGain, // the effect would not lower the aliasing bound
+    // without the effect, the scheme costs less, or its aliasing bound is higher by less than kWorthwhile permits
     BetterWithout,
     OneSliceSuffices,   // one slice is the best scheme for this aliasing bound
     NoCasterBeforeMaps, // no caster is nearer to the light than the depth range of its map
     MapsComeFirst,      // the backend draws the maps before the image
-    MapsAreKept,        // later frames reuse the maps, but see other receivers
-    // there are so few caster triangles per pixel that finding the receivers would cost more than drawing them
+    MapsAreKept,        // the maps are reused by later frames, which see other receivers
+    // there are so few caster triangles per pixel that the receiver masks would cost more than the triangles
     FewCasters,
     BackendDrawsAll,    // the backend also draws hidden clusters
     BackendHasEvenRows, // the backend does not draw logarithmic rows
@@ -71,7 +72,7 @@ struct SkippedEffect {
     SkipReason reason = SkipReason::SwitchedOff;
     std::size_t slice = 0; // for MapOfSlice
     double gain = 0;       // for GainTooSmall: the share by which the effect would lower the aliasing bound
-    double pixels = 0;     // for NarrowPenumbrae: a width
+    double pixels = 0;     // for NarrowPenumbrae: every penumbra is narrower than this width
 
     bool operator==(const SkippedEffect&) const = default;
 };
@@ -81,7 +82,7 @@ enum class DepthSource : std::uint8_t {
     Given,
     NearestSurface, // the nearest surface in view
     FarthestSurface,
-    ModelBounds, // the hierarchy has not been traversed yet
+    ModelBounds, // an end of the model's bounds, because the hierarchy has not been traversed yet
     Floor,       // the smallest permitted near depth; nearer surfaces have no aliasing bound
     Held,        // the value of the previous frame (hysteresis)
     NothingInView,

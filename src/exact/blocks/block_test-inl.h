@@ -25,7 +25,8 @@ HWY_INLINE BlockFloats blockConstant(float value) {
     return hn::Set(kBlockFloats, value);
 }
 
-/// The range of a linear function over a block: the value at the middle, and the max deviation from it.
+/// The range of a linear function over a block of samples: the value at the middle of the block's box, and the max
+/// deviation from this value.
 struct BlockRange {
     BlockFloats middle, reach;
 
@@ -34,22 +35,22 @@ struct BlockRange {
     HWY_INLINE BlockFloats max() const { return hn::Add(middle, reach); }
 };
 
-/// A triangle, prepared for tests against boxes of samples in floats. The test skips a box, or marks it dark as a
-/// whole, only if this is certain for each of its samples. A sample that doubles cannot resolve therefore stays open,
-/// and integers resolve the same samples with and without blocks.
+/// A triangle, prepared for tests against boxes of samples with float arithmetic. The test skips a box, or marks all
+/// its samples as dark, only if the result is certain for each sample. A sample that doubles cannot resolve therefore
+/// remains unresolved after this test. Integer arithmetic then resolves the same samples with and without blocks.
 ///
-/// The error bounds use U = 2^-24, R for the largest absolute coordinate of corners, and s and |d| as in TriangleTest,
-/// with |d| for the farthest corner of the box. A corner's u, v or h is at most 2 R and has an error of 2 U R as a
-/// float. A difference has an error of 2 U R + U |d|. Coefficients have a relative error of U, and sums of products add
-/// three roundings. The edge functions thus have an error of at most s (2 U R + 5 U |d|), plus 2 U s^2 from the area. N
-/// . d has an error of s^2 (2 U R + 5 U |d|). The code uses at least three times these bounds, which also covers the
-/// errors of doubles.
+/// The error bounds use U = 2^-24. R is the largest absolute coordinate of all corners. s and |d| are as in
+/// TriangleTest, with |d| for the farthest corner of the box. A corner's u, v or h is at most 2 R and has an error of 2
+/// U R as a float. A difference has an error of 2 U R + U |d|. Coefficients have a relative error of U, and sums of
+/// products add three roundings. The edge functions thus have an error of at most s (2 U R + 5 U |d|), plus 2 U s^2
+/// from the area. The dot product N . d has an error of s^2 (2 U R + 5 U |d|). The code uses at least three times these
+/// bounds, which also covers the errors of doubles.
 class BlockTest {
 public:
     BlockTest(const TriangleTest& triangle, const CasterContext& context);
 
-    /// Tests as many blocks as a vector has lanes, from `block` on. `open` receives one bit per block with samples that
-    /// need separate tests, and `dark` one bit per block whose samples are all dark.
+    /// Tests one block per SIMD lane; lane i tests block `block` + i. Bit i of `open` is set if the samples of the
+    /// block need separate tests. Bit i of `dark` is set if the triangle shadows all samples of the block.
     HWY_INLINE void look(const SampleBlocks& blocks, std::size_t block, unsigned& open, unsigned& dark) const;
 
 private:
@@ -65,10 +66,10 @@ private:
 
     float a_[3], ab_[2], bc_[2], ca_[2], normal_[2];
     float area_, tolerance_;
-    float edgeError_[2], heightError_[2]; // [0] + [1] * |d|
+    float edgeError_[2], heightError_[2]; // error of an edge function and of N . d: [0] + [1] * |d|
 };
 
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): each is set below
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the body sets each member
 inline BlockTest::BlockTest(const TriangleTest& triangle, const CasterContext& context) {
     const auto asFloats = [](const double* from, float* to, int count) {
         for (int i = 0; i < count; ++i)
@@ -131,7 +132,7 @@ HWY_INLINE void BlockTest::look(const SampleBlocks& blocks, std::size_t block, u
     dark = bits(hn::And(isDark, mayBeAhead));
 }
 
-/// Returns true if one of the samples lies on the triangle itself (see TriangleTest::name).
+/// Returns true if one of the samples [begin, end) lies on the triangle with this name (see TriangleTest::name).
 HWY_INLINE bool holdsOwn(const CasterContext& context, std::size_t begin, std::size_t end, std::uint32_t name) {
     unsigned found = 0;
     for (std::size_t i = begin; i < end; ++i)
@@ -145,7 +146,8 @@ HWY_INLINE void prefetchSamples(const CasterContext& context, std::size_t place)
     hwy::Prefetch(&context.samples->h[place]);
 }
 
-/// Tests samples like testSamples, but tests blocks first. `test` must be prepared from `t`.
+/// Tests triangle `t` against the samples [begin, end), like testSamples. It first tests blocks of samples with `test`,
+/// and then tests only the samples of unresolved blocks one by one. `test` must be prepared from `t`.
 template <class Resolve>
 HWY_INLINE void testBlocks(
     const BlockTest& test,

@@ -1,6 +1,6 @@
-// Boxes around adjacent samples in the order of a grid. One test of a triangle against a box replaces tests of all its
-// samples. Most samples in a triangle's cells are clearly beside the triangle or clearly behind it as seen from the
-// light.
+// Boxes around adjacent samples of the sample grid. One test of a triangle against a box replaces the tests against all
+// its samples. Most samples in the cells of a triangle are clearly beside the triangle, or clearly behind it as seen
+// from the light.
 #pragma once
 
 #include "exact/sample_list.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::exact {
 
-/// The boxes of samples 0 to 7, 8 to 15 and so on. The object reuses its memory.
+/// The boxes of samples 0 to 7, 8 to 15 and so on. The object reuses its memory between frames.
 class SampleBlocks {
 public:
     static constexpr std::size_t kSamples = 8; // samples per block; the last block may have fewer
@@ -21,7 +21,8 @@ public:
     /// The memory of the boxes per sample, in bytes.
     static constexpr std::uint64_t kBytesPerSample = 6 * sizeof(float) / kSamples;
 
-    // Along u, v and h, in cells: each sample is within `half` of `middle`. Padded.
+    // Middles and half extents of the boxes along u, v and h, in grid cells. Each sample is within `half` of `middle`.
+    // The arrays are padded.
     std::array<FrameArray<float>, 3> middle, half;
 };
 

@@ -104,8 +104,8 @@ public:
 
     const std::optional<Crossing>& first() const { return first_; }
 
-    /// Returns the stored error of the intersected cluster: the max distance between the intersection and the source,
-    /// in world units.
+    /// Returns the max distance between the intersected cluster and the source, in world units: the stored error, or on
+    /// level 0 the error by rounding to the grid.
     double error() const { return error_; }
 
     /// Returns the line parameter at which the line enters the region that no section plane removes. Returns nullopt if

@@ -219,7 +219,7 @@ render::DrawStatistics Renderer::drawInLight(Frame& frame) {
     plan::skipLightSampling(frame.plan);
     if (drawn.isHeadlit) return drawn;
     if (frame.hasOneCasterList()) return draw(frame, frame.options);
-    // the time of the maps stays as it is, because the headlight needs no maps
+    // Only the image is drawn again, because the headlight needs no maps.
     const Milliseconds first = drawn.image.time;
     drawn.image = backend_->drawImage(drawing(frame, frame.options));
     drawn.image.time.count += first.count;

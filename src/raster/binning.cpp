@@ -6,10 +6,10 @@
 namespace gnomon::raster {
 namespace {
 
-/// A tile with more than this fraction (1/32) of the total cost is split.
+/// A tile that has more than 1/32 of the total cost of the pass is split.
 constexpr std::uint64_t kMaxTilesWorth = 32;
 
-/// Returns the tiles that a box intersects, in units of tiles.
+/// Returns the columns and rows of tiles that `box` intersects.
 PixelBox touchedTiles(const PixelBox& box, const PixelBox& viewport, int side) {
     return {
         (box.x0 - viewport.x0) / side,
@@ -69,7 +69,7 @@ TileBin quarterOf(std::span<const BinItem> items, const TileBin& tile, const Pix
     return quarter;
 }
 
-/// Returns the quarters of `box`. At the viewport border, some can be empty.
+/// Returns the four quarters of `box`. For a narrow box, some quarters can be empty.
 std::array<PixelBox, 4> quarters(const PixelBox& box) {
     const int middleX = box.x0 + (box.width() + 1) / 2;
     const int middleY = box.y0 + (box.height() + 1) / 2;
@@ -99,7 +99,7 @@ bool hasMinSide(const PixelBox& box, int side) {
     return std::min(box.width(), box.height()) >= side;
 }
 
-/// Removes unwanted tiles, and splits tiles with an unwanted quarter.
+/// Removes tiles without a wanted pixel, and splits tiles with a quarter that has no wanted pixel.
 void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bins& bins) {
     const auto isUnwanted = [&](const PixelBox& box) { return !box.empty() && !isWanted(box); };
     for (std::size_t t = 0; t < bins.tiles.size();) {
@@ -117,7 +117,7 @@ void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bin
     }
 }
 
-/// Splits tiles with more than their fraction of the cost, and sorts the most expensive tiles first.
+/// Splits tiles that have more than 1/32 of the total cost, and sorts the tiles by decreasing cost.
 void shareOut(std::span<const BinItem> items, int minSide, Bins& bins) {
     std::uint64_t total = 0;
     for (const TileBin& tile : bins.tiles)
@@ -156,7 +156,7 @@ void binWanted(
     fillTiles(items, viewport, side, bins);
     if (isWanted) dropUnwanted(items, isWanted, bins);
     shareOut(items, minSide, bins);
-    // The splitting can create unwanted tiles that are smaller than the tiles of dropUnwanted.
+    // The last splitting can create tiles without a wanted pixel, smaller than the tiles that dropUnwanted tests.
     if (isWanted) std::erase_if(bins.tiles, [&](const TileBin& tile) { return !isWanted(tile.box); });
 }
 

@@ -10,13 +10,13 @@ namespace gnomon::raster {
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b);
 
-/// The pixel box and the cost of a cluster.
+/// A cluster for the binning: its bounding box in pixels and its drawing cost.
 struct BinItem {
     PixelBox box;
-    std::uint32_t cost = 0; // triangles
+    std::uint32_t cost = 0; // number of triangles
 };
 
-/// A tile with its clusters, as a range of Bins::indices.
+/// A tile and its clusters. The clusters are a range of Bins::indices.
 struct TileBin {
     PixelBox box;
     std::uint32_t first = 0;
@@ -25,25 +25,27 @@ struct TileBin {
 };
 
 struct Bins {
-    std::vector<TileBin> tiles; // disjoint; together they cover the viewport or its wanted part; most expensive first
+    // disjoint tiles, most expensive first; together they cover the viewport, or all its wanted pixels
+    std::vector<TileBin> tiles;
     std::vector<std::uint32_t> indices;
 
-    /// Returns the items of `tile`, in input order.
+    /// Returns the indices of the items in `tile`, in input order.
     std::span<const std::uint32_t> of(const TileBin& tile) const {
         return std::span(indices).subspan(tile.first, tile.count);
     }
 };
 
-/// Assigns items to tiles. Tiles are squares of `side` pixels, cut at the viewport. A tile is split, down to
-/// `minSide`, while it holds more than 1/32 of the total cost. The result depends only on the arguments. The function
-/// overwrites `bins` and reuses its memory.
+/// Assigns items to tiles. Tiles are squares of `side` pixels, clipped to the viewport. A tile with more than 1/32 of
+/// the total cost is split into quarters, down to a side of `minSide`. The result depends only on the arguments. The
+/// function overwrites `bins` and reuses its memory.
 void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int minSide, Bins& bins);
 
-/// Min side of a tile that is split because a part of it is not wanted. Below this side, the cost of shared clusters is
-/// larger than the gain.
+/// Min side in pixels of a quarter that is split off because it has no wanted pixel. With smaller tiles, the cost of
+/// clusters that overlap several tiles would exceed the gain.
 constexpr int kMinUnwantedSide = 64;
 
-/// Assigns items to tiles and omits tiles without a wanted pixel. It splits tiles to find such parts.
+/// Assigns items to tiles like binItems, but omits tiles without a wanted pixel. It also splits tiles to find quarters
+/// without a wanted pixel.
 void binWanted(
     std::span<const BinItem> items,
     const PixelBox& viewport,

@@ -19,22 +19,23 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The eight corners of a box are processed in vectors with at most this number of lanes.
+/// Number of corners of a box, and thus the max number of SIMD lanes that process them.
 constexpr std::size_t kCorners = 8;
 using CornerTag = hn::CappedTag<float, kCorners>;
 using Corners = hn::Vec<CornerTag>;
 constexpr CornerTag kCornerTag;
 
-/// Relative error of a sum of terms: 5 x 2^-24 for the roundings of the vertices, and the same for the roundings here.
+/// Relative error of a sum of terms: 5 x 2^-24 for the rounding in the vertex stage, and the same for the rounding in
+/// this file.
 constexpr float kSumError = 0x1p-20F;
-/// Relative error of a quotient and of a pixel coordinate, from the roundings of the vertices and here.
+/// Relative error of a quotient and of a pixel coordinate, for the rounding in the vertex stage and in this file.
 constexpr float kQuotientError = 0x1p-20F;
 /// Absolute error from the underflow of products. It is far smaller than the smallest w (kMinW).
 constexpr float kUnderflow = 0x1p-130F;
 
-/// A clip-space coordinate over the corners of a box.
+/// A clip-space coordinate at the corners of a box, with its max error.
 struct ClipRow {
-    std::array<float, 3> low{}; // per axis, the product at the lower end of the box
+    std::array<float, 3> low{}; // per axis: matrix entry times the coordinate at the lower end of the box
     std::array<float, 3> high{};
     float constant;
     float error;
@@ -60,7 +61,7 @@ struct ClipRow {
     }
 };
 
-/// The range of a quotient by w, including all rounding errors.
+/// The range of a clip-space coordinate divided by w over the corners of a box, without rounding errors.
 struct QuotientRange {
     Corners lo, hi;
 
@@ -78,7 +79,7 @@ struct QuotientRange {
     }
 };
 
-/// The mapping from normalised device coordinates to pixels along an axis.
+/// The linear mapping from normalised device coordinates to pixels along an axis.
 struct AxisScale {
     float scale;
     float translate;
@@ -89,12 +90,13 @@ struct PixelRange {
     int end;
 };
 
-/// Returns the pixels along an axis whose centres lie in [least, most] (normalised device coordinates), extended by
-/// `error`.
+/// Returns the pixels along an axis whose centres are in [low, high], extended by `error` and by the rounding of the
+/// mapping to pixels. The arguments are in normalised device coordinates.
 PixelRange pixelsWithin(float low, float high, float error, const AxisScale& axis) {
     const auto [scale, translate] = axis;
     const float largest = std::max(std::abs(low), std::abs(high)) * scale + std::abs(translate) + 1;
-    constexpr float kSnapping = 1.0F / kSubpixels; // half a subpixel, and the rounding of the addition here
+    // half a subpixel for snapping, and the rounding of this function's addition
+    constexpr float kSnapping = 1.0F / kSubpixels;
     const float margin = error * scale + largest * kQuotientError + kSnapping;
     constexpr float kFar = 1 << 20; // pixels: larger than any viewport, and fits an int
     return {
@@ -102,7 +104,7 @@ PixelRange pixelsWithin(float low, float high, float error, const AxisScale& axi
         static_cast<int>(std::floor(std::min(high * scale + translate + margin - 0.5F, kFar))) + 1};
 }
 
-/// Returns one end of a box relative to the eye.
+/// Returns the corner `end` of a box, relative to the eye.
 std::array<float, 3> fromEye(const Projection& projection, const std::array<std::uint32_t, 3>& end) {
     std::array<float, 3> result{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -110,7 +112,7 @@ std::array<float, 3> fromEye(const Projection& projection, const std::array<std:
     return result;
 }
 
-/// The corners of a box in clip space, a vector of corners at a time.
+/// The corners of a box in clip space, with one corner per SIMD lane.
 class BoxImage {
 public:
     HWY_INLINE
@@ -179,7 +181,7 @@ private:
         return {first, end};
     }
 
-    /// Returns the error of a quotient in [least, most].
+    /// Returns the max error of a clip-space coordinate divided by w, if the quotient is in [low, high].
     float error(const ClipRow& row, float low, float high, float minW) const {
         const float largest = std::max(std::abs(low), std::abs(high));
         return ((row.error + largest * w_.error) / minW + largest * kQuotientError) * (1 + kQuotientError);

@@ -1,21 +1,21 @@
-// Bounds of the image of a grid box, in pixels and depth, for any rounding of its vertices.
+// Bounds of the pixels and depths that triangles in a grid box can cover, valid for any rounding of the vertices.
 #pragma once
 
 #include "raster/projection.h"
 
 namespace gnomon::raster {
 
-/// Bounds of all triangles whose corners lie in a box.
+/// Bounds of the pixels and depths of all triangles whose corners are in a box.
 struct BoxBound {
-    PixelBox box;         // all pixels that the triangles can cover, also outside the viewport
-    float nearest = 1;    // with reversed depth: upper bound of the depth of their pixels; 0 to 1
-    float min = 0;        // lower bound of that depth; 0 to 1
+    PixelBox box;         // all pixels that the triangles can cover, also pixels outside the viewport
+    float nearest = 1;    // upper bound of the pixel depths, in [0, 1]; with reversed depth, this is the nearest depth
+    float min = 0;        // lower bound of the pixel depths, in [0, 1]
     bool isWhole = false; // true: no vertex needs clipping; false: the other members are undefined
 };
 
-/// Returns the bounds of `box`. Vertices are snapped in float arithmetic, and the bounds include the rounding errors.
-/// Each clip-space coordinate is a sum of four terms with at most five roundings. Its error is at most 5 x 2^-24 of the
-/// sum of their magnitudes (Higham 2002, section 3.1).
+/// Returns the bounds of the triangles in `box`. The vertex stage uses float arithmetic, and the bounds include its
+/// rounding errors. Each clip-space coordinate is a sum of four terms with at most five roundings. Its error is at most
+/// 5 x 2^-24 of the sum of the terms' magnitudes (Higham 2002, section 3.1).
 BoxBound boxBound(const Projection& projection, const CellBox& box);
 
 } // namespace gnomon::raster

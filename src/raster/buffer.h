@@ -1,4 +1,4 @@
-// A buffer that each pass overwrites.
+// A memory buffer whose content each pass overwrites.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace gnomon::raster {
 
-/// A growing array. It neither preserves nor clears its content.
+/// An array that grows on demand. Growing neither preserves nor clears the content.
 template <class T>
 class Buffer {
 public:

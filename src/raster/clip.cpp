@@ -11,7 +11,7 @@ struct Corner {
     double y = 0;
     double z = 0;
     double w = 0;
-    bool isCut = false; // created by clipping
+    bool isCut = false; // true: clipping created this corner
 };
 
 struct Polygon {
@@ -19,8 +19,8 @@ struct Polygon {
     std::size_t count = 0;
 };
 
-/// Returns the distance to a plane. Points with distance >= 0 are inside. `plane` counts the four sides of the guard
-/// band, then near and far.
+/// Returns the signed distance of point `p` to a clipping plane. Points with distance >= 0 are inside. `plane` is 0 to
+/// 3 for the sides of the guard band, 4 for near and 5 for far.
 double distance(const Projection& projection, int plane, const Corner& p) {
     switch (plane) {
     case 0:
@@ -38,8 +38,8 @@ double distance(const Projection& projection, int plane, const Corner& p) {
     }
 }
 
-/// Returns the intersection of an edge with a plane. The computation always starts at the inside corner, so both
-/// triangles of an edge get the same point.
+/// Returns the intersection of an edge with a plane. The computation always starts at the inside corner. Both triangles
+/// of an edge therefore compute the same point.
 Corner cut(const Corner& inside, double insideDistance, const Corner& outside, double outsideDistance) {
     const double t = insideDistance / (insideDistance - outsideDistance);
     return {
@@ -65,7 +65,7 @@ Polygon cutByPlane(const Projection& projection, int plane, const Polygon& polyg
 }
 
 SnappedVertex snappedCut(const Projection& projection, const Corner& p) {
-    // Rounding can put a clipped corner slightly outside the guard band.
+    // Rounding can move a clipped corner slightly outside the guard band.
     constexpr double kLimit = 2.0 * kGuardPixels;
     const double x = p.x / p.w * projection.scaleX + projection.translateX - 0.5;
     const double y = p.y / p.w * projection.scaleY + projection.translateY - 0.5;
@@ -94,8 +94,8 @@ ClippedPolygon clipTriangle(const Projection& projection, const std::array<ClipP
     ClippedPolygon clipped;
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const Corner& p = polygon.corners[i];
-        // A point with w = 0 inside all planes is the centre of projection: the triangle is seen edge-on. A non-finite
-        // coordinate means overflow.
+        // A point with w = 0 that is inside all planes is the centre of projection: the triangle is seen edge-on.
+        // Non-finite coordinates come from overflow.
         if (!(p.w >= double{kMinW}) || !std::isfinite(p.x + p.y + p.z + p.w)) return {};
         clipped.corners[clipped.count++] = p.isCut ? snappedCut(projection, p)
                                                    : snapped(

@@ -2,7 +2,7 @@
 
 namespace gnomon::raster {
 
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): blocks are filled as far as the tile reaches
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the body fills the blocks of the tile
 template <class Depths>
 FarthestDepths<Depths>::FarthestDepths(const Pixel* pixels, int width, int height)
     : pixels_(pixels), width_(width), height_(height) {
@@ -18,9 +18,9 @@ bool FarthestDepths<Depths>::hides(const PixelBox& box, std::uint32_t nearest) {
     return true;
 }
 
-/// Returns true if all pixels of `box` in one block hide `nearest`. The block's stored farthest depth does not prove
-/// this. Most visible geometry fails at the first pixels, so the block's farthest depth is updated only if all pixels
-/// hide.
+/// Returns true if all pixels of `box` within one block hide a triangle of nearness `nearest`. The function is called
+/// if the stored farthest depth of the block does not hide the triangle. Visible triangles usually fail at the first
+/// pixels. The function therefore updates the block's farthest depth only if all pixels hide the triangle.
 template <class Depths>
 bool FarthestDepths<Depths>::hidesIn(
     std::size_t blockX, std::size_t blockY, const PixelBox& box, std::uint32_t nearest) {

@@ -1,5 +1,5 @@
-// Occlusion test of triangles against the pixels of a tile, before triangle setup, with one triangle per vector lane.
-// Included once per instruction set.
+// Occlusion test of triangles against the drawn pixels of a tile, before triangle setup, with one triangle per SIMD
+// lane. Included once per instruction set.
 #if defined(GNOMON_RASTER_HIDDEN_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_HIDDEN_LANES_INL_H
 #undef GNOMON_RASTER_HIDDEN_LANES_INL_H
@@ -20,13 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The pixels of the tile between the extremes of each lane's triangle, inclusive.
+/// The bounding box of each lane's triangle, in pixels of the tile, both ends included.
 struct PixelLanes {
     Ints x0, y0, x1, y1;
 };
 
-/// Returns an upper bound of the nearness of each lane's triangle. Pixel depths stay within the range of the corners
-/// and within [0, 1].
+/// Returns an upper bound of the nearness of each lane's triangle: the nearness of its nearest corner. The depths of a
+/// triangle's pixels are within the range of its corners and within [0, 1].
 HWY_INLINE Ints nearnessLanes(const SnappedCluster& cluster, Ints corners) {
     const auto depthAtCorner = [&](Ints index) HWY_ATTR { return hn::GatherIndex(kFloats, cluster.vertices.z, index); };
     const auto nearest = hn::Max(
@@ -35,8 +35,8 @@ HWY_INLINE Ints nearnessLanes(const SnappedCluster& cluster, Ints corners) {
     return hn::BitCast(kInts, withinUnit(nearest));
 }
 
-/// Returns the triangles of `asked` whose pixels all hold a nearer word. Each triangle covers at most `side` x `side`
-/// pixels.
+/// Returns the triangles of the mask `asked` that are hidden: each pixel in their bounding box is nearer. Each bounding
+/// box has at most `side` x `side` pixels.
 HWY_INLINE IntMask
 isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest, const VisibilityTile& target) {
     const auto zero = hn::Zero(kInts);
@@ -52,16 +52,16 @@ isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest
     return asked;
 }
 
-/// Returns the triangles of `asked` whose pixels all hold a nearer word, for triangles of any size. Tests one triangle
-/// after another with the farthest depths of blocks.
+/// Returns the triangles of the mask `asked` that are hidden: each pixel in their bounding box is nearer. The triangles
+/// can have any size. The function tests them one after another against the farthest depths of blocks.
 HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Ints nearest, VisibilityTile& target) {
     using Lanes = std::array<std::int32_t, kMaxLanes>;
-    Lanes x0;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
-    Lanes y0;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
-    Lanes x1;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
-    Lanes y1;     // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
-    Lanes near;   // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
-    Lanes hidden; // NOLINT(cppcoreguidelines-pro-type-member-init): stored as far as there are lanes
+    Lanes x0;     // NOLINT(cppcoreguidelines-pro-type-member-init): StoreU sets all used elements
+    Lanes y0;     // NOLINT(cppcoreguidelines-pro-type-member-init): StoreU sets all used elements
+    Lanes x1;     // NOLINT(cppcoreguidelines-pro-type-member-init): StoreU sets all used elements
+    Lanes y1;     // NOLINT(cppcoreguidelines-pro-type-member-init): StoreU sets all used elements
+    Lanes near;   // NOLINT(cppcoreguidelines-pro-type-member-init): StoreU sets all used elements
+    Lanes hidden; // NOLINT(cppcoreguidelines-pro-type-member-init): StoreU sets all used elements
     hn::StoreU(pixels.x0, kInts, x0.data());
     hn::StoreU(pixels.y0, kInts, y0.data());
     hn::StoreU(pixels.x1, kInts, x1.data());
@@ -75,8 +75,9 @@ HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Int
     return hn::MaskFromVec(hn::LoadU(kInts, hidden.data()));
 }
 
-/// Returns true if the occlusion test is worthwhile for a cluster. It probes at most sixteen vertices: one must be
-/// hidden at its pixel, or none is in the tile. Otherwise few triangles would be hidden.
+/// Returns true if the occlusion test is worth its cost for a cluster. The function probes at most sixteen vertices of
+/// the cluster. It returns true if one of them is hidden at its pixel, or if none of them is in the tile. In all other
+/// cases, few triangles would be hidden.
 template <bool isCompact>
 HWY_INLINE bool mayHideSome(const SnappedCluster& cluster, const PixelBox& tile, const VisibilityTile& target) {
     constexpr int kProbeBits = 4;
@@ -101,10 +102,10 @@ HWY_INLINE bool mayHideSome(const SnappedCluster& cluster, const PixelBox& tile,
     return !isAnyInTile;
 }
 
-/// The extent of each lane's triangle in pixels.
+/// The bounding box and the size class of each lane's triangle.
 struct ExtentLanes {
     PixelLanes within;
-    IntMask overlaps; // true: the extent contains a pixel centre of the tile
+    IntMask overlaps; // true: the bounding box contains a pixel centre of the tile
     IntMask isTiny;
     IntMask isSmall;
     IntMask isNarrow;
@@ -139,7 +140,7 @@ extentLanes(const PointLanes& a, const PointLanes& b, const PointLanes& c, const
     return result;
 }
 
-/// Returns the triangles that overlap the tile and that its pixels hide.
+/// Returns the triangles that overlap the tile and that are hidden by its pixels.
 HWY_INLINE IntMask
 isHidden(const SnappedCluster& cluster, Ints corners, const ExtentLanes& extent, VisibilityTile& target) {
     const auto nearest = nearnessLanes(cluster, corners);

@@ -1,4 +1,5 @@
-// A pass that draws clusters from front to back and skips clusters hidden by drawn triangles (occlusion culling).
+// A pass that draws clusters from front to back, and skips clusters that are hidden by drawn triangles (occlusion
+// culling).
 #pragma once
 
 #include "raster/binning.h"
@@ -17,15 +18,17 @@ namespace gnomon::raster {
 /// function overwrites `scratch`.
 void sortByUpperHalf(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scratch);
 
-/// The depth order: large depths are near in a visibility pass, small depths are near in a shadow map.
+/// The order of depths: in a visibility pass large depths are near (Reversed), in a shadow map small depths are near
+/// (Plain).
 enum class DepthOrder : std::uint8_t { Reversed, Plain };
 
-/// A front-to-back pass. One object draws one pass at a time and reuses its memory. Each tile tests only its own
-/// pixels, in its own order. The skipped clusters therefore depend only on the input.
+/// A front-to-back pass. An object draws one pass at a time and reuses its memory. Each tile is tested only against its
+/// own pixels and in its own order. The skipped clusters therefore depend only on the input.
 class OcclusionPass {
 public:
-    /// Sorts the clusters of a pass over `viewport`. Clusters whose boxes have no bounds are snapped into `snapped` at
-    /// once; other clusters are snapped when they are drawn. `input` and `snapped` must outlive the pass.
+    /// Sorts the clusters of a pass over `viewport` by distance. If the image of a cluster's box has no bounds, the
+    /// cluster is snapped into `snapped` at once. All other clusters are snapped when they are drawn. `input` and
+    /// `snapped` must outlive the pass.
     void prepare(
         std::span<const Cluster> input,
         std::span<const CellBox> boxes,
@@ -34,17 +37,18 @@ public:
         DepthOrder order,
         SnappedClusters& snapped);
 
-    /// Returns the items for binning, nearest first.
+    /// Returns the clusters for the binning, nearest first.
     std::span<const BinItem> items() const { return items_; }
 
-    /// Draws the items with `indices` (in order) into the empty `words` of a tile. Can run on any thread.
+    /// Draws the items with `indices`, in this order, into the empty visibility words `words` of a tile. Can run on any
+    /// thread.
     void drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words);
 
-    /// Draws the items with `indices` into the empty `depths` of a shadow map's tile. Returns the number of pixels that
-    /// the drawn triangles cover, summed over triangles.
+    /// Draws the items with `indices`, in this order, into the empty `depths` of a tile of a shadow map. Returns the
+    /// number of pixels that each drawn triangle covers, summed over triangles.
     std::uint64_t drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, float* depths);
 
-    /// Returns the counts of skipped clusters and triangles. Call it after all tiles are drawn.
+    /// Returns the numbers of skipped clusters and triangles. Call this function after all tiles are drawn.
     OcclusionCounts counts() const;
 
 private:
@@ -52,8 +56,8 @@ private:
 
     /// The cluster of an item and its nearest possible depth.
     struct Drawn {
-        std::uint32_t cluster = 0; // in SnappedClusters::all
-        std::uint32_t nearest = 0; // an upper bound of its nearness
+        std::uint32_t cluster = 0; // index in SnappedClusters::all
+        std::uint32_t nearest = 0; // upper bound of the nearness of the cluster
     };
 
     bool isBounded(std::size_t i) const { return i < input_.size() && bounds_[i].isWhole; }
@@ -71,13 +75,13 @@ private:
     Projection projection_;
     SnappedClusters* snapped_ = nullptr;
     DepthOrder order_ = DepthOrder::Reversed;
-    std::vector<BoxBound> bounds_; // by cluster of the pass
+    std::vector<BoxBound> bounds_; // one per cluster of the pass
     Buffer<std::atomic<Stage>> stageBuffer_;
     std::atomic<Stage>* stages_ = nullptr; // points to stageBuffer_
-    std::vector<std::uint64_t> keys_;      // upper half: distance behind the near plane; lower half: cluster
+    std::vector<std::uint64_t> keys_;      // sort keys; upper half: distance behind the near plane; lower half: cluster
     std::vector<std::uint64_t> scratch_;
     std::vector<BinItem> items_;
-    std::vector<Drawn> drawn_;                 // by item
+    std::vector<Drawn> drawn_;                 // one per item
     Buffer<std::atomic<std::uint64_t>> setUp_; // TriangleBits of each cluster in snapped_
     std::atomic<std::uint64_t>* setUpBits_ = nullptr;
 };

@@ -1,4 +1,4 @@
-// Software prefetch. Clusters are scattered in memory, so the hardware cannot predict the next one.
+// Software prefetch. The clusters of a pass are scattered in memory, so the hardware cannot predict the next cluster.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace gnomon::raster {
 
-/// Starts to load a range of bytes into the cache.
+/// Starts to load the range of `bytes` bytes at `memory` into the cache.
 inline void prefetch(const void* memory, std::size_t bytes) {
     constexpr std::size_t kLine = 64;
     const auto* first = static_cast<const std::byte*>(memory);

@@ -66,7 +66,7 @@ SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
 SnappedVertex snappedTo(double x, double y, float z) {
     SnappedVertex vertex{static_cast<std::int32_t>(std::lrint(x)), static_cast<std::int32_t>(std::lrint(y)), z, 0, 0};
     const auto rest = [](double whole, std::int32_t snapped) {
-        constexpr double kMaxRest = 32767; // a rest of half a subpixel would be 32768
+        constexpr double kMaxRest = 32767; // max remainder; a remainder of half a subpixel would be 32768
         return static_cast<std::int16_t>(std::lrint(std::min((whole - snapped) * (1 << kRestBits), kMaxRest)));
     };
     vertex.restX = rest(x, vertex.x);

@@ -1,4 +1,4 @@
-// Depth and visibility rasterisation of clusters on the CPU: input, targets and the Rasterizer.
+// Rasterisation of clusters to depth maps and visibility buffers on the CPU: the input, the targets and the Rasterizer.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -20,7 +20,7 @@ using Triangle = std::array<std::uint8_t, 3>;
 constexpr std::uint32_t kMaxClusterVertices = 256;
 constexpr std::uint32_t kMaxClusterTriangles = 256;
 
-/// A cluster to draw. It refers to arrays of the caller.
+/// A cluster to draw. It points to arrays of the caller.
 struct Cluster {
     const std::uint32_t* positions = nullptr; // grid coordinates x, y, z of the first vertex
     std::uint32_t positionStride = 12;        // bytes from one vertex to the next, a multiple of 4
@@ -29,27 +29,28 @@ struct Cluster {
     std::uint32_t firstTriangleId = 0; // triangle i has the id firstTriangleId + i
 };
 
-/// A closed box of grid positions.
+/// A box of grid positions, both ends included.
 struct CellBox {
     std::array<std::uint32_t, 3> min{};
     std::array<std::uint32_t, 3> max{};
 };
 
-/// The skipped geometry of a front-to-back pass.
+/// The geometry that a front-to-back pass skipped.
 struct OcclusionCounts {
-    std::uint64_t clustersHidden = 0;  // boxes that touch the viewport; their vertices were not read
+    // clusters whose box overlaps the viewport, but is hidden; their vertices were not read
+    std::uint64_t clustersHidden = 0;
     std::uint64_t trianglesHidden = 0; // triangles of the hidden clusters
-    std::uint64_t trianglesSetUp = 0;  // visibility passes only: triangles with computed edge functions
+    std::uint64_t trianglesSetUp = 0;  // only in visibility passes: triangles whose edge functions were computed
     bool operator==(const OcclusionCounts&) const = default;
 };
 
-/// The cost of a front-to-back depth pass.
+/// The cost of a front-to-back depth pass, in counts.
 struct NearestDepths {
     std::uint64_t fragments = 0;
     OcclusionCounts hidden;
 };
 
-/// A half-open rectangle of whole pixels.
+/// A rectangle of pixels, without its upper ends x1 and y1.
 struct PixelBox {
     int x0 = 0;
     int y0 = 0;
@@ -65,17 +66,18 @@ struct PixelBox {
     bool operator==(const PixelBox&) const = default;
 };
 
-/// The projection of a pass from the grid to the target. Clip space is that of OpenGL with depth 0 to w: x and y from
-/// -w to w, depth z / w.
+/// The projection of a pass from grid positions to the pixels of the target. Clip space is as in OpenGL with depth 0 to
+/// w: x and y are in [-w, w], and the depth is z / w.
 struct View {
-    glm::ivec3 eyeCell{0};     // subtracted from each position first; differences must fit an int32
-    glm::mat4 clipFromCell{1}; // applied to the difference
+    glm::ivec3 eyeCell{0};     // subtracted from each position; differences must fit an int32
+    glm::mat4 clipFromCell{1}; // matrix from these differences to clip space
     PixelBox viewport;         // pixels of the target; the first row is the lowest, pixel centres are at half-integers
-    /// y / w of the sample rows, strictly increasing; empty: even rows across the viewport.
+    /// y / w of the rows of a logarithmic map, strictly increasing. If empty, the rows are evenly spaced over the
+    /// viewport.
     std::span<const float> rowPositions{};
 };
 
-/// Returns true if a pixel of a box of the target is wanted.
+/// Returns true if the caller wants at least one pixel of a box of the target.
 using BoxFilter = std::function<bool(const PixelBox&)>;
 
 /// The target of a depth pass, for example a shadow map: one float per pixel.
@@ -83,21 +85,22 @@ struct DepthTarget {
     float* depths = nullptr; // row by row
     int width = 0;
     int height = 0;
-    BoxFilter isWanted{}; // tiles without a wanted pixel are not changed; empty: all are wanted
+    BoxFilter isWanted{}; // tiles without a wanted pixel are not drawn; empty: all pixels are wanted
 };
 
-/// The target of a visibility pass: one word per pixel for the nearest triangle, or 0. The target may hold only some
-/// rows of the image; other rows are not drawn.
+/// The target of a visibility pass: one word per pixel for its nearest triangle, or 0. The target can contain only some
+/// of the image's rows. Other rows are not drawn.
 struct VisibilityTarget {
     std::uint64_t* words = nullptr; // row by row
     int width = 0;
     int height = 0;       // number of rows in the target
-    BoxFilter isWanted{}; // the same as in DepthTarget
-    int firstRow = 0;     // index in the image of the target's first row
+    BoxFilter isWanted{}; // as in DepthTarget
+    int firstRow = 0;     // the image row that is the first row of the target
 };
 
-/// Returns the word of a visibility buffer: depth in the upper half, complement of the triangle id in the lower half.
-/// The largest word is the nearest triangle. With equal depths, the smaller id wins.
+/// Returns the word of a visibility buffer. Its upper half is the depth, and its lower half is the complement of the
+/// triangle id. The largest word belongs to the nearest triangle. If depths are equal, the smaller id has the larger
+/// word.
 constexpr std::uint64_t visibilityWord(float depth, std::uint32_t triangleId) {
     return (std::uint64_t{std::bit_cast<std::uint32_t>(depth)} << 32U) | static_cast<std::uint32_t>(~triangleId);
 }
@@ -115,11 +118,11 @@ constexpr int kMaxTargetSide = 16384;
 
 using TileVisitor = std::function<void(const PixelBox&)>;
 
-/// Draws passes and reuses its memory from pass to pass. It draws both sides of each triangle. Positions are snapped to
-/// 1/256 pixel, and edge tests are exact. A pixel centre on an edge belongs to exactly one side (left and lowest edges
-/// are inside). A closed mesh therefore has no holes, and no pixel is covered twice. The result does not depend on the
-/// number of threads, the instruction set or the order of clusters. Passes run in the caller's TBB arena, one at a
-/// time.
+/// Draws passes, and reuses its memory from pass to pass. Both sides of each triangle are drawn. Positions are snapped
+/// to 1/256 pixel, and edge tests are exact. If a pixel centre is on an edge, it belongs to exactly one of the edge's
+/// triangles (top-left rule with left and lowest edges inside). A closed mesh therefore has no holes, and no pixel is
+/// covered twice. The result does not depend on the number of threads, the instruction set or the order of clusters.
+/// Passes run in the caller's TBB arena, one at a time.
 class Rasterizer {
 public:
     Rasterizer();
@@ -129,32 +132,35 @@ public:
     Rasterizer(Rasterizer&&) noexcept;
     Rasterizer& operator=(Rasterizer&&) noexcept;
 
-    /// Draws the smallest depth of each pixel of the viewport, or 1 without a triangle. Depth is not clipped but
-    /// clamped to [0, 1] per pixel (GL_DEPTH_CLAMP). Casters before and behind the range therefore still cast shadows.
-    /// Pixels outside the viewport are not changed. Returns the number of fragments: the covered pixels of the
-    /// viewport, summed over triangles. With uneven rows, y is snapped to at most 1/256 of the surrounding gaps between
-    /// rows (1/16 below 2^-27 of the largest y).
+    /// Draws a depth pass: the smallest depth of each pixel of the viewport, or 1 if no triangle covers the pixel.
+    /// Depth is not clipped but clamped to [0, 1] per pixel (GL_DEPTH_CLAMP). Casters before and behind the depth range
+    /// therefore still cast shadows. Pixels outside the viewport do not change. Returns the number of fragments: the
+    /// covered pixels of the viewport, summed over triangles.
+    ///
+    /// In a logarithmic map, y is snapped to at most 1/256 of the gaps between the surrounding rows. For gaps below
+    /// 2^-27 of the largest y, this is 1/16.
     std::uint64_t drawDepth(std::span<const Cluster> clusters, const View& view, const DepthTarget& target);
 
-    /// Draws the same depths as `drawDepth`, to the last bit, but skips hidden clusters. It draws each tile from front
-    /// to back; drawVisible describes `boxes` and the counts. Clusters whose boxes leave depths 0 to 1 are always
-    /// drawn. Counts the fragments of drawn triangles only.
+    /// Draws the same depths as `drawDepth`, bit-identical, but skips hidden clusters. It draws each tile from front to
+    /// back. drawVisible describes `boxes` and the counts. A cluster whose box extends beyond depths 0 to 1 is always
+    /// drawn. Fragments are counted only for drawn triangles.
     NearestDepths drawNearestDepth(
         std::span<const Cluster> clusters, std::span<const CellBox> boxes, const View& view, const DepthTarget& target);
 
-    /// Draws the nearest triangle of each pixel of the viewport. Depth is reversed (1 at the near plane, 0 at the far
-    /// end) and clipped at 0 and 1. Pixels outside the viewport are not changed. Calls `onTile` for each part of the
-    /// viewport when its words are complete. The call comes from the drawing thread while other threads still draw.
+    /// Draws a visibility pass: the nearest triangle of each pixel of the viewport. Depth is reversed (1 at the near
+    /// plane, 0 at the far end) and clipped at 0 and 1. Pixels outside the viewport do not change. When all words of a
+    /// part of the viewport are complete, the thread that drew the part calls `onTile`. Other threads may still draw at
+    /// this time.
     void drawVisibility(
         std::span<const Cluster> clusters,
         const View& view,
         const VisibilityTarget& target,
         const TileVisitor& onTile = {});
 
-    /// Draws the same words as `drawVisibility`, to the last bit, but skips hidden geometry. It draws each tile from
-    /// front to back. It tests `boxes`, which contain the positions of their clusters, against the farthest drawn
+    /// Draws the same words as `drawVisibility`, bit-identical, but skips hidden geometry. It draws each tile from
+    /// front to back. `boxes` contains the box of each cluster. The pass tests these boxes against the farthest drawn
     /// depths (Greene, Kass, Miller 1993). In clusters that are not hidden, it tests each triangle against the pixels
-    /// between its extremes. The skipped geometry does not depend on the number of threads or the instruction set.
+    /// in its bounding box. The skipped geometry does not depend on the number of threads or the instruction set.
     OcclusionCounts drawVisible(
         std::span<const Cluster> clusters,
         std::span<const CellBox> boxes,

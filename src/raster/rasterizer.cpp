@@ -26,17 +26,18 @@ void checkViewport(const PixelBox& viewport, int width, int height) {
     GNOMON_CHECK_OP(viewport.y1, <=, height);
 }
 
-/// Returns the part of `viewport` that `target` contains.
+/// Returns the part of `viewport` whose rows are in `target`.
 PixelBox heldPart(const PixelBox& viewport, const VisibilityTarget& target) {
     const PixelBox held = intersection(viewport, {0, target.firstRow, viewport.x1, target.firstRow + target.height});
     checkViewport(held, target.width, target.firstRow + target.height);
     return held;
 }
 
-/// Min side of a tile. In smaller tiles, clusters that overlap several tiles would dominate the cost.
+/// Min side of a tile in pixels. With smaller tiles, most of the cost would come from clusters that overlap several
+/// tiles.
 constexpr int kMinTileSide = 32;
 
-/// The properties of a depth target. VisibilityKind has those of a visibility target.
+/// The types and constants of a depth target. VisibilityKind has the same members for a visibility target.
 struct DepthKind {
     using Pixel = float;
     static constexpr float kEmpty = 1.0F;
@@ -48,15 +49,15 @@ struct DepthKind {
 struct VisibilityKind {
     using Pixel = std::uint64_t;
     static constexpr std::uint64_t kEmpty = 0;
-    static constexpr int kSide = kTileSide / 2; // words are twice as large as floats
+    static constexpr int kSide = kTileSide / 2; // half of the side, because words are twice as large as floats
 
     static std::uint64_t draw(const TileWork& work, std::uint64_t* tile) {
         drawVisibilityTile(work, tile);
-        return 0; // not counted
+        return 0; // fragments are not counted
     }
 };
 
-/// The rows in a target's memory.
+/// The memory of a target, with the layout of its rows.
 template <class Kind>
 struct TargetRows {
     typename Kind::Pixel* pixels = nullptr;
@@ -78,18 +79,18 @@ struct TileMemory {
 struct Rasterizer::Memory {
     SnappedClusters clusters;
     OcclusionPass occlusion;
-    RowBands rows; // the rows of this pass, if their spacing is uneven
+    RowBands rows; // rows of the current pass, if it draws a logarithmic map
     std::vector<BinItem> items;
     Bins bins;
     tbb::enumerable_thread_specific<TileMemory> tiles;
     std::atomic<std::uint64_t> fragments = 0; // of the last pass
-    BoxFilter isWanted;                       // of this pass; empty: all pixels are wanted
+    BoxFilter isWanted;                       // filter of the current pass; empty: all pixels are wanted
 
     void snapClusters(std::span<const Cluster> input, const Projection& projection);
     void binClusters(const PixelBox& viewport, int side);
 
-    /// Draws all tiles. `drawTile` receives a bin and the empty pixels of its tile, and returns the number of drawn
-    /// fragments.
+    /// Draws all tiles of a pass. `drawTile` draws a tile: it receives the bin of the tile and its empty pixels, and
+    /// returns the number of drawn fragments.
     template <class Kind, class DrawTile>
     void drawTiles(const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile);
 
@@ -105,7 +106,7 @@ struct Rasterizer::Memory {
     void drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target);
 };
 
-/// Step 1: snaps each vertex once.
+/// First step of a pass: snaps the vertices of each cluster once.
 void Rasterizer::Memory::snapClusters(std::span<const Cluster> input, const Projection& projection) {
     clusters.reset(input);
     constexpr std::size_t kGrain = 64;
@@ -126,7 +127,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
     binWanted(items, viewport, isWanted, side, kMinTileSide, bins);
 }
 
-/// Last step: draws each tile in thread-local memory, then copies it to the target once.
+/// Last step of a pass: draws each tile in thread-local memory, and then copies it to the target.
 template <class Kind, class DrawTile>
 void Rasterizer::Memory::drawTiles(
     const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile) {
@@ -168,7 +169,7 @@ void Rasterizer::Memory::draw(
     });
 }
 
-/// Returns the projection of a depth pass. Stores the rows of the view if their spacing is uneven.
+/// Returns the projection parameters of a depth pass. Also stores the rows of `view` if it is a logarithmic map.
 Projection Rasterizer::Memory::depthProjection(const View& view) {
     if (view.rowPositions.empty()) return projection(view, false);
     GNOMON_CHECK_OP(view.rowPositions.size(), ==, static_cast<std::size_t>(view.viewport.height()));
@@ -176,7 +177,7 @@ Projection Rasterizer::Memory::depthProjection(const View& view) {
     return projection(view, false, &rows);
 }
 
-/// Draws the depth pass of `drawDepth` for rows with uneven spacing.
+/// Draws the depth pass of `drawDepth` for a logarithmic map.
 void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target) {
     const Projection projection = depthProjection(view);
     snapClusters(input, projection);
@@ -236,7 +237,7 @@ OcclusionCounts Rasterizer::drawVisible(
     memory.drawTiles<VisibilityKind>(
         {target.words, target.width, target.firstRow}, {}, [&memory](const TileBin& tile, std::uint64_t* words) {
             memory.occlusion.drawTile(tile.box, memory.bins.of(tile), words);
-            return std::uint64_t{0}; // not counted
+            return std::uint64_t{0}; // fragments are not counted
         });
     return memory.occlusion.counts();
 }

@@ -20,7 +20,7 @@ constexpr std::array<Triangle, CutCluster::kMaxTriangles> unsharedTriangles() {
 
 constexpr std::array<Triangle, CutCluster::kMaxTriangles> kUnsharedTriangles = unsharedTriangles();
 
-/// Returns the half-open range of rows that a corner can touch.
+/// Returns the range of rows that a triangle corner can touch, without its upper end.
 std::array<int, 2> rowsOf(const RowBands* rows, const SnappedVertex& corner) {
     if (rows == nullptr) return {(corner.y + kSubpixels - 1) >> kSubpixelBits, (corner.y >> kSubpixelBits) + 1};
     const auto position = std::bit_cast<float>(corner.y);
@@ -60,7 +60,7 @@ CutCluster& SnappedClusters::Cuts::next() {
     return cluster;
 }
 
-/// Clips the triangles of a cluster that need clipping, and copies the others.
+/// Clips the triangles of a cluster, and appends the results to `cuts`. Triangles that need no clipping are copied.
 void SnappedClusters::cutTriangles(const Projection& projection, const Cluster& cluster, Cuts& cuts) {
     std::array<ClipPosition, kMaxClusterVertices> positions;
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)

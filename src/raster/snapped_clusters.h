@@ -1,4 +1,4 @@
-// The vertex stage of a pass: snaps all clusters to the target and clips the triangles that need it.
+// The vertex stage of a pass: snaps the vertices of all clusters to subpixels, and clips triangles where necessary.
 #pragma once
 
 #include "raster/buffer.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::raster {
 
-/// The triangles of a cluster with clipped triangles. Each triangle has three vertices of its own.
+/// A cluster of clipped triangles. The triangles share no vertices.
 struct CutCluster {
     static constexpr std::size_t kMaxTriangles = kMaxClusterVertices / 3;
     std::array<std::int32_t, kMaxClusterVertices> x{};
@@ -24,25 +24,25 @@ struct CutCluster {
     PixelBox box{kMaxTargetSide, kMaxTargetSide, 0, 0};
 };
 
-/// The snapped clusters of one pass at a time. The object reuses its memory.
+/// The snapped clusters of one pass. The object reuses its memory from pass to pass.
 class SnappedClusters {
 public:
-    /// Reserves memory for the clusters of a pass. Each cluster counts as outside until it is snapped.
+    /// Reserves memory for the clusters of a pass. Until a cluster is snapped, it counts as outside the viewport.
     void reset(std::span<const Cluster> input);
 
-    /// Snaps cluster `i` of `input`, the clusters given to `reset`. Can run on any thread, at most once per cluster.
-    /// Clipped triangles are stored until `addCuts`.
+    /// Snaps the vertices of cluster `i`. `input` must be the same clusters as for `reset`. Can run on any thread, at
+    /// most once per cluster. Clipped triangles are stored separately until `addCuts`.
     ClusterPlace snap(std::span<const Cluster> input, std::size_t i, const Projection& projection);
 
-    /// Appends the clipped triangles behind the clusters of the pass, in no particular order.
+    /// Appends the clipped triangles to the clusters of the pass, in undefined order.
     void addCuts();
 
-    /// Returns the clusters of the pass, followed by the clipped triangles. Outside clusters and clipped clusters are
-    /// empty.
+    /// Returns the clusters of the pass, followed by the clusters of clipped triangles. Clusters of the pass that are
+    /// outside, or whose triangles were clipped, are empty.
     std::span<const SnappedCluster> all() const { return clusters_; }
 
 private:
-    /// Clipped clusters from one thread. Their addresses stay valid.
+    /// The clipped triangles from one thread. Adding clusters does not move the existing clusters in memory.
     struct Cuts {
         std::deque<CutCluster> clusters;
         std::size_t count = 0;
@@ -58,7 +58,7 @@ private:
     Buffer<std::uint32_t> rests_;
     SnappedArrays arrays_;
     std::vector<std::size_t> firstVertices_;
-    std::vector<SnappedCluster> clusters_; // one per cluster of the pass, followed by clipped triangles
+    std::vector<SnappedCluster> clusters_; // clusters of the pass, followed by clusters of clipped triangles
     tbb::enumerable_thread_specific<Cuts> cuts_;
 };
 

@@ -19,8 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Packed triangles of one size class: corner indices in three bytes, the triangle's index in the upper byte.
-struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
+/// The triangles of one size class, packed into words: three bytes for the corner indices, and the upper byte for the
+/// triangle's index.
+struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): elements are set when `count` grows
     std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMaxLanes> packed;
     std::uint32_t count = 0;
 
@@ -31,19 +32,19 @@ struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to 
 
     HWY_INLINE Ints at(std::uint32_t i) const { return hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + i)); }
 
-    /// Fills the last vector with triangles without area.
+    /// Fills the last SIMD vector with triangles without area.
     HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMaxLanes, 0U); }
 };
 
 struct SortedCluster {
-    Sorted tiny;   // at most 2 x 2 pixel centres between the extremes
-    Sorted small;  // at most 4 x 4
-    Sorted narrow; // less than kNarrowExtent
+    Sorted tiny;   // bounding box of at most 2 x 2 pixel centres
+    Sorted small;  // bounding box of at most 4 x 4 pixel centres
+    Sorted narrow; // bounding box smaller than kNarrowExtent
     Sorted wide;
 
     HWY_INLINE void clear() { tiny.count = small.count = narrow.count = wide.count = 0; }
 
-    /// Pads the classes that are set up in vectors.
+    /// Pads the size classes whose triangles are set up with SIMD.
     HWY_INLINE void pad() {
         tiny.pad();
         small.pad();
@@ -58,7 +59,7 @@ HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangl
     const std::size_t count = triangles.size();
     std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
-    // Four triangles have twelve bytes, but the load reads sixteen. It must end inside the array.
+    // Four triangles have twelve bytes, but the load reads sixteen bytes, which must be inside the array.
     constexpr hn::FixedTag<std::uint8_t, 16> kBytes;
     constexpr hn::FixedTag<std::uint32_t, 4> kFour;
     constexpr std::uint8_t kZero = 0x80;

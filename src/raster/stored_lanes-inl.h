@@ -1,5 +1,5 @@
-// A vector of set-up triangles, stored in memory. They are drawn one after another, a vector of pixels at a time.
-// Included once per instruction set.
+// Triangles after triangle setup, stored from SIMD lanes to memory. They are drawn one after another, with one pixel
+// per SIMD lane. Included once per instruction set.
 #if defined(GNOMON_RASTER_STORED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_STORED_LANES_INL_H
 #undef GNOMON_RASTER_STORED_LANES_INL_H
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A vector of set-up triangles in memory.
+/// The results of triangle setup for one triangle per SIMD lane, in memory.
 struct StoredLanes {
     template <class T>
     using Lanes = std::array<T, kMaxLanes>;
@@ -25,7 +25,7 @@ struct StoredLanes {
     alignas(64) std::array<Lanes<std::int32_t>, 3> perX;
     alignas(64) std::array<Lanes<std::int32_t>, 3> perY;
     alignas(64) std::array<Lanes<float>, 7> depth;      // the members of DepthLanes
-    alignas(64) std::array<Lanes<std::int32_t>, 4> box; // first x, first y, last x, last y
+    alignas(64) std::array<Lanes<std::int32_t>, 4> box; // range of pixels in the tile: first x, first y, last x, last y
     alignas(64) Lanes<std::int32_t> hasArea;
     alignas(64) Lanes<std::uint32_t> ids;
 
@@ -58,7 +58,8 @@ HWY_INLINE Ints along(std::int32_t first, std::int32_t perX) {
     return hn::Add(hn::Set(kInts, first), hn::Mul(hn::Iota(kInts, 0), hn::Set(kInts, perX)));
 }
 
-/// Counts the pixels `inside` of a vector that begins at column `x`. Pixels in the margin of the tile do not count.
+/// Adds the number of pixels in the mask `inside` to the count of the target. The pixels of the SIMD vector begin at
+/// column `x`. If `reachesOver`, pixels in the margin of the tile are not counted.
 template <class Target>
 HWY_INLINE void countInside(
     const StoredLanes& s, std::uint32_t lane, IntMask inside, std::int32_t x, bool reachesOver, Target& target) {
@@ -68,8 +69,8 @@ HWY_INLINE void countInside(
     }
 }
 
-/// Draws the triangle of one lane, a vector of pixels at a time. `reachesOver` is true if the vectors may reach into
-/// the margin of the tile.
+/// Draws the triangle of lane `lane`, with one pixel per SIMD lane. `reachesOver` is true if the vectors of pixels may
+/// extend into the margin of the tile.
 template <class Target>
 HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, bool reachesOver, Target& target) {
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(kInts));

@@ -30,8 +30,8 @@ HWY_INLINE TriangleBits bitsOf(const SortedCluster& sorted) {
     return bits;
 }
 
-/// Sorts the triangles of a cluster by size. Skips triangles that cover no pixel centre of the tile. If the target has
-/// occlusion tests enabled, also skips triangles hidden by the target's pixels.
+/// Sorts the triangles of a cluster into size classes. Skips triangles that cover no pixel centre of the tile. If the
+/// target has occlusion tests enabled, also skips triangles that are hidden by the target's pixels.
 template <bool isCompact, class Target>
 HWY_INLINE void sortTriangles(
     const SnappedCluster& cluster, const PixelBox& tile, Target& target, SortedCluster& sorted) {
@@ -66,18 +66,19 @@ HWY_INLINE void sortTriangles(
     if constexpr (Target::kHasIds) target.setUp = bitsOf(sorted);
 }
 
-/// Returns true if a cluster extends over the right or upper edge of the tile, into the margin of its memory.
+/// Returns true if a cluster extends beyond the right or upper edge of the tile. Its pixels may then be in the margin
+/// of the tile's memory.
 HWY_INLINE bool reachesOverEdge(const SnappedCluster& cluster, const PixelBox& tile) {
     return cluster.box.x1 > tile.x1 || cluster.box.y1 > tile.y1;
 }
 
-/// Returns the lanes whose pixel (x, y), counted from the first pixel of the lane's triangle, is outside the tile.
+/// Returns the lanes whose pixel is outside the tile. x and y are counted from the first pixel of the lane's triangle.
 HWY_INLINE IntMask isOutside(const TriangleLanes& t, int x, int y) {
     return hn::Or(
         hn::Gt(hn::Add(t.firstX, hn::Set(kInts, x)), t.lastX), hn::Gt(hn::Add(t.firstY, hn::Set(kInts, y)), t.lastY));
 }
 
-/// Removes pixels in the margin of the tile's memory from the count.
+/// Subtracts the covered pixels in the margin of the tile's memory from the count of the target.
 template <class Target>
 HWY_INLINE void discountOutside(
     const TriangleLanes& t, IntMask inside, int x, int y, bool reachesOver, Target& target) {
@@ -85,12 +86,12 @@ HWY_INLINE void discountOutside(
         if (reachesOver) target.discount(hn::CountTrue(kInts, hn::And(inside, isOutside(t, x, y))));
 }
 
-/// Tests `side` x `side` pixel centres of each lane's triangle.
+/// Draws triangles of at most `side` x `side` pixel centres, with one triangle per SIMD lane.
 template <bool isCompact, int side, class Target>
 HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));
     const bool reachesOver = reachesOverEdge(cluster, tile);
-    Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
+    Hits hits; // NOLINT(cppcoreguidelines-pro-type-member-init): elements are set when `count` grows
     for (std::uint32_t first = 0; first < sorted.count; first += lanes) {
         const auto corners = sorted.at(first);
         TriangleLanes t = triangleLanes<isCompact>(cluster, corners, tile);
@@ -118,7 +119,8 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
     }
 }
 
-/// Draws triangles one after another, a vector of pixels at a time. Triangle setup runs for a vector of triangles.
+/// Draws narrow triangles one after another, with one pixel per SIMD lane. The setup before has one triangle per SIMD
+/// lane.
 template <bool isCompact, class Target>
 HWY_INLINE void drawNarrow(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));

@@ -23,8 +23,8 @@ using WordTag = hn::ScalableTag<std::uint64_t>;
 using WordTag = hn::Repartition<std::uint64_t, UintTag>;
 #endif
 
-/// The covered pixels of a vector of triangles: address in the tile, depth, and triangle id.
-struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to its count
+/// The covered pixels of the triangles in a SIMD vector: address in the tile, depth, and triangle id.
+struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): elements are set when `count` grows
     static constexpr std::size_t kMaxEntries =
         std::size_t{17} * kMaxLanes; // 4 x 4 pixels per lane, and one more vector
     std::array<std::int32_t, kMaxEntries> addresses;
@@ -44,7 +44,7 @@ struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to it
 /// A tile of a depth map. Each pixel stores the smallest depth.
 struct DepthTile {
     static constexpr bool kHasIds = false;
-    static constexpr bool kCounts = true; // true: counts the covered pixels in the tile, per triangle
+    static constexpr bool kCounts = true; // true: the number of covered pixels is counted
     float* depths = nullptr;
     std::uint64_t covered = 0;
 
@@ -71,10 +71,11 @@ struct VisibilityTile {
     static constexpr bool kHasIds = true;
     static constexpr bool kCounts = false;
     std::uint64_t* words = nullptr;
-    FarthestDepths<WordDepths>* farthest = nullptr; // of the words; not null if triangles are tested against them
+    FarthestDepths<WordDepths>* farthest = nullptr; // farthest depths of `words`; null without occlusion tests
     TriangleBits setUp{};                           // triangles of the last drawn cluster that passed setup
 
-    /// Returns the nearness at each lane's pixel. The bits of a non-negative float have the same order as its value.
+    /// Returns the nearness of the pixel at each lane's address. The bits of a non-negative float have the same order
+    /// as its value.
     HWY_INLINE Ints nearness(Ints address) const {
         constexpr int kUpperHalf = std::endian::native == std::endian::little ? 1 : 0;
         const auto* halves = reinterpret_cast<const std::int32_t*>(words);
@@ -89,12 +90,12 @@ struct VisibilityTile {
     }
 
     HWY_INLINE void takeRow(int address, IntMask inside, Floats depth, std::uint32_t id) const {
-        // The word 0 is smaller than each other word, so it changes nothing at pixels outside.
+        // The word 0 is smaller than every other word, so it changes nothing at pixels outside the triangle.
         const auto mask = hn::RebindMask(kUints, inside);
         const auto high = hn::IfThenElseZero(mask, hn::BitCast(kUints, depth));
         const auto low = hn::IfThenElseZero(mask, hn::Set(kUints, ~id));
         constexpr WordTag kWords;
-#if HWY_TARGET == HWY_SCALAR // one lane has no halves
+#if HWY_TARGET == HWY_SCALAR // a vector with one lane cannot be split into halves
         takeWords(address, hn::PromoteTo(kWords, high), hn::PromoteTo(kWords, low));
 #else
         const hn::Half<UintTag> half;

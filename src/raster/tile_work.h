@@ -1,4 +1,4 @@
-// A tile of a map or an image: its size, its memory layout, and its clusters.
+// The input for drawing one tile of a map or an image: its size, its memory layout and its clusters.
 #pragma once
 
 #include "raster/vertex_kernel.h"
@@ -11,28 +11,29 @@ namespace gnomon::raster {
 /// Max side of a tile, in pixels.
 constexpr int kTileSide = 256;
 
-/// Elements per row of a tile's memory. Vectors can write beyond the right and upper edge of the tile, into this
-/// margin.
+/// Elements per row of a tile's memory. The tile has a margin at its right and upper edge, because SIMD stores can
+/// extend beyond the tile.
 constexpr int kTileStride = kTileSide + 16;
 constexpr int kTileRows = kTileSide + 4;
 constexpr std::size_t kTilePixels = std::size_t{kTileStride} * kTileRows;
 
-/// A cluster with snapped vertices that needs no clipping.
+/// A cluster whose vertices are snapped to subpixels. Its triangles need no clipping.
 struct SnappedCluster {
     SnappedArrays vertices;
-    bool isCompact = false; // true: vertices.x stores both coordinates, see `compacted`
+    bool isCompact = false; // true: vertices.x stores both coordinates of a vertex, see `compacted`
     std::span<const Triangle> triangles;
     std::uint32_t vertexCount = 0;
     std::uint32_t firstTriangleId = 0;
-    const std::uint32_t* triangleIds = nullptr; // if not null, replaces firstTriangleId + i
-    PixelBox box;                               // contains each pixel that the cluster can cover
-    float maxZ = 0;                             // max z of its vertices
+    // if not null, the triangle ids, which otherwise are firstTriangleId + i
+    const std::uint32_t* triangleIds = nullptr;
+    PixelBox box;   // all pixels that the cluster can cover
+    float maxZ = 0; // max z of its vertices
 };
 
 /// A set of triangles of a cluster, one bit per triangle.
 using TriangleBits = std::array<std::uint64_t, kMaxClusterTriangles / 64>;
 
-/// A tile and the clusters that touch it.
+/// A tile and the clusters that overlap it.
 struct TileWork {
     PixelBox box;
     std::span<const SnappedCluster> clusters; // all clusters of the pass

@@ -1,4 +1,4 @@
-// Edge functions and depth plane of one triangle per vector lane. Included once per instruction set.
+// Triangle setup with one triangle per SIMD lane: edge functions and depth planes. Included once per instruction set.
 #if defined(GNOMON_RASTER_TRIANGLE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_TRIANGLE_LANES_INL_H
 #undef GNOMON_RASTER_TRIANGLE_LANES_INL_H
@@ -49,11 +49,11 @@ HWY_INLINE Ints triangleIds(const SnappedCluster& cluster, Ints packed) {
     return hn::Add(place, hn::Set(kInts, static_cast<std::int32_t>(cluster.firstTriangleId)));
 }
 
-/// Edge functions at a pixel centre: twice the signed area of the triangle of edge and pixel, in squared subpixels. The
-/// value is reduced by one if the edge is neither a left edge nor the lowest edge. A pixel is inside if no edge
-/// function is negative.
+/// The edge functions of a triangle at a pixel centre. An edge function is twice the signed area of the triangle
+/// between edge and pixel centre, in squared subpixels. The value is reduced by one if the edge is neither a left edge
+/// nor the lowest edge. A pixel is inside the triangle if no edge function is negative.
 struct Edges {
-    Ints e0, e1, e2; // e0 is opposite to corner 0, and so on
+    Ints e0, e1, e2; // e0 belongs to the edge opposite corner 0, and so on
 };
 
 HWY_INLINE void step(Edges& edges, const Edges& by) {
@@ -66,15 +66,17 @@ HWY_INLINE IntMask isInside(const Edges& e) {
     return hn::Gt(hn::Or(hn::Or(e.e0, e.e1), e.e2), hn::Set(kInts, -1));
 }
 
-/// The depth plane through the corners before snapping. The depth of a covered pixel is clamped to the range of the
-/// corners and to [0, 1]. The reference is the pixel of corner 0; it depends only on the triangle.
+/// The depth plane through the unsnapped corners of a triangle. The depth of a covered pixel is clamped to the depth
+/// range of the corners and to [0, 1]. The reference point is the pixel of corner 0, so it depends only on the
+/// triangle.
 struct DepthLanes {
-    Floats atReference, perX, perY; // per pixel
+    Floats atReference, perX, perY; // depth at the reference point, and its change per pixel
     Floats min, max;
-    Floats fromX, fromY; // from the reference to the first pixel
+    Floats fromX, fromY; // pixels from the reference point to the first pixel
 };
 
-/// Returns the depth at the start of a row `fromY` pixels above the reference. `depthAt` adds the change along the row.
+/// Returns the depth at the reference column, in the row `fromY` pixels above the reference point. `depthAt` adds the
+/// change along the row.
 HWY_INLINE Floats depthOfRow(const DepthLanes& d, Floats fromY) {
     return hn::Add(d.atReference, hn::Mul(d.perY, fromY));
 }
@@ -84,11 +86,11 @@ HWY_INLINE Floats depthAt(const DepthLanes& d, Floats rowDepth, Floats fromX) {
 }
 
 struct TriangleLanes {
-    Edges edges; // at the first pixel
+    Edges edges; // edge functions at the first pixel
     Edges perX;
     Edges perY;
     DepthLanes depth;
-    Ints firstX, firstY; // first and last pixel between the extremes, in the tile
+    Ints firstX, firstY; // first pixel of the bounding box in the tile; lastX and lastY: last pixel
     Ints lastX, lastY;
     IntMask hasArea;
 };
@@ -97,7 +99,8 @@ struct PointLanes {
     Ints x, y;
 };
 
-/// Sets the edge function from a to b at the pixel centre p, and its increments per column and row.
+/// Sets the edge function `e` of the edge from `a` to `b` at the pixel centre `p`, and its increments per column and
+/// row.
 HWY_INLINE void setEdge(
     const PointLanes& a, const PointLanes& b, const PointLanes& p, Ints& e, Ints& perX, Ints& perY) {
     const auto dx = hn::Sub(b.x, a.x);
@@ -110,7 +113,7 @@ HWY_INLINE void setEdge(
     perY = hn::ShiftLeft<kSubpixelBits>(dx);
 }
 
-/// The rests of the corners: unsnapped minus snapped position, in 1/256 pixel.
+/// The snapping remainders of corners: unsnapped minus snapped position, in 1/256 pixel.
 struct RestLanes {
     Floats x, y;
 };
@@ -126,7 +129,7 @@ HWY_INLINE RestLanes restLanes(const SnappedCluster& cluster, Ints index) {
     return unpackedRests(hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(cluster.vertices.rests), index));
 }
 
-/// An edge from corner 0, without rests where `isTrue` is false.
+/// An edge from corner 0 to another corner. In lanes where `isTrue` is false, the remainders are removed.
 struct SideLanes {
     Floats snappedX, snappedY;
     Floats restX, restY;
@@ -151,7 +154,7 @@ HWY_INLINE Floats withinUnit(Floats z) {
     return hn::Min(hn::Max(z, hn::Zero(kFloats)), hn::Set(kFloats, 1.0F));
 }
 
-/// Loads corners of a cluster's triangles, relative to the centre of the tile's lower left pixel.
+/// Loads the corners of a cluster's triangles. Positions are relative to the centre of the tile's lower left pixel.
 template <bool isCompact>
 class CornerSource {
 public:
@@ -180,7 +183,8 @@ private:
     Ints originY_;
 };
 
-/// Returns twice the area of each lane's triangle. It swaps corners 1 and 2 of clockwise triangles.
+/// Returns twice the area of each lane's triangle. Swaps corners 1 and 2 of clockwise triangles, so that the area is
+/// positive.
 HWY_INLINE Ints turnedArea(const PointLanes& a, PointLanes& b, PointLanes& c, Ints& i1, Ints& i2) {
     const auto area =
         hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
@@ -218,7 +222,7 @@ HWY_INLINE void setDepth(
     const auto change = hn::Add(
         hn::Sub(hn::Mul(side1.snappedX, side2.restY), hn::Mul(side2.snappedX, side1.restY)),
         hn::Sub(hn::Mul(side1.restX, side2.y()), hn::Mul(side2.restX, side1.y())));
-    // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
+    // If snapping created most of the area of a thin triangle, its unsnapped corners give no reliable depth plane.
     const auto isTrue = hn::Gt(hn::Add(area, change), hn::Mul(area, hn::Set(kFloats, kMinTrueArea)));
     side1.keepRestWhere(isTrue);
     side2.keepRestWhere(isTrue);
@@ -247,8 +251,8 @@ HWY_INLINE void setDepth(
     depth.fromY = hn::ConvertTo(kFloats, hn::Sub(t.firstY, referenceY));
 }
 
-/// Sets up a narrow triangle in each lane, with counter-clockwise corners. Edge functions fit an int32 at each pixel
-/// between the extremes and one vector beyond.
+/// Sets up one narrow triangle per SIMD lane, with counter-clockwise corners. The edge functions fit an int32 at each
+/// pixel of the bounding box and one vector beyond it.
 template <bool isCompact>
 HWY_INLINE TriangleLanes triangleLanes(const SnappedCluster& cluster, Ints packed, const PixelBox& tile) {
     const CornerSource<isCompact> cornerAt(cluster, tile);

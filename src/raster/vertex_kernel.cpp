@@ -31,7 +31,8 @@ struct Cells {
     Ints x, y, z;
 };
 
-/// Lanes beyond the last vertex repeat it.
+/// Gathers the positions of vertices, one per lane, from `first` on. Lanes beyond the last vertex receive the last
+/// vertex.
 HWY_INLINE Cells gatheredCells(const Cluster& cluster, std::uint32_t first) {
     const auto last = hn::Set(kInts, static_cast<std::int32_t>(cluster.vertexCount) - 1);
     const auto index = hn::Min(hn::Iota(kInts, static_cast<std::int32_t>(first)), last);
@@ -51,7 +52,7 @@ HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
 
 #else
 
-/// Loads four words of each vertex first, first + 4, ..., one vertex per block of four lanes.
+/// Loads four words of each of the vertices first, first + 4, ..., with one vertex per block of four lanes.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const Cluster& cluster, std::uint32_t first) {
     if constexpr (hn::MaxLanes(tag) == 4) {
@@ -65,8 +66,9 @@ HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const Cluster& cluster, std::uint32
     }
 }
 
-/// Loads whole vertices and transposes them in blocks of four, because gathers take several times as long. Vertices of
-/// twelve bytes need gathers: a fourth word could be behind the end of the array.
+/// Returns the positions of vertices from `first` on, one per lane. The function loads whole vertices and transposes
+/// them in blocks of four, because gathers take several times as long. Vertices of twelve bytes need gathers, because a
+/// load of four words could read beyond the end of the array.
 HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
     if (cluster.positionStride < 4 * sizeof(std::uint32_t)) return gatheredCells(cluster, first);
     constexpr hn::Repartition<std::int64_t, IntTag> kPairs;
@@ -152,7 +154,7 @@ HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
     return hn::Add(hn::Min(hn::Max(hn::Mul(z, inverseW), hn::Neg(limit)), limit), hn::Zero(kFloats));
 }
 
-/// The stored y of uneven rows, and its min and max over the vertices so far.
+/// The stored y of vertices in a logarithmic map, and the min and max over the vertices so far.
 struct UnevenAxis {
     Floats lowest, highest;
 
@@ -171,8 +173,8 @@ struct UnevenAxis {
     HWY_INLINE float max() const { return hn::GetLane(hn::MaxOfLanes(kFloats, highest)); }
 };
 
-/// Joins x (in place) and y to words if the box is small enough; otherwise stores y. Returns true for a joined
-/// (compact) cluster.
+/// If `box` is small enough, packs x and y of each vertex into the words of snapped.x, and returns true (compact
+/// cluster). Otherwise stores y separately, and returns false.
 HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
     const bool isCompact = std::max(box.width(), box.height()) <= kMaxCompactPixels;
     const auto originX = hn::Set(kInts, (box.x0 - 1) * kSubpixels);
@@ -222,7 +224,7 @@ VertexStage snapVerticesInLanes(const Projection& projection, const Cluster& clu
         maxY = hn::Max(maxY, y);
     }
     VertexStage stage;
-    std::int32_t outsideAny = 0; // planes that each vertex is outside of
+    std::int32_t outsideAny = 0; // bits of all planes that some vertex is outside of
     for (const std::int32_t bit : {1, 2, 4, 8, 16, 32})
         if (hn::AllTrue(kInts, hn::TestBit(allOutside, hn::Set(kInts, bit)))) outsideAny |= bit;
     if (outsideAny != 0) return stage;

@@ -7,8 +7,8 @@
 namespace gnomon::raster {
 namespace {
 
-/// Returns the exact floor of a / b for b > 0: an estimate that is off by at most one, and its correction. Integer
-/// divisions took a third of the time of a picture with large triangles.
+/// Returns the exact floor of a / b for b > 0. The function corrects a floating-point estimate, which is wrong by at
+/// most one. It avoids integer divisions, which took a third of the time of an image with large triangles.
 std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b, double inverseOfB) {
     const auto estimate = static_cast<std::int64_t>(static_cast<double>(a) * inverseOfB);
     const std::int64_t rest = a - estimate * b;
@@ -16,8 +16,8 @@ std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b, double inverseOfB) 
     return rest >= b ? estimate + 1 : estimate;
 }
 
-/// Returns the edge function dx (Y - from.y) - dy (X - from.x). A pixel is inside if the value is >= 0, or > 0 for an
-/// edge that is neither a left edge nor the lowest edge.
+/// Returns the edge function dx (Y - from.y) - dy (X - from.x) of the edge from `from` to `to`. A pixel is inside if
+/// the value is >= 0, or > 0 for an edge that is neither a left edge nor the lowest edge.
 WideEdge wideEdge(const SnappedVertex& from, const SnappedVertex& to) {
     const std::int64_t dx = to.x - from.x;
     const std::int64_t dy = to.y - from.y;
@@ -66,7 +66,7 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
     const Side side1(a, b);
     const Side side2(a, c);
     const double unsnapped = side1.x * side2.y - side2.x * side1.y;
-    // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
+    // If snapping created most of the area of a thin triangle, its unsnapped corners give no reliable depth plane.
     if (!(unsnapped > kMinTrueArea * static_cast<double>(area))) return wideTriangle(withoutRests(corners));
     const double dz1 = double{b.z} - a.z;
     const double dz2 = double{c.z} - a.z;
@@ -115,9 +115,10 @@ WideRows::WideRows(const WideTriangle& triangle, const PixelBox& tile)
     depthPerY_ = triangle.depthPerY;
 }
 
-/// Reduces the range of rows to rows with a pixel inside the edge. The range becomes empty if the tile is outside.
+/// Reduces the range of rows to the rows that have a pixel inside the edge. If no row of the tile has such a pixel, the
+/// range becomes empty.
 void WideRows::limitRows(const WideEdge& edge) {
-    const auto best = [&](int y) { // largest value in the row
+    const auto best = [&](int y) { // max value of the edge function in the row
         return edge.atZero + edge.perRow * y + edge.perPixel * (edge.perPixel > 0 ? x1_ - 1 : x0_);
     };
     if (edge.perRow == 0) {

@@ -1,4 +1,5 @@
-// Triangles with an extent of 64 pixels or more: the covered pixels of a row, in 64-bit integers, and the depth plane.
+// Triangles with a bounding box of 64 pixels or more: the covered pixels of a row, computed with 64-bit integers, and
+// the depth plane.
 #pragma once
 
 #include "raster/projection.h"
@@ -9,7 +10,8 @@
 
 namespace gnomon::raster {
 
-/// Max extent of a narrow triangle, in subpixels, exclusive. Narrow triangles have edge functions that fit an int32.
+/// Size limit of a narrow triangle's bounding box, in subpixels, exclusive. The edge functions of narrow triangles fit
+/// an int32.
 constexpr std::int32_t kNarrowExtent = 64 * kSubpixels;
 
 /// An edge function. Pixel (x, y) is inside if atZero + perRow * y + perPixel * x >= 0.
@@ -24,18 +26,18 @@ struct WideEdge {
 struct WideTriangle {
     std::array<SnappedVertex, 3> corners;
     std::array<WideEdge, 3> edges;
-    PixelBox box;         // pixel centres between the extremes of the corners
-    double depthPerX = 0; // per pixel
+    PixelBox box;         // pixel centres in the bounding box of the corners
+    double depthPerX = 0; // change of depth per pixel
     double depthPerY = 0;
     float minDepth = 0; // smallest depth of the corners, clamped to [0, 1]
     float maxDepth = 0;
 };
 
-/// The quotient floor(value / divisor), updated from row to row without a division. The value grows by a constant per
-/// row. The quotient tells where a row crosses an edge.
+/// The quotient floor(value / divisor), which tells in which column a row crosses an edge. `value` grows by a constant
+/// per row. The quotient is updated from row to row without a division.
 struct QuotientWalk {
     std::int64_t quotient = 0;
-    std::int64_t rest = 0; // in [0, divisor - 1]
+    std::int64_t rest = 0; // remainder, in [0, divisor - 1]
     std::int64_t quotientPerRow = 0;
     std::int64_t restPerRow = 0;
     std::int64_t divisor = 1;
@@ -49,8 +51,8 @@ struct QuotientWalk {
     }
 };
 
-/// The covered pixels of a row, x0 to x1 - 1. The depth is depthAtReference + depthPerX * (x - referenceX), clamped to
-/// the range of the corners.
+/// The covered pixels of a row: columns x0 to x1 - 1. The depth is depthAtReference + depthPerX * (x - referenceX),
+/// clamped to the depth range of the corners.
 struct WideRow {
     int y = 0;
     int x0 = 0;
@@ -103,12 +105,12 @@ private:
     std::size_t rightCount_ = 0;
     int referenceX_ = 0;
     float depthPerX_ = 0;
-    double depthAtReference_ = 0; // depth at the reference column and at row depthRow_
+    double depthAtReference_ = 0; // depth at the reference column in row depthRow_
     double depthRow_ = 0;
     double depthPerY_ = 0;
 };
 
-/// Returns the set-up triangle of `corners`, in either order. Twice its area must not be 0.
+/// Returns the triangle after triangle setup. `corners` can have either order. Twice the triangle's area must not be 0.
 WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners);
 
 /// Returns twice the signed area in squared subpixels. Counter-clockwise triangles (y up) have a positive area.

@@ -1,5 +1,5 @@
-// The vertices of a cluster for one band of rows: snapped, with their positions among the rows. Included once per
-// instruction set.
+// The vertices of a cluster, snapped for one band of rows of a logarithmic map, and their positions among the rows.
+// Included once per instruction set.
 #if defined(GNOMON_RASTER_BAND_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_BAND_VERTICES_INL_H
 #undef GNOMON_RASTER_BAND_VERTICES_INL_H
@@ -19,9 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Max distance from a band, in units; larger distances are clamped to it. Only triangles that are too large for 32-bit
-/// edges reach so far, and the kernel then needs only their extremes.
-constexpr float kFarUnits = 0x1p29F; // so that differences fit an int
+/// Max distance of a vertex from a band, in units of the band. Larger distances are clamped to it. Only triangles whose
+/// edge functions need more than 32 bits extend so far, and for these the kernel needs only the bounding box.
+constexpr float kFarUnits = 0x1p29F; // differences of clamped values fit an int32
 
 HWY_INLINE IntMask isLessOrEqual(Ints a, Ints b) {
     return hn::Lt(a, hn::Add(b, hn::Set(kInts, 1)));
@@ -34,7 +34,7 @@ struct BandLanes {
 
     HWY_INLINE Ints row(Ints index) const { return hn::GatherIndex(kInts, band->rows.data(), index); }
 
-    /// Returns the first row at or above `units`, counted from the first row of the band.
+    /// Returns the first row at or above the height `units`, counted from the first row of the band.
     HWY_INLINE Ints firstRow(Ints units) const {
         const auto last = hn::Set(kInts, static_cast<std::int32_t>(band->rowsFromBucket.size()) - 1);
         const auto bucket = hn::Min(hn::ShiftRightSame(hn::Max(units, hn::Zero(kInts)), band->bucketBits), last);
@@ -43,8 +43,10 @@ struct BandLanes {
     }
 };
 
-/// The position of a vertex among the samples of a tile, in one word: x clamped to one tile width beside the tile, the
-/// first row at or above the vertex, and a bit for a row at exactly the vertex's height.
+/// The position of a vertex among the samples of a tile, packed into one word:
+/// - x, clamped to one tile width beside the tile,
+/// - the first row at or above the vertex,
+/// - a bit that is set if a row has exactly the height of the vertex.
 struct VertexPlace {
     static constexpr int kColumnBits = 18;
     static constexpr int kRowBits = 9;
@@ -73,9 +75,10 @@ struct VertexPlace {
     }
 };
 
-/// The vertices of a cluster, snapped for one band: y in units of the band, the packed rests as for even rows, and the
-/// positions (VertexPlace). About six triangle corners share a vertex, and each corner reads it twice.
-struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled up to the cluster's count
+/// The vertices of a cluster, snapped for one band: y in units of the band, the packed remainders (as for evenly spaced
+/// rows), and the positions (VertexPlace). They are computed once per vertex, because about six triangle corners share
+/// a vertex, and each corner reads it twice.
+struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled for the vertices of the cluster
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
     alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> places;
@@ -123,8 +126,8 @@ private:
     }
 };
 
-/// Loads corners of a cluster's triangles from `vertices`: x relative to the tile's first column, y in units of the
-/// band.
+/// Loads the corners of a cluster's triangles from `vertices`. x is relative to the tile's first column, and y is in
+/// units of the band.
 class UnevenSource {
 public:
     HWY_INLINE UnevenSource(const BandVertices& vertices, const BandLanes& rows)

@@ -34,7 +34,7 @@ UnevenTriangle::UnevenTriangle(std::array<UnevenVertex, 3> corners) : corners_(c
     const double x1 = b.x - a.x + (b.restX - a.restX);
     const double x2 = c.x - a.x + (c.restX - a.restX);
     const double unsnapped = x1 * (c.unsnappedY - a.unsnappedY) - x2 * (b.unsnappedY - a.unsnappedY);
-    // If snapping created most of the sliver's area, the unsnapped corners give no reliable plane.
+    // If snapping created most of the area of a thin triangle, its unsnapped corners give no reliable depth plane.
     setPlane(unsnapped > kMinTrueArea * static_cast<double>(area()));
 }
 

@@ -1,5 +1,5 @@
-// A triangle of any size on rows with uneven spacing: the covered samples of a row, in 64-bit integers, and the depth
-// plane.
+// A triangle of any size in a logarithmic map: the covered samples of a row, computed with 64-bit integers, and the
+// depth plane.
 #pragma once
 
 #include "raster/uneven/row_bands.h"
@@ -10,22 +10,22 @@
 
 namespace gnomon::raster {
 
-/// A vertex snapped for one band.
+/// A vertex snapped to the units of one band of rows.
 struct UnevenVertex {
     std::int32_t x = 0; // 1/256 pixel
     std::int64_t y = 0; // units of the band
-    double restX = 0;   // unsnapped minus snapped x
+    double restX = 0;   // remainder: unsnapped minus snapped x, in 1/256 pixel
     double unsnappedY = 0;
     float z = 0;
 };
 
-/// Returns `vertex` in units of `band`. The y of `vertex` stores the bits of y / w.
+/// Returns `vertex` snapped to the units of `band`. The y of `vertex` stores the bits of y / w.
 UnevenVertex unevenVertex(const RowBand& band, const SnappedVertex& vertex);
 
-/// The largest power of two up to which flooredSamples is exact. All samples of a target are below it.
+/// The largest power of two up to which flooredSamples is exact. All sample indices of a target are smaller.
 constexpr double kFarSamples = 0x1p30;
 
-/// A triangle with counter-clockwise corners (y up). The constructor accepts corners in either order.
+/// A triangle with counter-clockwise corners (y up). The constructor accepts the corners in either order.
 class UnevenTriangle {
 public:
     explicit UnevenTriangle(std::array<UnevenVertex, 3> corners);
@@ -36,7 +36,7 @@ public:
     bool mayTouch(const RowBand& band, const PixelBox& box) const;
 
     /// Returns the covered samples of row `y` of the target, in columns x0 to x1 - 1. The row must belong to `band`.
-    /// Depth has the form that WideRow describes.
+    /// WideRow describes the depths of the samples.
     WideRow row(const RowBand& band, int y, int x0, int x1) const;
 
     int referenceX() const { return corners_[0].x >> kSubpixelBits; }
@@ -48,7 +48,7 @@ public:
     float maxDepth() const { return maxDepth_; }
 
 private:
-    /// An edge function. A sample is inside if dx Y - dy X + atOrigin >= 0.
+    /// An edge function. A sample (X, Y) is inside if dx Y - dy X + atOrigin >= 0.
     struct Edge {
         std::int64_t dx = 0;
         std::int64_t dy = 0;
@@ -62,16 +62,16 @@ private:
     std::array<UnevenVertex, 3> corners_;
     std::array<Edge, 3> edges_;
     bool hasArea_ = false;
-    double depthPerX_ = 0; // per pixel
-    double depthPerY_ = 0; // per unit of the band
-    double startX_ = 0;    // position of corner 0 for the depth plane, in 1/256 pixel and in units
+    double depthPerX_ = 0; // change of depth per pixel
+    double depthPerY_ = 0; // change of depth per unit of the band
+    double startX_ = 0;    // corner 0, where the depth plane starts: x in 1/256 pixel, y in units of the band
     double startY_ = 0;
     float minDepth_ = 0; // smallest depth of the corners, clamped to [0, 1]
     float maxDepth_ = 0;
 };
 
-/// Returns the floor of a / b for b > 0, with `inverse` = 1 / b. Quotients beyond kFarSamples are clamped to it. The
-/// estimate is off by at most one and is then corrected.
+/// Returns the floor of a / b for b > 0, with `inverse` = 1 / b. Quotients beyond kFarSamples are clamped to
+/// kFarSamples. The function corrects a floating-point estimate, which is wrong by at most one.
 inline std::int64_t flooredSamples(std::int64_t a, std::int64_t b, double inverse) {
     const double quotient = static_cast<double>(a) * inverse;
     if (std::abs(quotient) >= kFarSamples) return static_cast<std::int64_t>(std::copysign(kFarSamples, quotient));
@@ -85,7 +85,7 @@ inline WideRow UnevenTriangle::row(const RowBand& band, int y, int x0, int x1) c
     std::int64_t first = x0;
     std::int64_t end = x1;
     for (const Edge& edge : edges_) {
-        // Per column X, the edge function decreases by 256 dy.
+        // The edge function decreases by 256 dy per column.
         const std::int64_t at = edge.dx * units + edge.atOrigin;
         if (edge.perPixel > 0)
             first = std::max(first, -flooredSamples(at, edge.perPixel, edge.inverse));

@@ -9,7 +9,7 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// A point projected along the light.
+/// A point projected along the light, in the x and z axes of light space.
 struct Seen {
     double x = 0;
     double z = 0;
@@ -56,15 +56,16 @@ std::vector<Seen> seenAlong(const LightFrame& frame, std::span<const glm::dvec3>
     return seen;
 }
 
-/// One side of the sweep: the half-plane normalX x + normalZ z + offset >= 0 in light space.
+/// One side of the sweep of a region towards the light: the half-plane normalX x + normalZ z + offset >= 0 in light
+/// space.
 struct SweepSide {
     double normalX = 0;
     double normalZ = 0;
     double offset = 0;
 };
 
-/// Returns the side through the hull edge a-b, moved outwards until it contains all vertices. Rounding errors in the
-/// hull therefore do not cut off vertices.
+/// Returns the side through the hull edge from `a` to `b`, moved outwards until it contains all points of `all`.
+/// Rounding errors in the hull therefore cut off no point.
 SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
     const double length = std::hypot(b.x - a.x, b.z - a.z);
     SweepSide side{-(b.z - a.z) / length, (b.x - a.x) / length, 0};
@@ -75,7 +76,8 @@ SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
     return side;
 }
 
-/// The convex hull of points projected along the light, and the sides of its sweep.
+/// The convex hull of points projected along the light, and the sides of the volume that the hull sweeps towards the
+/// light.
 struct Sweep {
     std::vector<Seen> outline;
     std::vector<SweepSide> sides;
@@ -83,7 +85,9 @@ struct Sweep {
 
 Sweep sweepOf(std::span<const glm::dvec3> points, const LightFrame& frame) {
     const std::vector<Seen> seen = seenAlong(frame, points);
-    double size = 0; // extent of the projected points: a near square can be far smaller than its depth range
+    // extent of the projected points; it scales tolerances, because a near square can be far smaller than its depth
+    // range
+    double size = 0;
     for (const Seen& point : seen)
         size = std::max(size, std::hypot(point.x - seen.front().x, point.z - seen.front().z));
     Sweep sweep{convexOutline(seen), {}};
@@ -102,8 +106,8 @@ Plane planeOf(const SweepSide& side, const LightFrame& frame) {
     return {normal / length, side.offset / length};
 }
 
-/// Returns the corners of `outline`, each moved by `growS` and `growT` in the map. Returns nothing if a corner moves
-/// across the vanishing line. The moved outline lies in the hull of these corners (see lightPlanePoint).
+/// Returns the corners of `outline`, each moved by `growS` and `growT` in map coordinates. Returns nothing if a corner
+/// moves across the vanishing line. The convex hull of the result contains the moved outline (see lightPlanePoint).
 std::optional<std::vector<Seen>> grown(
     std::span<const Seen> outline, const WarpedMap& map, double growS, double growT) {
     std::vector<Seen> corners;
@@ -125,8 +129,8 @@ std::optional<std::vector<Seen>> grown(
 
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
     ConvexVolume volume;
-    // Planes that face away from the light bound the sweep from below. Planes that face the light are swept away. The
-    // sides of the hull replace all other planes.
+    // Planes that face away from the light bound the sweep from below, so they stay. Planes that face the light do not
+    // bound it. The sides of the hull replace all other planes.
     for (const Plane& plane : region.volume.planes)
         if (glm::dot(plane.normal, frame.y) > 1e-12) volume.planes.push_back(plane);
     for (const SweepSide& side : sweepOf(positionsOf(region), frame).sides)
@@ -136,8 +140,8 @@ ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
 
 namespace {
 
-/// Returns the plane with `normal` that contains all of `points` on its inner side and touches one of them. Offsets are
-/// computed relative to `origin`.
+/// Returns the plane with normal `normal` that has all of `points` on its inner side and touches one of them. Distances
+/// are computed relative to `origin`, for precision.
 Plane touchingPlane(std::span<const glm::dvec3> points, const glm::dvec3& normal, const glm::dvec3& origin) {
     double minDistance = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points)
@@ -145,7 +149,8 @@ Plane touchingPlane(std::span<const glm::dvec3> points, const glm::dvec3& normal
     return {normal, -minDistance - glm::dot(normal, origin)};
 }
 
-/// Adds the plane through three of `points` to `volume`, once per orientation that has all points on its inner side.
+/// Adds the plane through the three points with indices `three` to `volume`, in each orientation that has all points on
+/// its inner side.
 void addFace(
     std::span<const glm::dvec3> points, const std::array<std::size_t, 3>& three, double size, ConvexVolume& volume) {
     const glm::dvec3& a = points[three[0]];

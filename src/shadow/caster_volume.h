@@ -7,20 +7,20 @@
 
 namespace gnomon::shadow {
 
-/// Returns the exact sweep of `region` towards the light. A point inside can throw a shadow into the region, and a
-/// point outside cannot. Each plane touches a vertex of the region, so no smaller volume is correct.
+/// Returns the exact sweep of `region` towards the light. A point inside this volume can throw a shadow into the
+/// region, and a point outside cannot. Each plane touches a vertex of the region, so no smaller volume is correct.
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame);
 
-/// Returns the convex hull of `corners` and the point light `light`, all in one space. It contains each caster between
-/// the light and the hull of the corners. The result can be larger than the hull where corners almost coincide, but
-/// never smaller.
+/// Returns the convex hull of `corners` and of the point light `light`, all in one space. It contains all casters
+/// between the light and the convex hull of `corners`. If some corners almost coincide, the result can be larger than
+/// the hull, but never smaller.
 ConvexVolume pointCasterVolume(std::span<const glm::dvec3> corners, const glm::dvec3& light);
 
-/// Returns the volume of all casters that can change the result of a lookup for `receivers`. Receivers are all points
-/// in the convex hull of the given points (camera space). The volume is their sweep towards the light. Each side is
-/// moved outwards by `growS` and `growT` (fractions of the map). The far end of the map's depth range is the floor. A
-/// lookup therefore reads the same depths with and without culling. The function omits a side that would move across
-/// the vanishing line of the warp.
+/// Returns the volume of all casters that can change the result of a lookup in `map` for a receiver. A receiver is any
+/// point in the convex hull of `receivers` (camera space). The volume is the sweep of this hull towards the light. Each
+/// side is moved outwards by `growS` and `growT`, as fractions of the map, for the reach of the filter. The floor of
+/// the volume is the far end of the map's depth range. A lookup therefore reads the same depths with and without
+/// culling. If a side would move across the vanishing line of the warp, the function omits this side.
 ConvexVolume grownCasterVolume(std::span<const glm::dvec3> receivers, const WarpedMap& map, double growS, double growT);
 
 } // namespace gnomon::shadow

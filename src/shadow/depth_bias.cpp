@@ -10,10 +10,10 @@ double reachTexels(double filterTexels) {
 }
 
 double largestRawBias(const LightFit& fit, double kappa, const Resolution& texels, double filterTexels) {
-    // On the steepest plane, y = -(a x + b z) with a^2 + b^2 = (1 - c^2)/c^2. A step of one texel in s moves x by W w.
-    // A step in t moves zeta by d w^2/(1 + kappa d), and x by kappa u times that plus the lean of the frame. rawDepth
-    // is -y / w. Each factor is taken at its max over the region. Below the smallest cosine, the slope times cosine /
-    // kMinCosine is at most 1 / kMinCosine.
+    // The steepest receiver plane is y = -(a x + b z) with a^2 + b^2 = (1 - c^2)/c^2, where c is the cosine between
+    // normal and light. A step of one texel in s moves x by W w. A step in t moves zeta by d w^2/(1 + kappa d). It
+    // moves x by kappa u times this length plus the lean of the frame. rawDepth is -y / w. The code uses the max of
+    // each factor over the region. For c below kMinCosine, the slope times c / kMinCosine is at most 1 / kMinCosine.
     constexpr double kSteepest = 1 / kMinCosine;
     const WarpedExtent extent = warpedExtent(fit, kappa);
     const double u = std::max(std::abs(extent.min), std::abs(extent.max));
@@ -22,7 +22,7 @@ double largestRawBias(const LightFit& fit, double kappa, const Resolution& texel
     for (const FitPoint& point : fit.points())
         raw = std::max(raw, std::abs(point.y) / (1 + kappa * point.zeta));
     const double stepS = extent.width() / texels.s;
-    // With logarithmic rows, stepT is constant except for its growth over the reach of the filter.
+    // With logarithmic rows, stepT is constant. It only grows over the reach of the filter.
     const bool isEven = fit.rows == RowSpacing::Even || kappa == 0;
     const double steps = reachTexels(filterTexels) * std::log1p(kappa * fit.length) / texels.t;
     const double stepT =

@@ -1,5 +1,5 @@
-// The parameters of a shadow lookup, and the lookup's position and bias. Both backends use them. The version in double
-// serves for planning and validation, the version in float for drawing.
+// The parameters of a shadow map lookup, and the computation of its texel position and bias. Both backends use this
+// code. Planning and validation use double precision, and drawing uses single precision.
 #pragma once
 
 #include "shadow/depth_bias.h"
@@ -11,8 +11,8 @@
 
 namespace gnomon::shadow {
 
-/// The lookup parameters of one map, for positions in any space with world units. Shaders repeat texelAt and
-/// receiverBias.
+/// The parameters of lookups in one shadow map, for positions in any space with world units. The shaders repeat texelAt
+/// and receiverBias.
 template <typename Number>
 struct MapImage {
     using Vec2 = glm::vec<2, Number, glm::defaultp>;
@@ -20,43 +20,48 @@ struct MapImage {
     using Vec4 = glm::vec<4, Number, glm::defaultp>;
     using Mat4 = glm::mat<4, 4, Number, glm::defaultp>;
 
-    Vec3 origin{0}; // subtracted from each position first; 0 unless float precision requires it
-    /// The matrix from an offset to clip space, for casters and lookups; the viewport is the map's rectangle. x and y
-    /// in [-w, w] fill the rectangle with its borders. Depth times w is in [0, w], and the smallest depth is nearest to
-    /// the light. w may be 0 or negative behind the centre of the warp: clip homogeneously, and clamp the depth per
-    /// fragment. Clip space is centred on 0 and therefore has three times the float precision of a matrix to texels.
+    Vec3 origin{0}; // subtracted from each position; 0 unless float precision requires another origin
+    /// The matrix from an offset (position - origin) to clip space, for casters and lookups. The viewport is the map's
+    /// rectangle. x and y in [-w, w] fill the rectangle including its borders. Depth times w is in [0, w], and the
+    /// smallest depth is nearest to the light. w may be 0 or negative behind the centre of the warp, so casters need
+    /// homogeneous clipping. Their depth is clamped per fragment. Clip space is centred on 0, so the matrix has three
+    /// times the float precision of a matrix to texels.
     Mat4 clipFromOffset{1};
     Vec2 texelScale{1}; // (column, row) in the depth texture = clip.xy / clip.w * texelScale + texelOffset
     Vec2 texelOffset{0};
-    /// Factors for a receiver's plane (N, -N.(p - origin)), to be multiplied by a dot product. byColumn / byDepth is
-    /// the change of the plane's depth per column, and byRow / byDepth the change per row, both without sign.
+    /// Row vectors for the plane (N, -N.(p - origin)) of a receiver at p, to be multiplied by a dot product. byColumn /
+    /// byDepth is the change of the plane's depth per column, and byRow / byDepth the change per row, both without
+    /// sign.
     Vec4 byColumn{0};
     Vec4 byRow{0};
     Vec4 byDepth{0};
-    Number unevenX = 0; // change of depth that kUnevenSlope causes over a texel along x
-    Number unevenZ = 0; // the same along z at w = 1, to be multiplied by w; the two combine as a vector length
-    Number reach = 0;   // reachTexels
+    Number unevenX = 0; // change of depth over a texel along x for the slope kUnevenSlope
+    // the same along z at w = 1, to be multiplied by w; the two changes are combined as a vector length
+    Number unevenZ = 0;
+    Number reach = 0; // the result of reachTexels
     /// 1 if rows are logarithmic, else 0. With logarithmic rows, the row is ln(clip.w) * texelScale.y + texelOffset.y,
-    /// and clip.y is -1 everywhere. byRow is then valid at w = 1 and must be divided by w. unevenZ is constant.
+    /// and clip.y is always -1. byRow is then valid at w = 1 and must be divided by w, and unevenZ does not depend on
+    /// w.
     Number logRows = 0;
-    /// 1 for the map of a point light, else 0. For a point light, the change of depth by kUnevenSlope over a texel is
-    /// `unevenX` / w along x and `unevenZ` / w along z, where w is the distance along the axis.
+    /// 1 for the map of a point light, else 0. For a point light, the change of depth over a texel for the slope
+    /// kUnevenSlope is `unevenX` / w along x and `unevenZ` / w along z, where w is the distance along the axis of the
+    /// cube face.
     Number fromPoint = 0;
 };
 
 using DoubleMapImage = MapImage<double>;
 using FloatMapImage = MapImage<float>;
 
-/// The position of a lookup in the depth texture.
+/// The texel position and the depth of a lookup in the depth texture.
 template <typename Number>
 struct MapTexel {
     Number column = 0; // column in the depth texture; whole numbers are texel edges
     Number row = 0;
-    Number depth = 0; // before the bias; 0 is nearest to the light
+    Number depth = 0; // depth of the receiver without bias; 0 is nearest to the light
     Number w = 1;
 };
 
-/// Returns the texel position of `p`. The result is valid only where w > 0.
+/// Returns the texel position of the lookup for `p`. The result is valid only if w > 0.
 template <typename Number>
 MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number, glm::defaultp>& p) {
     const auto clip = image.clipFromOffset * typename MapImage<Number>::Vec4(p - image.origin, 1);
@@ -94,11 +99,11 @@ Number receiverBias(
     return (slope + uneven) * image.reach + static_cast<Number>(kDepthRounding);
 }
 
-/// Returns y / w at the centre of each row of the texture that `image` fills, from `firstRow` on, if rows are
-/// logarithmic. Otherwise returns an empty list.
+/// If the rows of `image` are logarithmic, returns y / w at the centres of `count` texture rows, from `firstRow` on.
+/// Otherwise returns an empty list.
 std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count);
 
-/// Returns the image in single precision, each number rounded once.
+/// Returns the parameters in single precision. Each number is rounded once.
 FloatMapImage rounded(const DoubleMapImage& image);
 
 } // namespace gnomon::shadow

@@ -12,36 +12,36 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// Returns the steepest warp whose float matrix still achieves the aliasing bound to a thousandth. The derivatives of
-/// the matrix are differences of numbers that are kappa d times larger. Only two warps exceed this limit: a TSM with
-/// its focus at the near side, and a PSM of a larger depth ratio.
+/// Returns the max kappa for which the matrix in floats achieves the aliasing bound with an error of at most 0.1%. The
+/// derivatives of the matrix are differences of numbers that are kappa d times larger. Only two warps exceed this
+/// limit: a TSM with its focus at the near side, and a PSM of a larger depth ratio.
 double maxKappaOf(const LightFit& fit) {
-    // Logarithmic rows are computed relative to the vanishing line and lose less precision.
-    const double kMaxWarp = fit.rows == RowSpacing::Logarithmic ? 1e6 : 1e4; // of kappa d
+    // Logarithmic rows are computed relative to the vanishing line, so they lose less precision.
+    const double kMaxWarp = fit.rows == RowSpacing::Logarithmic ? 1e6 : 1e4; // max kappa d
     return fit.length > 0 ? kMaxWarp / fit.length : std::numeric_limits<double>::infinity();
 }
 
-/// An unsized map: one map before the distribution of the budget.
+/// A map before the distribution of the texel budget.
 struct UnsizedMap {
     Region region;
     LightFit fit;
     double kappa = 0;
-    Aliasing unit;      // at unit resolutions, for a single lookup
-    double sheared = 0; // at unit resolutions, for a single lookup
+    Aliasing unit;      // M_x and M_z at unit resolutions, without a filter
+    double sheared = 0; // M_t at unit resolutions, without a filter
 };
 
 double filterWidth(const ShadowOptions& options) {
     return std::max(1.0, options.filterTexels);
 }
 
-/// Returns true for a view so thin that float positions relative to the eye cannot resolve its texels.
+/// Returns true if the view is so thin that float positions relative to the eye cannot resolve its texels.
 bool isThin(const ViewFrustum& frustum) {
     constexpr double kDegree = 0.017453292519943295;
     return frustum.depthRatio() < 1.1 || frustum.halfFovYRadians < kDegree;
 }
 
-/// Returns the slice that determines the common orientation of all slices: the slice with the largest depth ratio. The
-/// orientation matters most for this slice. The other slices are similar to it or less demanding.
+/// Returns the slice that determines the orientation of all slices: the slice with the largest depth ratio. The
+/// orientation has the largest effect on this slice. All other slices are similar to it or have smaller ratios.
 ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& splits) {
     std::size_t leading = 0;
     for (std::size_t i = 0; i + 1 < splits.size(); ++i)
@@ -49,7 +49,8 @@ ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& 
     return slice(frustum, splits[leading], splits[leading + 1]);
 }
 
-/// Returns the frame of a face's map. The frame of a near square follows one of the square's edges, or both.
+/// Returns the light frame for the map of a face. The z axis of a near square's frame follows one of the square's
+/// edges, or both.
 LightFrame frameOf(const Region& region, const glm::dvec3& towardsLight, const Scheme& scheme) {
     const Bisector bisector = bisectorOf(scheme);
     if (region.face == Face::Near && bisector != Bisector::NearEdge)
@@ -66,15 +67,15 @@ UnsizedMap unsizedMap(
     const Warp warp = warpOfSlice(options.scheme.warp, view.frustum, region.frustum);
     unsized.fit.rows = rowsOf(warp.rule);
     unsized.kappa = std::min(kappaOfMap(warp, unsized.fit, region.face), maxKappaOf(unsized.fit));
-    // Rows that are almost even are drawn as even rows. Their vanishing line is so far away that floats distinguish few
-    // of them.
-    constexpr double kMinLogWarp = 0.05; // of kappa d
+    // Logarithmic rows that are almost even are drawn as even rows. Their vanishing line is so far away that floats
+    // cannot distinguish many rows.
+    constexpr double kMinLogWarp = 0.05; // min kappa d
     if (unsized.fit.rows == RowSpacing::Logarithmic && unsized.kappa * unsized.fit.length < kMinLogWarp)
         unsized.kappa = 0;
     unsized.unit = worstAliasing(unsized.fit, unsized.kappa);
     unsized.sheared = worstShearedAliasing(unsized.fit, unsized.kappa);
-    // A face at a grazing angle to the light has sheared texels, far longer than along the t axis alone. The sheared
-    // length therefore determines the demand in t.
+    // If the light grazes a face, its texels are sheared, and are far longer than their extent along the t axis. The
+    // sheared length therefore determines the number of texels in t.
     if (unsized.fit.rows == RowSpacing::Logarithmic) unsized.unit.z = unsized.sheared;
     unsized.region = std::move(region);
     return unsized;
@@ -95,7 +96,7 @@ StablePlace placeOf(
     const ShadowView& view, const ShadowOptions& options, const UnsizedMap& unsized, int texelsS, int texelsT) {
     const int texels = std::min(texelsS, texelsT);
     const double texel = stableExtent(unsized.region.covered) / (texels - 1);
-    // This is the slope at the smallest cosine, along both axes, for each orientation.
+    // This bias is for the min cosine, along both axes. It is valid for each orientation.
     const double steepest = 1 / kMinCosine + kUnevenSlope;
     const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
     return stablePlace(view.anchor, unsized.fit.frame, unsized.region.covered, texels, bias);
@@ -107,7 +108,7 @@ bool isLogFace(const UnsizedMap& unsized) {
 
 WarpedMap regionMap(const ShadowOptions& options, const UnsizedMap& unsized, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
-    // A wider filter models the missed rows: it reaches so far on each side.
+    // The missed rows count as a wider filter, which reaches this number of rows on each side.
     const double missed =
         isLogFace(unsized) ? 2 * rowsMissed(unsized.region.frustum, unsized.region.face, unsized.fit.frame.y, texelsT)
                            : 0;
@@ -132,7 +133,7 @@ AliasingBound aliasingBoundOf(
     return {unsized.unit.x / s * pixels, unsized.unit.z / t * pixels, unsized.sheared / t * pixels};
 }
 
-/// Returns the origin of float positions in a thin slice: the mean of its vertices.
+/// Returns the origin for float positions in a thin slice: the mean of the slice's vertices.
 glm::dvec3 originOf(const Region& region) {
     glm::dvec3 sum(0);
     for (const FitVertex& vertex : region.vertices)
@@ -147,7 +148,8 @@ std::vector<glm::dvec3> cornersOf(const Region& region) {
     return corners;
 }
 
-/// Returns the corners of all receivers in the map of `region`. Without receivers, returns the corners of the region.
+/// Returns the corners of all receivers in the map of `region`. If there are no receivers, returns the corners of the
+/// region.
 std::vector<glm::dvec3> receiversOf(const ShadowView& view, const Region& region) {
     std::vector<glm::dvec3> corners = seenCorners(region, view.seen, view.anchor.basis);
     return corners.empty() ? cornersOf(region) : corners;
@@ -174,8 +176,8 @@ ShadowMap finished(
         result.warped = regionMap(options, unsized, texelsS, texelsT);
     }
     const double reach = layout.gutter;
-    // A stabilised map is reused while its casters stay the same. The visible slabs must therefore not influence its
-    // casters.
+    // A stabilised map is reused while its casters stay the same. The casters must therefore not depend on the visible
+    // slabs.
     const std::vector<glm::dvec3> receivers =
         options.stabilized ? cornersOf(unsized.region) : receiversOf(view, unsized.region);
     result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach / texelsT);

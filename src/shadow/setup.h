@@ -1,5 +1,5 @@
-// The setup of all shadow maps of a frame. It turns view, light and scheme into partitions with matrices, texels,
-// caster volumes, depth bias and aliasing bounds.
+// The setup of all shadow maps of a frame. It computes partitions, matrices, texels, caster volumes, depth bias and
+// aliasing bounds from the view, the light and the scheme.
 #pragma once
 
 #include "shadow/caster_volume.h"
@@ -14,26 +14,29 @@
 
 namespace gnomon::shadow {
 
-/// The view that needs shadows, in camera space (core/camera.h: left-handed, x right, y up, z along the view).
+/// The view for which shadow maps are set up, in camera space (core/camera.h: left-handed, x right, y up, z along the
+/// view).
 struct ShadowView {
-    ViewFrustum frustum;              // near and far are the depth range of the aliasing bound, not the clip range
-    std::optional<DepthSpan> shown;   // view depths of all receivers, if some lie outside the frustum's depths
+    ViewFrustum frustum;              // its near and far are the depth range with an aliasing bound, not the clip range
+    std::optional<DepthSpan> shown;   // view depths of all receivers, if some of them are outside the frustum
     glm::dvec3 towardsLight{0, 1, 0}; // unit length
-    int imageHeight = 800;            // pixels of the real viewport
+    int imageHeight = 800;            // pixels of the viewport
     WorldAnchor anchor;               // world position and axes of the camera, for stabilised slices and `seen`
-    std::vector<VisibleSlab> seen;    // the visible slabs, by depth; empty: surfaces can be anywhere
+    std::vector<VisibleSlab> seen;    // visible slabs, sorted by depth; empty: surfaces can be anywhere
 };
 
 /// The settings of the shadow maps.
 struct ShadowOptions {
-    Scheme scheme;                  // NearFace::Omit would leave a hole and means Stretch here
-    bool chosenOrientation = true;  // whole slices use the rotation with the smallest S; false: the plain convention
-    bool stabilized = false;        // unwarped slices that snap to texels; ignores scheme.faces and the warp
-    double filterTexels = 0;        // width of the PCF kernel; 0 is a single lookup
-    std::uint64_t texels = 4194304; // of all maps together, borders included
+    Scheme scheme; // NearFace::Omit would leave a hole, so it is treated as Stretch
+    // true: maps of whole slices are rotated for the smallest S; false: the plain orientation
+    bool chosenOrientation = true;
+    // true: unwarped slices whose maps snap to texels; scheme.faces and the warp are ignored
+    bool stabilized = false;
+    double filterTexels = 0;        // width of the PCF kernel in texels; 0: no filter
+    std::uint64_t texels = 4194304; // total of all maps, borders included
     int minSide = 4;                // min side of a map, in texels without borders
     int maxSide = 16384;            // max side of a map and of the texture
-    std::uint64_t emptySlices = 0;  // bit i: slice i has no visible receiver and gets no map
+    std::uint64_t emptySlices = 0;  // bit i: slice i has no visible receiver and needs no map
 };
 
 /// All shadow maps of a frame, and the selector that assigns each point to one of them.
@@ -42,33 +45,33 @@ struct ShadowMapSetup {
 
     std::vector<ShadowMap> maps;
     PartitionSelector selector;
-    /// By the result of partitionIndex: an index into maps, or kNoMap for an empty slice.
+    /// The index in `maps` for each result of partitionIndex, or kNoMap for an empty slice.
     std::vector<std::size_t> mapOfPartition;
     int textureWidth = 0;
     int textureHeight = 0;
     OrientationState orientation;     // for the next frame
-    std::vector<TexelDemand> demands; // by map; requiredTexels uses them
+    std::vector<TexelDemand> demands; // one per map; requiredTexels uses them
 
-    /// Returns the index of the map that a lookup at `p` (camera space) reads, or kNoMap.
+    /// Returns the index of the map for a lookup at `p` (camera space), or kNoMap.
     std::size_t mapOf(const glm::dvec3& p) const { return mapOfPartition[partitionIndex(selector, p)]; }
 
-    /// Returns the largest aliasing bound of all maps, separately per axis.
+    /// Returns the max aliasing bound over all maps, per axis.
     AliasingBound worst() const;
 };
 
-/// Returns the shadow maps of `view` with `options`. This is a pure function: `previous`, the orientation from the
-/// setup of the last frame, keeps the orientation continuous between frames. Throws gnomon::Error for an invalid
-/// frustum, for a light vector without unit length, or if the texel budget is too small for the maps.
+/// Returns the shadow maps of `view` with `options`. This is a pure function. `previous` is the orientation of the
+/// previous frame; it keeps the orientation continuous between frames. Throws gnomon::Error for an invalid frustum, for
+/// a light vector without unit length, or if the texel budget is too small for the maps.
 ShadowMapSetup shadowMapSetup(
     const ShadowView& view,
     const ShadowOptions& options,
     const std::optional<OrientationState>& previous = std::nullopt);
 
-/// Returns the limits that `options` set for the distribution of texels over the maps.
+/// Returns the limits for the distribution of texels over the maps, from `options`.
 TexelLimits limitsOf(const ShadowOptions& options);
 
-/// Returns the number of texels that `setup` requires for an aliasing bound of `aliasing`. Returns 0 if no number
-/// suffices or if the setup has no maps.
+/// Returns the number of texels that the maps of `setup` require for an aliasing bound of `aliasing`. Returns 0 if no
+/// number suffices or if the setup has no maps.
 std::uint64_t requiredTexels(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing);
 
 } // namespace gnomon::shadow

@@ -24,7 +24,7 @@ Resolution ShadowMap::texels() const {
 }
 
 glm::dmat4 ShadowMap::lightClipFromMap() const {
-    // Maps [0, 1] over the map to [-1, 1] over the map, and scales it to the map's part of its rectangle.
+    // Converts [0, 1] over the map to [-1, 1], scaled to the part of the rectangle inside its borders.
     const TexelRectangle inner = innerRectangle();
     const double scaleX = static_cast<double>(inner.width) / rectangle.width;
     const double scaleY = static_cast<double>(inner.height) / rectangle.height;
@@ -35,8 +35,8 @@ glm::dmat4 ShadowMap::lightClipFromMap() const {
     clip[1] = rectangle.transposed ? alongX : alongY;
     clip[3] = {-scaleX, -scaleY, 0, 1};
     if (warped.rows == RowSpacing::Even) return clip;
-    // The row is computed from w = 1 + kappa zeta, and t w = (1 + kappa d) / (kappa d) (w - 1). This matrix makes y
-    // equal to -1.
+    // With logarithmic rows, the row is computed from w = 1 + kappa zeta. The matrix contains w through t w = (1 +
+    // kappa d) / (kappa d) (w - 1). This code makes y / w equal to -1.
     const double warp = warped.kappa * warped.length;
     for (glm::length_t column = 0; column < 4; ++column)
         clip[column].y = 0;
@@ -54,7 +54,8 @@ double ShadowMap::rowsPerLog() const {
 
 namespace {
 
-/// Returns `clip` with columns and even rows moved by the map's shift. In clip space, the rectangle has a width of 2 w.
+/// Returns `clip` with columns and even rows shifted by the map's shift. The width of the rectangle in clip space is 2
+/// w.
 glm::dmat4 shifted(const ShadowMap& map, glm::dmat4 clip) {
     if (map.shift == glm::dvec2(0)) return clip;
     const bool hasEvenRows = map.cubeFace || map.warped.rows == RowSpacing::Even;
@@ -96,8 +97,8 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromO
     image.reach += rowsMissed(map.region.frustum, map.region.face, map.warped.frame.y, map.texels().t);
     image.texelScale.y = map.rowsPerLog();
     image.texelOffset.y = r.y + map.shift.y;
-    // A step of `reach` rows towards the near end of the light's frame is the longest, because 1 / w grows by e^(reach
-    // / rowsPerLog).
+    // A step of `reach` rows towards the near end of the light frame is the longest step, because 1 / w grows by the
+    // factor e^(reach / rowsPerLog).
     const double steps = image.reach / map.rowsPerLog();
     const double longer = std::expm1(steps) / steps;
     image.byRow = offsetFromClip[1] * (longer / map.rowsPerLog());

@@ -1,4 +1,4 @@
-// One shadow map of a frame: the value that the plan, the backends, the validation and the tests share.
+// A shadow map of a frame, as a value. The plan, the backends, the validation and the tests share this type.
 #pragma once
 
 #include "shadow/cube/cube_face.h"
@@ -10,7 +10,8 @@
 
 namespace gnomon::shadow {
 
-/// The aliasing bound of a map over its region: perspective aliasing for the actual map size, viewport and filter.
+/// The aliasing bound of a map over its region: the max perspective aliasing for the real map size, viewport and
+/// filter.
 struct AliasingBound {
     double x = 0;       // along s
     double z = 0;       // along t, as in Lloyd et al. 2006
@@ -19,36 +20,37 @@ struct AliasingBound {
     double worst() const { return x > z ? x : z; }
 };
 
-/// One shadow map with its region, projection, place in the texture and casters, in camera space.
+/// A shadow map with its region, projection, rectangle in the texture and caster volume, in camera space.
 struct ShadowMap {
-    Region region;             // slice, face, vertices and planes; contains the receivers
-    WarpedMap warped;          // light frame, kappa, and (s, t, depth) over the map without its borders
+    Region region; // slice, face, vertices and planes of the partition; contains the receivers
+    // light frame, kappa, and the projection to (s, t, depth) over the map without its borders
+    WarpedMap warped;
     TexelRectangle rectangle;  // place in the depth texture, borders included
-    int gutter = 1;            // texels on each side
-    double filterTexels = 0;   // width of the filter; 0 is a single lookup
+    int gutter = 1;            // border on each side, in texels
+    double filterTexels = 0;   // width of the PCF filter in texels; 0: no filter
     ConvexVolume casterVolume; // volume of all casters, extended by the reach of the lookup
     AliasingBound aliasingBound;
     std::optional<StablePlace> stable; // only for a stabilised slice
     /// The projection for a point light. It replaces `warped`; only warped.frame is then valid.
     std::optional<CubeFaceProjection> cubeFace;
-    /// The origin of float positions. It is a point inside the slice for very thin views (depth ratio below 1.1 or half
-    /// angle below one degree), the light for the map of a point light, and 0 otherwise.
+    /// The origin of float positions. For very thin views (depth ratio below 1.1 or half angle below one degree), it is
+    /// a point inside the slice. For the map of a point light, it is the light. In all other cases it is 0.
     glm::dvec3 origin{0};
-    /// The shift of the texel grid, in columns and rows of the depth texture, each at most half a texel. Each sample of
-    /// one picture can use a different grid. Lookups and casters need no extra space for the shift.
+    /// The shift of the texel grid, in columns and rows of the depth texture, each at most half a texel. Each frame of
+    /// an accumulated image can use another shift. Lookups and casters need no extra space for the shift.
     glm::dvec2 shift{0};
 
     /// Returns the rectangle without its borders: the area that a lookup without a filter reads.
     TexelRectangle innerRectangle() const;
 
-    /// Returns the texels along s and t without borders, independent of transposition; `image` is 1.
+    /// Returns the numbers of texels along s and t without borders, also for a transposed map. The member `image` is 1.
     Resolution texels() const;
 
     /// Returns the matrix from (s, t, depth) times w to clip space over the rectangle (MapImage describes clip space).
-    /// With logarithmic rows, t is the t of even rows, and w is 1 at the lowest edge of the rectangle.
+    /// For a map with logarithmic rows, t is the t of even rows, and w is 1 at the lowest edge of the rectangle.
     glm::dmat4 lightClipFromMap() const;
 
-    /// Returns the number of texture rows over which w grows by a factor of e, for logarithmic rows.
+    /// For logarithmic rows, returns the number of texture rows over which w grows by the factor e.
     double rowsPerLog() const;
 
     glm::dmat4 lightClipFromCamera() const {
@@ -56,8 +58,8 @@ struct ShadowMap {
     }
 };
 
-/// Returns the lookup parameters of `map`, including its shift. `unmovedClipFromOffset` is the matrix without the
-/// shift, for positions relative to `origin`.
+/// Returns the lookup parameters of `map`, including its shift. `unmovedClipFromOffset` is the matrix to clip space
+/// without the shift, for positions relative to `origin`.
 DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromOffset, const glm::dvec3& origin);
 
 /// Returns the lookup parameters of `map` for positions in camera space, relative to the map's origin.

@@ -17,8 +17,8 @@ double stableExtent(const ViewFrustum& slice) {
 }
 
 LightFrame stableFrame(const WorldAnchor& anchor, const glm::dvec3& towardsLight) {
-    // The conversion from camera axes has rounding errors. They must not decide between two world axes with equal
-    // angles.
+    // The conversion from camera axes has rounding errors. They must not influence the choice between two world axes
+    // with equal angles to the light.
     constexpr double kAsFar = 1e-9;
     const glm::dvec3 a = glm::abs(toWorld(anchor.basis, towardsLight));
     const bool isZMin = a.z <= a.x + kAsFar && a.z <= a.y + kAsFar;
@@ -28,7 +28,7 @@ LightFrame stableFrame(const WorldAnchor& anchor, const glm::dvec3& towardsLight
 }
 
 LightFrame stableWorldFrame(const glm::dvec3& towardsLight) {
-    const CameraBasis basis; // the result is the same for each basis
+    const CameraBasis basis; // any basis gives the same result
     const LightFrame seen = stableFrame({basis, {}}, gnomon::toCamera(basis, towardsLight));
     return {toWorld(basis, seen.x), toWorld(basis, seen.y), toWorld(basis, seen.z)};
 }

@@ -1,4 +1,4 @@
-// Stable slices (Blow 2004): unwarped maps of constant size whose texels lie on a grid fixed in the world. Shadow edges
+// Stable slices (Blow 2004): unwarped maps of constant size, whose texel grid is fixed in the world. Shadow edges
 // therefore do not crawl when the camera moves.
 #pragma once
 
@@ -11,20 +11,20 @@
 
 namespace gnomon::shadow {
 
-/// The camera's position and axes in the world, which fix the texel grid of stable maps.
+/// The position and axes of the camera in the world, which are needed to fix the texel grid of stable maps.
 struct WorldAnchor {
     CameraBasis basis; // the camera's axes in world space
     glm::dvec3 eye{0}; // world space
 };
 
-/// Returns the side of a stable map for `slice` that suffices in each orientation: the longest diagonal of the slice.
+/// Returns the side length of a stable map that covers `slice` in every orientation: the longest diagonal of the slice.
 double stableExtent(const ViewFrustum& slice);
 
 /// Returns a frame that depends only on the light's direction in the world. z follows the world axis with the largest
 /// angle to the light. Input and result are in camera space.
 LightFrame stableFrame(const WorldAnchor& anchor, const glm::dvec3& towardsLight);
 
-/// Returns the same frame in world space. The result depends only on `towardsLight`, to the last bit.
+/// Returns the frame of stableFrame in world space. The result depends only on `towardsLight`, bit by bit.
 LightFrame stableWorldFrame(const glm::dvec3& towardsLight);
 
 /// The position of a stable map on the world's texel grid. With the same light, maps with equal places are identical,
@@ -33,18 +33,18 @@ struct StablePlace {
     std::array<std::int64_t, 3> corner{}; // in texels from the world's origin: along x, away from the light, along z
     double texel = 1;                     // size of a texel, world units
     int texels = 1;                       // texels per side
-    double bias = 0;                      // length that the depth range adds at both ends
+    double bias = 0;                      // length by which the depth range is extended at both ends, in world units
     bool operator==(const StablePlace&) const = default;
 };
 
-/// Returns the place of the map of `slice` with `texels` (at least 2) per side in `frame`. Each side has the length
-/// stableExtent * texels / (texels - 1). The extra texel lets the corner snap to whole texels of the world's grid. The
-/// depth range has the same length plus `bias` at both ends, and also snaps.
+/// Returns the place of the stable map of `slice` with `texels` (at least 2) per side in `frame`. Each side has the
+/// length stableExtent * texels / (texels - 1). The extra texel permits the corner to snap to whole texels of the
+/// world's grid. The depth range has the same length plus `bias` at both ends, and also snaps.
 StablePlace stablePlace(
     const WorldAnchor& anchor, const LightFrame& frame, const ViewFrustum& slice, int texels, double bias);
 
-/// Returns the map at `place`, in the axes of `frame`, for positions relative to `origin` (light space of the world,
-/// world units).
+/// Returns the projection of the stable map at `place`, in the axes of `frame`. Positions are relative to `origin`,
+/// which is in the world's light space, in world units.
 WarpedMap stableMap(const StablePlace& place, const LightFrame& frame, const glm::dvec3& origin);
 
 } // namespace gnomon::shadow

@@ -13,12 +13,13 @@ namespace gnomon::shadow {
 inline constexpr std::array kCubeFaces = {
     Face::PlusX, Face::MinusX, Face::PlusY, Face::MinusY, Face::PlusZ, Face::MinusZ};
 
-/// Returns the index of the face that contains the direction `offset` from the light, in world axes. The largest
-/// component selects the face; of equal components the first one wins. The shadow lookup in the shaders uses the same
-/// rule.
+/// Returns the index of the cube face that contains the direction `offset` from the light, in world axes. The largest
+/// component selects the face. If components are equal, the first component is used. The shaders use the same rule for
+/// shadow lookups.
 std::size_t cubeFaceOf(const glm::dvec3& offset);
 
-/// Returns the axes of face `index` in world space: y towards the light, z and x along the t and s axes of the map.
+/// Returns the axes of face `index` in world space: y towards the light, z along the t axis of the map, x along its s
+/// axis.
 LightFrame cubeFaceAxes(std::size_t index);
 
 /// The projection from camera space to (s, t, depth). Let q be the vector from the light to a point, and w = -q.y the
@@ -27,14 +28,14 @@ LightFrame cubeFaceAxes(std::size_t index);
 struct CubeFaceProjection {
     glm::dvec3 light{0}; // camera space
     LightFrame frame;    // camera space
-    double sMin = -1;    // tangent of the angle to the axis
+    double sMin = -1;    // tangents of the angle to the axis of the face
     double sRange = 2;
     double tMin = -1;
     double tRange = 2;
-    double near = 1; // distance along the axis
+    double near = 1; // distance along the axis of the face
     double far = 2;
 
-    /// Returns the derivative of depth by w, times w squared.
+    /// Returns the derivative of depth by w, multiplied by w^2.
     double depthSlope() const { return far * near / (far - near); }
 };
 

@@ -25,8 +25,8 @@ double minSize(const Interval& values) {
     return std::max({values.min, -values.max, 0.0});
 }
 
-/// Returns the range of `values` divided by distances from `near` to `far`, clamped to [-1, 1], the range of a face. If
-/// `near` is 0, the quotient has no bound.
+/// Returns the range of the quotients of `values` and distances from `near` to `far`. The range is clamped to [-1, 1],
+/// the tangents of a cube face. If `near` is 0, the quotient has no bound.
 Interval tangents(const Interval& values, double near, double far) {
     const auto quotient = [&](double value, double nearer, double farther) {
         const double over = value < 0 ? nearer : farther;
@@ -35,13 +35,14 @@ Interval tangents(const Interval& values, double near, double far) {
     return {quotient(values.min, near, far), quotient(values.max, far, near)};
 }
 
-/// The ranges of all receivers of one face.
+/// The ranges of the receivers that one cube face sees.
 struct FaceReceivers {
     Interval s{2, -2}; // tangents
     Interval t{2, -2};
     Interval w{std::numeric_limits<double>::infinity(), 0}; // distances along the axis
-    double ratio = 0;                                       // max of w over view depth, within [near, far]
-    double maxDepthRatio = 0;                               // the same outside [near, far]
+    // max of w / view depth, for receivers whose view depth is in [near, far]
+    double ratio = 0;
+    double maxDepthRatio = 0; // max of w / view depth, for receivers outside [near, far]
 
     bool isAny() const { return w.max > 0; }
 };
@@ -58,19 +59,19 @@ Box common(const Box& a, const Box& b) {
     return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
 }
 
-/// Returns the visible slabs. Without known slabs, returns slabs that cover the whole view.
+/// Returns the visible slabs of the view. If they are not known, returns slabs that cover the whole view.
 std::vector<VisibleSlab> visibleSlabs(const LampView& view) {
     std::vector<VisibleSlab> parts;
     for (VisibleSlab part : view.seen) {
         part.depths.near = std::max(part.depths.near, view.shown.near);
         part.depths.far = std::max(part.depths.far, part.depths.near * (1 + 1e-9));
-        constexpr double kSlack = 1e-9; // for a flat ground
+        constexpr double kSlack = 1e-9; // prevents empty slabs for a flat ground
         const glm::dvec3 slack(kSlack * part.depths.far);
         const Box box = common({part.box.min - slack, part.box.max + slack}, slabBox(view, part.depths));
         if (!box.isEmpty()) parts.push_back({part.depths, box});
     }
     if (!view.seen.empty()) return parts;
-    constexpr double kStep = 1.0442737824274138; // a sixteenth of an octave
+    constexpr double kStep = 1.0442737824274138; // depth ratio of a slab: a sixteenth of an octave
     for (double near = view.shown.near; near < view.shown.far; near *= kStep) {
         const DepthSpan depths{near, std::min(near * kStep, view.shown.far)};
         parts.push_back({depths, slabBox(view, depths)});
@@ -88,7 +89,8 @@ void addPart(
     const Interval x = along(axes.x, box);
     const Interval z = along(axes.z, box);
     Interval w = along(-axes.y, box);
-    constexpr double kSeam = 1 - 1e-6; // a point that rounding may assign to either face has a map in both
+    // extends each face: a point that rounding may assign to either of two faces has a map in both
+    constexpr double kSeam = 1 - 1e-6;
     w.min = std::max({w.min, minSize(x) * kSeam, minSize(z) * kSeam});
     if (!(w.max > 0) || w.min > w.max) return;
     const Interval s = tangents(x, w.min, w.max);
@@ -101,7 +103,7 @@ void addPart(
         face.ratio = std::max(face.ratio, w.max / std::max(part.depths.near, view.frustum.near));
 }
 
-/// A face before the distribution of texels.
+/// A cube face with receivers, before the distribution of texels.
 struct FaceDraft {
     std::size_t index = 0;
     FaceReceivers receivers;
@@ -115,14 +117,15 @@ FaceDraft unsizedMap(const LampView& view, double kernel, std::size_t index, Fac
         range->min -= missing / 2;
         range->max += missing / 2;
     }
-    // A face that contains only points outside the depth range of the aliasing bound gets texels, too.
+    // A face whose receivers are all outside the depth range with an aliasing bound also receives texels.
     const double ratio = receivers.ratio > 0 ? receivers.ratio : receivers.maxDepthRatio;
     const double pixels = view.imageHeight / (2 * tanHalfY(view.frustum)) * kernel * ratio;
     return {
         index, receivers, {(receivers.s.max - receivers.s.min) * pixels, (receivers.t.max - receivers.t.min) * pixels}};
 }
 
-/// Returns the planes of the face in camera space, each side moved outwards by `growS` or `growT` (tangents).
+/// Returns the four side planes of the face's pyramid, in camera space. Each side is moved outwards by `growS` or
+/// `growT`, which are tangents.
 ConvexVolume pyramid(const CubeFaceProjection& face, double growS, double growT) {
     ConvexVolume volume;
     const auto add = [&](const glm::dvec3& normal) {
@@ -138,7 +141,7 @@ ConvexVolume pyramid(const CubeFaceProjection& face, double growS, double growT)
     return volume;
 }
 
-/// Returns the view through the face, within the depths of the receivers.
+/// Returns the region of space that the face sees between the depths of its receivers.
 Region regionOf(const LampView& view, const CubeFaceProjection& face, std::size_t index) {
     Region region;
     region.face = kCubeFaces[index];
@@ -150,9 +153,9 @@ Region regionOf(const LampView& view, const CubeFaceProjection& face, std::size_
     return region;
 }
 
-/// Sets the depth range. It begins so early that the bias of a receiver cannot move it before the range. The ratio far
-/// / near has a limit, because floats could not distinguish depths otherwise. Surfaces nearer to the light than `near`
-/// are lit.
+/// Sets the near and far end of the face's depth range. The range begins so near to the light that the bias never moves
+/// a receiver before the range. The ratio far / near is limited, because floats could not distinguish depths otherwise.
+/// Surfaces nearer to the light than `near` are lit.
 void setDepths(CubeFaceProjection& face, const Interval& w, double texelS, double texelT, double filterTexels) {
     constexpr double kMaxRatio = 1000;
     const double steepest = (texelS + texelT) / kMinCosine + kUnevenSlope * std::hypot(texelS, texelT);

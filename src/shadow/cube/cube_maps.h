@@ -1,5 +1,5 @@
-// The shadow maps of a point light: one perspective map per face of a cube around the light. Faces without receivers
-// get no map.
+// The shadow maps of a point light: one perspective map per face of a cube around the light. A face without receivers
+// has no map.
 #pragma once
 
 #include "shadow/setup.h"
@@ -10,20 +10,20 @@ namespace gnomon::shadow {
 struct LampView {
     glm::dvec3 light{0};               // camera space
     CameraBasis basis;                 // axes of camera space
-    ViewFrustum frustum;               // near and far are the depth range of the aliasing bound
+    ViewFrustum frustum;               // its near and far are the depth range with an aliasing bound
     DepthSpan shown;                   // view depths of all receivers
     int imageHeight = 800;             // pixels
-    std::span<const VisibleSlab> seen; // the visible slabs; empty: surfaces can be anywhere within `shown`
+    std::span<const VisibleSlab> seen; // visible slabs; empty: surfaces can be anywhere within `shown`
 };
 
 /// Returns one map per face that has receivers, packed into one texture. The texels are distributed such that all maps
 /// have the same aliasing bound (Lloyd et al. 2006, Eqs 13 and 14).
 ///
-/// A texel of a face has the width tangent / texels per unit of distance along the face's axis. A pixel has the width 2
-/// tan(theta) / height per unit of view depth. The aliasing bound of a map is the largest ratio of these widths, for
-/// texels parallel to the face. It is a constant times the largest ratio of the two depths over the visible points of
-/// the face within [near, far]. This ratio of linear functions is largest at a corner. The function evaluates it for
-/// boxes around the visible points, each with its smallest view depth.
+/// A texel of a face has the width (tangent / texels) per unit of distance along the face's axis. A pixel has the width
+/// 2 tan(theta) / height per unit of view depth. The aliasing bound of a map is the max ratio of these widths, for
+/// texels parallel to the face. It is a constant times the max ratio of the two distances, over the visible points of
+/// the face within [near, far]. As a ratio of linear functions, it has its max at a corner. The function evaluates it
+/// for boxes around the visible points, each with its smallest view depth.
 ///
 /// The function uses texels, filterTexels, minSide and maxSide of `options`. Throws the same errors as shadowMapSetup.
 ShadowMapSetup cubeMapSetup(const LampView& view, const ShadowOptions& options);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Moves the origin of zeta to the min z of the region. Before the call, the zeta of each point must be its z.
+/// Moves the origin of zeta to the min z of the region. The zeta of each point must be its z before the call.
 void startZetaAtZero(LightFit& fit) {
     double minZeta = kInfinity;
     double maxZeta = -kInfinity;
@@ -53,7 +53,7 @@ LightFit fitRegion(const LightFrame& frame, const ViewFrustum& slice, std::span<
     for (const FitVertex& vertex : vertices) {
         const glm::dvec3 p = toLight(frame, vertex.position);
         // zeta is computed from the difference of positions. In a thin view, near corners are close to each other and
-        // far from the eye, and the difference of two z values would lose precision.
+        // far from the eye. The difference of two z values would then lose precision.
         const double zeta = glm::dot(frame.z, vertex.position - minZeta->position);
         fit.storage[fit.count++] = {p.x, p.y, zeta, vertex.position.z, vertex.end};
     }

@@ -6,8 +6,8 @@
 
 namespace gnomon::shadow {
 
-/// The axes of light space, in camera space. `y` is the unit vector TOWARDS the light. `z` has unit length and is
-/// perpendicular to y. `x` is y cross z in a frame without lean. In a frame with lean, the lines of constant x are
+/// The axes of light space, in camera space. `y` is the unit vector TOWARDS the light. `z` is a unit vector
+/// perpendicular to y. In a frame without lean, `x` is y cross z. In a frame with lean, the lines of constant x are
 /// oblique, like the sides of a parallelogram.
 struct LightFrame {
     glm::dvec3 x{1, 0, 0};
@@ -15,29 +15,29 @@ struct LightFrame {
     glm::dvec3 z{0, 0, 1};
 };
 
-/// Returns the sine of the angle between light and view, as the length of a cross product. This form is exact for small
-/// angles, where sqrt(1 - dot^2) loses all digits.
+/// Returns the sine of the angle between light and view direction, as the length of a cross product. Unlike sqrt(1 -
+/// dot^2), this form is precise for small angles.
 double sinLightAngle(const glm::dvec3& towardsLight);
 
-/// Returns the frame whose z is `guide` made perpendicular to the light: x = normalize(L x guide), z = x x L. The
-/// result is undefined if the light and `guide` are parallel; lightFrame handles that case.
+/// Returns the frame whose z is the component of `guide` perpendicular to the light: x = normalize(L x guide), z = x x
+/// L. If the light and `guide` are parallel, the result is undefined; lightFrame handles this case.
 LightFrame lightFrameAlong(const glm::dvec3& towardsLight, const glm::dvec3& guide);
 
-/// Returns the frame of the plain convention: z follows the view direction, or the camera's up direction if |L x v| <
+/// Returns the frame in the plain orientation: z follows the view direction, or the camera's up direction if |L x v| <
 /// 1e-12. `towardsLight` has unit length and is in camera space.
 LightFrame lightFrame(const glm::dvec3& towardsLight);
 
 /// Returns `frame` rotated about the light by `radians`, from z towards x.
 LightFrame rolled(const LightFrame& frame, double radians);
 
-/// Returns the unit vector of increasing x at constant y and z.
+/// Returns the unit vector in the direction of increasing x, at constant y and z.
 glm::dvec3 alongX(const LightFrame& frame);
 
-/// Returns `frame` with a lean such that x is constant along `side`. The z of `side` must not be 0.
+/// Returns `frame` with a lean, so that x is constant along the direction `side`. The z of `side` must not be 0.
 LightFrame leant(const LightFrame& frame, const glm::dvec3& side);
 
-/// Returns the lean: the distance along alongX that a line of constant x moves while z grows by 1. It is 0 in a frame
-/// without lean.
+/// Returns the lean of `frame`: the displacement of a line of constant x along alongX if z grows by 1. A frame without
+/// lean has lean 0.
 double lean(const LightFrame& frame);
 
 /// Converts a position or direction from camera space to light space.

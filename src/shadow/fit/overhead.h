@@ -1,4 +1,4 @@
-// The closed forms of Lloyd et al. 2006, sections 4.1 to 4.3, for one map and an overhead light.
+// The closed forms of Lloyd et al. 2006, sections 4.1 to 4.3, for one shadow map and a light directly overhead.
 #pragma once
 
 #include "shadow/fit/view_frustum.h"
@@ -6,8 +6,8 @@
 namespace gnomon::shadow {
 
 /// Perspective aliasing along the s axis (x) and the t axis (z) of a map: the width of a texel's light beam divided by
-/// the width of a pixel's image beam. At 1, texels and pixels have the same size. Above 1, single texels become
-/// visible.
+/// the width of a pixel's image beam. At 1, texels and pixels have the same size. Above 1, texels are larger than
+/// pixels and become visible.
 struct Aliasing {
     double x = 0;
     double z = 0;
@@ -15,17 +15,17 @@ struct Aliasing {
     double worst() const { return x > z ? x : z; }
 };
 
-/// The resolutions of the image and the map. The storage factor of Lloyd et al. 2006 uses 1 for all of them.
+/// The resolutions of image and map. For the storage factor of Lloyd et al. 2006, all of them are 1.
 struct Resolution {
     double image = 1; // res_i: the image's height in pixels
     double s = 1;     // texels across the map
     double t = 1;     // texels along the map
 };
 
-// In the functions below, `nPrime` (n' in Lloyd et al. 2006) is the distance from the centre of projection of the warp
-// to the near plane. Infinity means the unwarped, orthogonal map. Depths are in world units.
+// In the functions below, `nPrime` (n' in Lloyd et al. 2006) is the distance from the warp's centre of projection to
+// the near plane. Infinity means an unwarped, orthogonal map. Depths are in world units.
 
-/// Returns n'_LSPSM = n + sqrt(f n), which minimises M_z (Wimmer et al. 2004; the paper prints z in place of n).
+/// Returns n'_LSPSM = n + sqrt(f n), which minimises M_z (Wimmer et al. 2004; their paper prints z in place of n).
 double nPrimeLspsm(const ViewFrustum& frustum);
 
 /// Returns m_x and m_z at view depth `depth` (Eqs 7 and 8), for n' >= near.
@@ -34,8 +34,9 @@ Aliasing aliasingOverhead(const ViewFrustum& frustum, double nPrime, double dept
 /// Returns M_x and M_z over the whole frustum (Eqs 9 and 10), for n' >= near at unit resolutions.
 Aliasing worstAliasingOverhead(const ViewFrustum& frustum, double nPrime);
 
-/// Returns the storage factor S = M_x M_z (Eq 12 with its missing branch). S is constant for near <= n' <= n'_LSPSM and
-/// larger outside. For n' < near, S grows because the map must contain both the near edge and the far edge.
+/// Returns the storage factor S = M_x M_z (Eq 12, with a branch that the paper omits). S is constant for near <= n' <=
+/// n'_LSPSM and larger outside this range. For n' < near, S grows because the map must contain both the near edge and
+/// the far edge.
 double storageFactorOverhead(const ViewFrustum& frustum, double nPrime);
 
 /// Returns n' for the parameter eta in [-1, 1] (Eq 11): -1 is orthogonal, 0 is n'_LSPSM, 1 is n' = near.
@@ -44,12 +45,12 @@ double nPrimeOfEta(const ViewFrustum& frustum, double eta);
 /// Returns eta for n' >= near: the inverse of nPrimeOfEta (appendix B, corrected).
 double etaOfNPrime(const ViewFrustum& frustum, double nPrime);
 
-/// Returns the n' that maps the depth `focus` behind the near plane to t = `fraction` (0.8 in trapezoidal shadow maps).
-/// Returns infinity if focus >= fraction (far - near).
+/// Returns the n' of a trapezoidal shadow map. It maps the depth `focus` behind the near plane to t = `fraction`,
+/// usually 0.8. Returns infinity if focus >= fraction (far - near).
 double nPrimeTsm(const ViewFrustum& frustum, double focus, double fraction);
 
-/// Resolutions with M_x = M_z = 1 (critical), and resolutions for a texel budget in the same proportion (Eqs 13 and
-/// 14).
+/// The critical resolutions, for which M_x = M_z = 1, and the resolutions in the same proportion for a given texel
+/// budget (Eqs 13 and 14).
 struct BudgetOverhead {
     double criticalS = 0;
     double criticalT = 0;
@@ -58,8 +59,8 @@ struct BudgetOverhead {
     Aliasing worst; // aliasing at the resolutions `s` and `t`
 };
 
-/// Returns the resolutions of Eqs 13 and 14 for a budget of `texels` and an image of `imagePixels` per side, n' >=
-/// near.
+/// Returns the resolutions of Eqs 13 and 14 for a budget of `texels` and an image of `imagePixels` per side. n' must be
+/// at least near.
 BudgetOverhead budgetOverhead(const ViewFrustum& frustum, double nPrime, double texels, double imagePixels);
 
 } // namespace gnomon::shadow

@@ -21,7 +21,7 @@ struct ViewFrustum {
     bool operator==(const ViewFrustum&) const = default;
 };
 
-/// Return the tangent of half the vertical angle and of half the horizontal angle.
+/// Returns the tangent of half the vertical angle. tanHalfX returns the tangent of half the horizontal angle.
 double tanHalfY(const ViewFrustum& frustum);
 double tanHalfX(const ViewFrustum& frustum);
 

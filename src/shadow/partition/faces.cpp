@@ -29,8 +29,8 @@ std::array<std::size_t, 2> nearCorners(Face face) {
     return {};
 }
 
-/// Returns the frame in which the near square is a rectangle with rows parallel to the image rows. Returns the plain
-/// convention if the light sees the square edge-on.
+/// Returns the frame of the near square's map: the near square is a rectangle in it, with rows parallel to the rows of
+/// the image. If the light sees the square edge-on, returns the frame in the plain orientation.
 LightFrame squareFrame(const glm::dvec3& towardsLight) {
     const glm::dvec3 guide = glm::cross(glm::dvec3(1, 0, 0), towardsLight);
     if (!(glm::length(guide) > 1e-12)) return lightFrame(towardsLight);
@@ -39,10 +39,10 @@ LightFrame squareFrame(const glm::dvec3& towardsLight) {
     return std::abs(glm::dot(frame.z, up)) > 1e-12 ? leant(frame, up) : frame;
 }
 
-/// Returns the frame of a side face with z perpendicular to the near edge, which runs from `left` to `right`.
+/// Returns the frame of a side face's map whose z is perpendicular to the near edge from `left` to `right`.
 LightFrame edgeFrame(const glm::dvec3& towardsLight, const glm::dvec3& left, const glm::dvec3& right) {
     const glm::dvec3 guide = glm::cross(towardsLight, right - left);
-    // A light parallel to the edge sees the whole face as a line.
+    // If the light is parallel to the edge, it sees the whole face as a line.
     if (!(glm::length(guide) > 1e-12 * glm::length(right - left))) return lightFrame(towardsLight);
     const LightFrame frame = lightFrameAlong(towardsLight, guide);
     return glm::dot(frame.z, left + right) < 0 ? LightFrame{-frame.x, frame.y, -frame.z} : frame;
@@ -135,8 +135,8 @@ LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, F
         return bisector == Bisector::Normalized && length > 0 ? flat / length : flat;
     };
     const glm::dvec3 guide = projectedEdge(0) + projectedEdge(1);
-    // The projected edges are opposite: the face is at a grazing angle to the light, and its projection does not define
-    // an orientation.
+    // The two projected edges are opposite: the light grazes the face, and the face's projection defines no
+    // orientation.
     if (!(glm::length(glm::cross(towardsLight, guide)) > 1e-12 * slice.far)) return lightFrame(towardsLight);
     return lightFrameAlong(towardsLight, guide);
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-/// A side face in cyclic order, with the signs of the corner that it shares with the next side.
+/// A side face in cyclic order, with the signs of the frustum corner that it shares with the next side face.
 struct Side {
     Face face;
     double cornerX;
@@ -34,8 +34,8 @@ glm::dvec3 middleRay(const ViewFrustum& frustum, Face face) {
     return {x, y, 1};
 }
 
-/// Returns the normal of the plane through the eye, the corner ray and the light, oriented such that `inside` is on its
-/// positive side.
+/// Returns the normal of the plane through the eye that contains the ray `ray` and the light direction. `inside` is on
+/// the positive side of the plane.
 glm::dvec3 separator(const glm::dvec3& ray, const glm::dvec3& towardsLight, const glm::dvec3& inside) {
     const glm::dvec3 normal = glm::normalize(glm::cross(ray, towardsLight));
     return glm::dot(normal, inside) >= 0 ? normal : -normal;
@@ -46,7 +46,7 @@ void addNearEdge(FaceSelector& selector, const ViewFrustum& frustum, const glm::
     const glm::dvec3 along = horizontal ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 middle = middleRay(frustum, selector.face);
     glm::dvec3 normal = glm::normalize(glm::cross(along, towardsLight));
-    // The face lies behind its near edge, further along its own middle ray.
+    // The face is behind its near edge, further along the ray through its middle.
     if (glm::dot(normal, middle) < 0) normal = -normal;
     selector.edge = normal;
     selector.edgeOffset = glm::dot(normal, middle);
@@ -62,10 +62,10 @@ Outline imageOutline(const ViewFrustum& frustum) {
     return outline;
 }
 
-/// Returns the part of `outline` with dot(normal, ray) >= 0. A zero normal keeps the whole outline.
+/// Returns the part of `outline` with dot(normal, ray) >= 0. If `normal` is zero, returns the whole outline.
 Outline clipped(const Outline& outline, const glm::dvec3& normal) {
-    // Each corner is evaluated once. Otherwise, a corner on the plane could be inside for one of its edges and outside
-    // for the other, and would be lost.
+    // Each corner is tested once. With two tests, rounding could put a corner on the plane inside one of its edges and
+    // outside the other, and the corner would be lost.
     std::vector<double> at;
     for (const glm::dvec3& ray : outline)
         at.push_back(glm::dot(normal, ray));
@@ -85,13 +85,13 @@ Outline clipped(const Outline& outline, const glm::dvec3& normal) {
     return result;
 }
 
-/// Returns the vertices of the slice over `outline` with side * (dot(edge, p) - offset) >= 0. A zero `edge` keeps all
-/// vertices.
+/// Returns the vertices of the slice `part` in the image region `outline`, with side * (dot(edge, p) - offset) >= 0. If
+/// `edge` is zero, returns all vertices.
 std::vector<FitVertex> sliceVertices(
     const ViewFrustum& part, const Outline& outline, const glm::dvec3& edge, double offset, double side) {
     std::vector<FitVertex> result;
     const auto value = [&](const glm::dvec3& p) { return side * (glm::dot(edge, p) - offset); };
-    // Corners that lie on the cutting plane by construction must not be dropped because of rounding.
+    // Rounding must not drop corners that are on the cutting plane by construction.
     const double slack = 1e-12 * part.far;
     const auto keep = [&](const glm::dvec3& p, DepthEnd end) {
         if (value(p) >= -slack) result.push_back({p, end});
@@ -114,8 +114,8 @@ std::vector<FitVertex> sliceVertices(
     return result;
 }
 
-/// Returns the part of the image that a face owns after the faces before it. It matches the rule of partitionIndex
-/// exactly.
+/// Returns the part of the image that belongs to a face and to none of the faces before it. It is identical to the rule
+/// of partitionIndex.
 Outline faceOutline(const ViewFrustum& frustum, const FaceSelector& face) {
     return clipped(clipped(imageOutline(frustum), face.first), face.second);
 }
@@ -131,7 +131,7 @@ void addSlicePlanes(Region& region) {
         addPlane(region.volume, -outwardNormal(region.frustum, side.face), 0);
 }
 
-/// Returns the vertices of the near square's region between the depths of `part`: the part that no face owns.
+/// Returns the vertices of the near square's region between the depths of `part`. This region belongs to no side face.
 /// `nearDepth` is the near depth of the slice.
 std::vector<FitVertex> nearVertices(const ViewFrustum& part, double nearDepth, const PartitionSelector& all) {
     std::vector<FitVertex> result;
@@ -156,14 +156,14 @@ std::vector<FitVertex> partitionVertices(
     return sliceVertices(part, faceOutline(part, face), face.edge, face.edgeOffset * nearDepth, 1);
 }
 
-/// Returns `slice`, extended to `shown` if it is the first or the last of `count` slices.
+/// Returns `slice`. If it is the first or the last of `count` slices, extends it to the depths `shown`.
 ViewFrustum coveredBy(ViewFrustum slice, std::size_t index, std::size_t count, const DepthSpan& shown) {
     if (index == 0) slice.near = std::min(slice.near, shown.near);
     if (index + 1 == count) slice.far = std::max(slice.far, shown.far);
     return slice;
 }
 
-/// Removes the planes that touch no vertex, because they do not bound the region.
+/// Removes the planes of `region` that touch no vertex, because they do not bound the region.
 void dropIdlePlanes(Region& region) {
     std::erase_if(region.volume.planes, [&](const Plane& plane) {
         return std::none_of(region.vertices.begin(), region.vertices.end(), [&](const FitVertex& vertex) {
@@ -172,7 +172,7 @@ void dropIdlePlanes(Region& region) {
     });
 }
 
-/// Returns the corners in camera space. Bit i of the index selects the max of axis i.
+/// Returns the corners of `box` in camera space. Bit i of the index selects the max of axis i.
 std::array<glm::dvec3, 8> cornersOf(const Box& box, const CameraBasis& basis) {
     std::array<glm::dvec3, 8> corners{};
     for (unsigned i = 0; i < 8; ++i) {
@@ -197,7 +197,8 @@ ConvexVolume volumeOf(const Box& box, const CameraBasis& basis) {
     return volume;
 }
 
-/// Adds the two end points of the part of a-b inside `volume`, with its planes moved outwards by `slack`.
+/// Adds the two end points of the part of segment a-b that is inside `volume`. The planes of the volume are moved
+/// outwards by `slack`.
 void addClipped(
     const glm::dvec3& a,
     const glm::dvec3& b,
@@ -218,14 +219,14 @@ void addClipped(
     points.push_back(a + (b - a) * last);
 }
 
-/// A part of a region: its planes, and segments inside it that include all its edges.
+/// A convex part of a region: its planes, and segments inside it that include all its edges.
 struct Part {
     ConvexVolume volume;
     std::vector<std::array<glm::dvec3, 2>> segments;
 };
 
-/// Returns the whole `region`, with segments between each two of its vertices. For a face, the code does not know which
-/// of these segments are edges.
+/// Returns the whole `region` as a part, with segments between all pairs of its vertices. For a face, the code does not
+/// know which of these segments are edges.
 Part wholePart(const Region& region) {
     Part part{region.volume, {}};
     for (std::size_t i = 0; i < region.vertices.size(); ++i)
@@ -234,7 +235,7 @@ Part wholePart(const Region& region) {
     return part;
 }
 
-/// Returns the part of `region` at `depths`. For a face, returns the whole region.
+/// Returns the part of `region` between the depths `depths`. For a face, returns the whole region.
 Part partAt(const Region& region, const DepthSpan& depths) {
     if (region.face != Face::Whole) return wholePart(region);
     const double near = std::max(depths.near * (1 - kRounding), region.covered.near);
@@ -252,8 +253,8 @@ Part partAt(const Region& region, const DepthSpan& depths) {
     return part;
 }
 
-/// Returns the visible slabs at the depths of `region`, merged to at most kMaxParts slabs. More slabs would improve
-/// the outline of a long region only slightly.
+/// Returns the visible slabs at the depths of `region`, merged to at most kMaxParts slabs. More slabs would make the
+/// outline of a long region only slightly tighter.
 std::vector<VisibleSlab> fewParts(const Region& region, std::span<const VisibleSlab> seen) {
     constexpr std::size_t kMaxParts = 4;
     std::vector<VisibleSlab> inRegion;
@@ -271,12 +272,12 @@ std::vector<VisibleSlab> fewParts(const Region& region, std::span<const VisibleS
     return result;
 }
 
-/// Adds points whose convex hull contains the intersection of `box` and `part`.
+/// Adds points to `points` whose convex hull contains the intersection of `box` and `part`.
 void addShared(
     const Part& part, const Box& box, const CameraBasis& basis, double slack, std::vector<glm::dvec3>& points) {
     const std::array<glm::dvec3, 8> corners = cornersOf(box, basis);
-    // Each corner of the intersection of two convex bodies lies on an edge of one body inside the other. The segments
-    // can add more points, but these also lie in both bodies.
+    // Each corner of the intersection of two convex bodies is on an edge of one body, inside the other body. The
+    // segments can add more points, but these are also inside both bodies.
     const ConvexVolume boxVolume = volumeOf(box, basis);
     for (const auto& [first, last] : part.segments)
         addClipped(first, last, boxVolume, slack, points);
@@ -300,7 +301,7 @@ PartitionSelector partitionSelector(
     const auto counts = [&](std::size_t i) {
         return std::find(counting.begin(), counting.end(), kCycle[i % 4].face) != counting.end();
     };
-    // The cycle starts after a face without a map, so that adjacent faces in the list are adjacent in the image.
+    // The cyclic order starts after a face without a map, so that adjacent faces in the list are adjacent in the image.
     std::size_t start = 0;
     for (std::size_t i = 0; i < 4; ++i)
         if (!counts(i)) start = i + 1;
@@ -310,8 +311,8 @@ PartitionSelector partitionSelector(
         FaceSelector face;
         face.face = kCycle[i % 4].face;
         const glm::dvec3 middle = middleRay(frustum, face.face);
-        // The plane between two neighbours is computed once. It is the second plane of one face and, negated, the first
-        // plane of the other.
+        // The plane between two neighbouring faces is computed once. It is the second plane of one face, and its
+        // negative is the first plane of the other face.
         if (counts(i + 3))
             face.first = selector.faces.empty()
                              ? separator(cornerRay(frustum, kCycle[(i + 3) % 4]), towardsLight, middle)
@@ -334,7 +335,7 @@ std::size_t partitionIndex(const PartitionSelector& selector, const glm::dvec3& 
     while (face + 1 < selector.faces.size()) {
         const double insideSecond = glm::dot(selector.faces[face].second, p);
         if (inside >= 0 && insideSecond >= 0) break;
-        inside = -insideSecond; // both neighbours use the same number, so rounding cannot exclude the point from both
+        inside = -insideSecond; // both neighbours use the same value, so rounding cannot exclude a point from both
         ++face;
     }
     const FaceSelector& owner = selector.faces[face];

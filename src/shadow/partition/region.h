@@ -1,5 +1,5 @@
-// The convex regions of the partitions, with vertices and planes, and the rule that assigns each point to one
-// partition. The rule selects a partition directly; it does not multiply masks.
+// The convex regions of the partitions, with vertices and planes, and the rule that assigns each point to exactly one
+// partition. The rule selects a partition directly, without multiplying masks.
 #pragma once
 
 #include "core/camera.h"
@@ -13,25 +13,26 @@
 
 namespace gnomon::shadow {
 
-/// A side face as the selection uses it. The light direction lies in each of its planes.
+/// The planes that select a side face for a point. The light direction is parallel to each of these planes.
 struct FaceSelector {
     Face face = Face::Top;
-    /// Normals of the two planes through the eye that separate the face from its neighbours. The face owns p only if
-    /// dot(first, p) >= 0 and dot(second, p) >= 0. The `first` of a neighbour is the negated `second` of this face. The
-    /// normal is 0 where there is no neighbour, and each p then passes.
+    /// Normals of the two planes through the eye that separate the face from its neighbours. A point p belongs to the
+    /// face only if dot(first, p) >= 0 and dot(second, p) >= 0. The `first` of a neighbour is the negative `second` of
+    /// this face. If there is no neighbour, the normal is 0, and the test passes for all points.
     glm::dvec3 first{0};
     glm::dvec3 second{0};
-    /// The test of the near face, if it has its own maps: p belongs to the near face if dot(edge, p) < edgeOffset *
-    /// n_i, where n_i is the near depth of p's slice.
+    /// The test for the near face, if the near face has its own maps: p belongs to the near face if dot(edge, p) <
+    /// edgeOffset * n_i, where n_i is the near depth of the slice that contains p.
     glm::dvec3 edge{0};
     double edgeOffset = 0;
 
     bool operator==(const FaceSelector&) const = default;
 };
 
-/// The rule that assigns a point in camera space to a partition. Shaders repeat `partitionIndex` exactly.
+/// The rule that assigns a point in camera space to a partition. The shaders repeat `partitionIndex` exactly.
 struct PartitionSelector {
-    std::vector<double> splits;      // slice i owns splits[i] <= z < splits[i + 1]; end slices have no outer limit
+    // slice i has depths splits[i] <= z < splits[i + 1]; the first and last slice have no outer limit
+    std::vector<double> splits;
     std::vector<FaceSelector> faces; // in cyclic order; empty: each partition is a whole slice
     bool ownNear = false;            // true: the near face has its own partitions
 
@@ -45,16 +46,16 @@ struct PartitionSelector {
 /// The faces of a slice that have their own maps.
 enum class FaceMaps : std::uint8_t {
     None,         // one map covers a whole slice
-    Sides,        // the side faces, extended over the near square
+    Sides,        // the side faces, whose maps also cover the near square
     SidesAndNear, // the side faces and the near square
 };
 
-/// The smallest sine of the angle between light and face at which a map with even rows works in single precision.
+/// Min sine of the angle between light and face for which a map with even rows works in single precision.
 inline constexpr double kGrazing = 1e-3;
 
-/// Returns the selector for `splits` and for the faces that have maps. Neighbours take over a face if the sine of its
-/// angle to the light is below `grazing`, and a near square if it is below kGrazing. Each point therefore has a
-/// partition.
+/// Returns the selector for `splits` and for the faces that have maps. If the sine of a face's angle to the light is
+/// below `grazing`, the neighbouring faces cover the face. For the near square, this limit is kGrazing. Each point
+/// therefore has a partition.
 PartitionSelector partitionSelector(
     const ViewFrustum& frustum,
     const glm::dvec3& towardsLight,
@@ -62,9 +63,9 @@ PartitionSelector partitionSelector(
     FaceMaps faceMaps,
     double grazing = kGrazing);
 
-/// Returns the index of the partition that owns `p`: slice * facesPerSlice + face. The near face is the last face. The
-/// splits select the slice. Then the first face whose two tests pass is selected; the last face needs no test. The test
-/// of the near face comes last.
+/// Returns the index of the partition that contains `p`: slice * facesPerSlice + face. The splits determine the slice.
+/// The face is the first face whose two tests pass; the last side face needs no test. The near face has the last index,
+/// and its test comes last.
 std::size_t partitionIndex(const PartitionSelector& selector, const glm::dvec3& p);
 
 /// A visible slab: the box of all visible surfaces between two depths.
@@ -77,15 +78,15 @@ struct VisibleSlab {
 struct Region {
     std::size_t slice = 0;
     Face face = Face::Whole;
-    ViewFrustum frustum; // the slice with the map's aliasing bound
-    ViewFrustum covered; // the slice, extended if it is an end slice and receivers lie outside the frustum
-    /// First the vertices within the slice; then, of kind WithoutBound, the vertices of the extended part.
+    ViewFrustum frustum; // the slice, for which the map has an aliasing bound
+    ViewFrustum covered; // the slice; the first and last slice are extended to receivers outside the frustum
+    /// The vertices within the slice, followed by the vertices of the extended part (kind WithoutBound).
     std::vector<FitVertex> vertices;
     ConvexVolume volume; // planes of the covered region; each touches a vertex
 };
 
-/// Returns the region of partition `index`, in the numbering of partitionIndex. The first and the last slice are
-/// extended to `shown`, the view depths of all receivers, where these lie outside the frustum.
+/// Returns the region of partition `index`, in the numbering of partitionIndex. `shown` contains the view depths of all
+/// receivers. If some of these depths are outside the frustum, the first and the last slice are extended to them.
 Region partitionRegion(
     const ViewFrustum& frustum,
     const PartitionSelector& selector,

@@ -10,8 +10,8 @@
 
 namespace gnomon::shadow {
 
-/// Returns q - 1 for q = (far/near)^(1/k), the depth ratio of one self-similar slice. The result is also exact for q
-/// near 1.
+/// Returns q - 1 for q = (far/near)^(1/k), the depth ratio of one of k self-similar slices. The result is precise even
+/// for q near 1.
 double sliceRatioMinusOne(double near, double far, int count);
 
 /// Returns the `count` + 1 split depths of self-similar slices, including near and far (Lloyd et al. 2006, Eqs 15 and
@@ -23,7 +23,7 @@ std::vector<double> selfSimilarSplits(double near, double far, int count);
 std::vector<double> practicalSplits(double near, double far, int count, double lambda);
 
 /// Returns the index i of the slice with splits[i] <= depth < splits[i + 1]. Smaller depths belong to the first slice,
-/// larger depths to the last slice. Shaders repeat exactly this rule.
+/// larger depths to the last slice. The shaders repeat this rule exactly.
 std::size_t sliceOf(std::span<const double> splits, double depth);
 
 /// The storage factors of Eqs 17 to 21 and of appendix C for k slices: S summed over the maps.
@@ -39,9 +39,9 @@ struct ClosedForms {
 
 ClosedForms closedForms(const ViewFrustum& frustum, int count);
 
-/// The growth of S with the depth ratio for j maps and large ratios. Slices with an overhead light give alpha^(2/j) (Eq
-/// 22). Face partitions give alpha^(4/j) (Eq 23): they need four maps per slice, but only for a light *behind* the
-/// viewer. The paper labels Eq 23 as overhead.
+/// The growth of S with the depth ratio alpha, for j maps and large ratios. Slices with an overhead light give
+/// alpha^(2/j) (Eq 22). Face partitions give alpha^(4/j) (Eq 23). They need four maps per slice, but only for a light
+/// *behind* the viewer. The paper labels Eq 23 as overhead.
 struct LargeRatioForms {
     double zpOverhead = 0;
     double facesBehind = 0;

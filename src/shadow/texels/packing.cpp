@@ -8,14 +8,14 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// A step of the skyline: the area below `height` is occupied from `x` to the next step.
+/// A step of a skyline packing: from `x` to the next step, the area below `height` is occupied.
 struct Step {
     int x;
     int height;
 };
 
-/// Returns the smallest height for a rectangle of `width` texels that begins at step `first`. Returns INT_MAX if it
-/// would extend beyond `limit`.
+/// Returns the lowest free height for a rectangle of `width` texels whose left side is at step `first`. Returns INT_MAX
+/// if the rectangle would extend beyond `limit`.
 int restingHeight(const std::vector<Step>& steps, std::size_t first, int width, int limit) {
     const int right = steps[first].x + width;
     if (right > limit) return std::numeric_limits<int>::max();
@@ -42,8 +42,8 @@ void raise(std::vector<Step>& steps, std::size_t first, int width, int height) {
         steps.insert(at, {Step{left, height}, rest});
 }
 
-/// Packs rectangles bottom-left, in the given `order`, into a strip of `width`. Returns an empty packing if the height
-/// would exceed `maxSide`.
+/// Packs rectangles in the given `order` into a strip of `width` texels, each at the lowest and then leftmost position.
+/// Returns an empty packing if the height would exceed `maxSide`.
 Packing skyline(
     std::span<const TexelRectangle> rectangles, std::span<const std::size_t> order, int width, int maxSide) {
     Packing packing;
@@ -83,7 +83,7 @@ bool allAlike(std::span<const TexelRectangle> rectangles) {
     });
 }
 
-/// Packs rectangles of equal size into rows of `columns`.
+/// Packs rectangles of equal size into a grid with `columns` columns.
 Packing grid(std::span<const TexelRectangle> rectangles, int columns, int maxSide) {
     const int count = static_cast<int>(rectangles.size());
     const int rows = (count + columns - 1) / columns;
@@ -124,7 +124,8 @@ std::vector<std::size_t> orderOf(std::span<const TexelRectangle> rectangles, Pac
     return order;
 }
 
-/// Returns the width of a strip that holds the first `row` rectangles side by side, and at least the widest rectangle.
+/// Returns the width of a strip that contains the first `row` rectangles of `order` side by side. The strip is at least
+/// as wide as the widest rectangle.
 int stripWidth(std::span<const TexelRectangle> rectangles, std::span<const std::size_t> order, int row) {
     std::int64_t sum = 0;
     int widest = 0;

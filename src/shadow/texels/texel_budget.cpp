@@ -11,7 +11,7 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kErrorStep = 1.0005; // relative precision of the search for the smallest error
+constexpr double kErrorStep = 1.0005; // relative precision of the search for the min error
 
 /// Returns the smallest number of texels with `demand` / texels at most `error`, within the limits.
 int sideFor(double demand, double error, const TexelLimits& limits) {
@@ -33,9 +33,9 @@ std::vector<TexelRectangle> sizesFor(std::span<const TexelDemand> demands, doubl
     return sizes;
 }
 
-/// Returns the error at which the areas of the maps with borders fill the budget, without rounding and packing losses.
-/// No layout of rectangles has a smaller error. The result comes from the positive root of (sum st) x^2 + 2g (sum s +
-/// t) x + 4 g^2 k = texels, with x = 1 / error.
+/// Returns the error for which the areas of the maps with borders fill the budget exactly, without losses by rounding
+/// and packing. No layout of rectangles has a smaller error. With x = 1 / error, the function solves (sum st) x^2 + 2g
+/// (sum s + t) x + 4 g^2 k = texels for its positive root.
 double errorOfAreas(std::span<const TexelDemand> demands, const TexelLimits& limits) {
     double square = 0;
     double linear = 0;
@@ -58,8 +58,8 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
     auto side = static_cast<int>(std::sqrt(static_cast<double>(limits.texels) / static_cast<double>(count)));
     side = std::min(side, limits.maxSide);
     const int minOuterSide = limits.minSide + 2 * limits.gutter;
-    // One row of squares always fits the budget. If the max side of the texture forbids one row, other layouts leave
-    // texels unused, so the loop tries smaller squares.
+    // A single row of squares always fits the budget. If the max side of the texture excludes a single row, other
+    // layouts leave texels unused, so the loop tries smaller squares.
     for (; side >= minOuterSide; side -= std::max(1, side / 64)) {
         const std::vector<TexelRectangle> squares(count, TexelRectangle{0, 0, side, side, false});
         layout.packing = packed(squares, limits.maxSide, limits.mayTranspose);
@@ -82,10 +82,10 @@ double worstError(const TexelLayout& layout, std::span<const TexelDemand> demand
     return worst;
 }
 
-/// A tried layout and its area divided by the budget. The layout fits if `excess` is at most 1.
+/// A layout that the search tried, and its area divided by the budget. The layout fits if `excess` is at most 1.
 struct Attempt {
     TexelLayout layout;
-    double excess = 1.1; // value if the max side permits no layout
+    double excess = 1.1; // 1.1 if the max side permits no layout
 };
 
 Attempt attemptAt(
@@ -112,8 +112,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
     const double bound = errorOfAreas(demands, limits);
     if (!(bound > 0)) return best;
     PackingStrategy strategy = bestStrategy(sizesFor(demands, bound, limits), limits.maxSide, limits.mayTranspose);
-    // The search first increases the error from the bound in steps derived from the excess area. Then it bisects the
-    // last step.
+    // The search starts at the lower bound of the error. First it increases the error in steps that depend on the
+    // excess area. Then it bisects the last step.
     double tooSmall = 0;
     double sufficient = 0;
     double error = bound;
@@ -122,8 +122,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
         if (attempt.excess > 1) {
             tooSmall = error;
         } else {
-            // The limit on the sides can spoil the strategy that was chosen at the bound. Choose again at an error
-            // where all maps fit.
+            // The max side can make the strategy unsuitable that was chosen at the bound. The search then chooses a
+            // strategy again, at an error for which all maps fit.
             if (sufficient == 0)
                 strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide, limits.mayTranspose);
             if (sufficient == 0) tooSmall = bound;
@@ -135,8 +135,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
         const double next = error * std::max(std::sqrt(attempt.excess), kErrorStep);
         error = sufficient > 0 ? (tooSmall + sufficient) / 2 : next;
     }
-    // Unused texels refine one axis of an adjacent map; its other axis keeps the common error. Maps that snap must stay
-    // square.
+    // Unused texels refine one axis of an adjacent map. Its other axis keeps the common error. Maps that snap to texels
+    // must stay square.
     if (!best.equalSquares && limits.margin == 0) growIntoGaps(best.packing, limits.maxSide);
     return best;
 }
@@ -148,7 +148,8 @@ std::uint64_t requiredTexels(std::span<const TexelDemand> demands, double aliasi
     const std::uint64_t minOuterSide = static_cast<std::uint32_t>(limits.minSide + 2 * limits.gutter);
     TexelLimits sufficient = limits;
     sufficient.texels = std::max(rectangles.area(), minOuterSide * minOuterSide * demands.size());
-    // The search of splitTexels stops slightly above the smallest error and may choose another strategy.
+    // The search of splitTexels stops slightly above the min error, and may choose another strategy. The loop therefore
+    // verifies the number, and increases it if necessary.
     for (int attempt = 0; attempt < 64; ++attempt) {
         if (worstError(splitTexels(demands, sufficient), demands) <= aliasing) return sufficient.texels;
         sufficient.texels += sufficient.texels / 100 + 64;

@@ -1,4 +1,4 @@
-// The distribution of a texel budget over the maps of a frame, such that all maps have the same largest error.
+// The distribution of a texel budget over the maps of a frame, so that the max error of all maps is equal.
 #pragma once
 
 #include "shadow/texels/packing.h"
@@ -17,22 +17,22 @@ struct TexelDemand {
 
 /// The limits of the distribution.
 struct TexelLimits {
-    std::uint64_t texels = 4194304; // of all maps together, borders included
-    int gutter = 1;                 // texels on each side of a map
+    std::uint64_t texels = 4194304; // total of all maps, borders included
+    int gutter = 1;                 // border on each side of a map, in texels
     int minSide = 4;                // min side of a map without its borders
     int maxSide = 16384;            // max side of a map with its borders, and of the texture
-    int margin = 0;                 // texels along each axis that add no resolution, because snapping needs them
+    int margin = 0;                 // texels along each axis that snapping needs and that add no resolution
     bool mayTranspose = true;       // true: the packing may transpose maps
 };
 
 /// The rectangles of all maps in one texture.
 struct TexelLayout {
-    Packing packing; // rectangles with borders; the area is within the budget
+    Packing packing; // rectangles including borders; the area of the texture is within the budget
     int gutter = 1;
     int margin = 0;
-    bool equalSquares = false; // true: all maps have equal squares, because no other layout was better
+    bool equalSquares = false; // true: all maps have squares of equal size, because no other layout was better
 
-    /// Returns the texels of map `i` along s or t, without borders.
+    /// Returns the number of texels of map `i` along s, without borders. texelsT returns the number along t.
     int texelsS(std::size_t i) const {
         const TexelRectangle& r = packing.rectangles[i];
         return (r.transposed ? r.height : r.width) - 2 * gutter;
@@ -44,14 +44,14 @@ struct TexelLayout {
     }
 };
 
-/// Returns the error of one map with `layout`: demand divided by texels (without the margin), the larger value of s and
-/// t.
+/// Returns the error of one map in `layout`: its demand divided by its texels without the margin. The error is the max
+/// over s and t.
 double mapError(const TexelLayout& layout, std::size_t map, const TexelDemand& demand);
 
-/// Distributes the texel budget such that mapError is equal over all maps, except for rounding to whole texels. The
-/// error is as small as the budget permits (Lloyd et al. 2006, Eqs 13 and 14, for any number of maps). The function
-/// returns equal squares if the packing of unequal rectangles wastes too much area. The texture may have any shape.
-/// Throws gnomon::Error if the budget cannot hold all maps at their min size.
+/// Distributes the texel budget so that mapError is equal for all maps, except for rounding to whole texels. The error
+/// is as small as the budget permits (Lloyd et al. 2006, Eqs 13 and 14, for any number of maps). If the packing of
+/// different rectangles wastes too much area, all maps receive equal squares. The texture may have any shape. Throws
+/// gnomon::Error if the budget is too small for all maps at their min size.
 TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits& limits);
 
 /// Returns the number of texels with which splitTexels achieves an error of at most `aliasing` (> 0). The number

@@ -12,11 +12,11 @@ namespace gnomon::shadow {
 namespace {
 
 constexpr double kQuarter = kPi / 2;
-constexpr int kCoarse = 24;            // samples over half a revolution
+constexpr int kCoarse = 24;            // samples of the rotation over half a revolution
 constexpr double kLowerMinimum = 0.95; // another minimum of S is selected only if it is lower by this factor
 
-/// Returns S for a map rotated by `radians` from the plain orientation. The result is fast to compute and slightly too
-/// large. For the rule Auto it is the smallest S of four warps.
+/// Returns an approximation of S for a map rotated by `radians` from the plain orientation. It is fast to compute and
+/// slightly too large. For the rule Auto, it is the min S of four warps.
 double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
     const LightFit fit = rolled(plain, radians);
     if (rowsOf(warp.rule) == RowSpacing::Logarithmic) return storageFactor(fit, kappaLog(fit, Search::Rough));
@@ -33,7 +33,7 @@ double exactStorage(const LightFit& plain, const Warp& warp, double radians) {
     return storageFactor(fit, kappaOf(warp, fit));
 }
 
-/// Returns the local minimum of S that is nearest to `start`, within `reach` on both sides.
+/// Returns the rotation at a local minimum of S near `start`, within `reach` on both sides.
 double localMinimum(const LightFit& plain, const Warp& warp, double start, double reach) {
     double best = start;
     double minStorage = roughStorage(plain, warp, start);
@@ -56,7 +56,8 @@ double bestLightRoll(const LightFit& plain, const Warp& warp) {
     for (int i = 0; i < kCoarse; ++i) {
         const double at = kPi * (static_cast<double>(i) / kCoarse - 0.5);
         const double found = roughStorage(plain, warp, at);
-        // Without a warp, all minima are equal. The smaller rotation then wins, so that rounding has no influence.
+        // Without a warp, all minima are equal. The smaller rotation is then selected, so that rounding has no
+        // influence.
         if (found < minStorage * (1 - 1e-9) || (found < minStorage * (1 + 1e-9) && std::abs(at) < std::abs(best))) {
             minStorage = std::min(minStorage, found);
             best = at;
@@ -66,7 +67,7 @@ double bestLightRoll(const LightFit& plain, const Warp& warp) {
     return exactStorage(plain, warp, refined) <= exactStorage(plain, warp, 0) ? refined : 0.0;
 }
 
-/// Returns `radians` without whole revolutions, in [-pi, pi).
+/// Returns the angle `radians` in [-pi, pi), without whole revolutions.
 double wrapped(double radians) {
     return radians - 2 * kPi * std::floor((radians + kPi) / (2 * kPi));
 }
@@ -77,8 +78,8 @@ glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight
     const glm::dvec3 axis = glm::cross(state.towardsLight, towardsLight);
     const double cosine = glm::dot(state.towardsLight, towardsLight);
     glm::dvec3 z = state.zAxis;
-    // This is Rodrigues' rotation, with sine and cosine from the two lights. For opposite lights no rotation is needed,
-    // because each perpendicular axis suits both.
+    // This is Rodrigues' rotation formula, with sine and cosine from the two light directions. Opposite lights need no
+    // rotation, because an axis perpendicular to one light is also perpendicular to the other.
     if (cosine > -0.999999) z += glm::cross(axis, z) + glm::cross(axis, glm::cross(axis, z)) / (1 + cosine);
     z -= towardsLight * glm::dot(z, towardsLight);
     return glm::normalize(z);

@@ -1,5 +1,6 @@
-// The rotation of a shadow map about the light direction. With the plain convention (lightFrame), the map spins when
-// the light becomes parallel to the view. The rotation here minimises the storage factor and limits the angular speed.
+// The rotation of a shadow map about the light direction. In the plain orientation (lightFrame), the map spins when the
+// light becomes almost parallel to the view. The rotation in this file minimises the storage factor and has a limited
+// angular speed.
 #pragma once
 
 #include "shadow/fit/light_fit.h"
@@ -15,16 +16,17 @@ struct OrientationState {
     glm::dvec3 zAxis{0, 0, 1};
 };
 
-/// Max rotation of the map, in radians per radian of light movement in camera space. The rotation that `carried`
-/// applies is not counted. A light movement of more than 6 degrees therefore permits any orientation.
+/// Max rotation of the map between two frames, in radians per radian of light movement in camera space. The rotation by
+/// `carried` does not count. If the light moves by more than 6 degrees, any orientation is permitted.
 constexpr double kOrientationRate = 30;
 
-/// Returns the axis of `state`, turned by the smallest rotation that maps its light direction to `towardsLight`.
+/// Returns the t axis of `state`, rotated by the smallest rotation that moves the light direction of `state` to
+/// `towardsLight`.
 glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight);
 
-/// Returns the frame for `slice` and `warp` whose rotation about the light minimises the storage factor S. S is never
-/// larger than in the plain orientation. With a previous state, the rotation follows its current local minimum of S
-/// until another minimum is 5% lower, and turns by at most kOrientationRate. When the warp disappears, the frame
+/// Returns the light frame for `slice` and `warp` whose rotation about the light minimises the storage factor S. S is
+/// never larger than in the plain orientation. With a previous state, the rotation follows its current local minimum of
+/// S until another minimum is 5% lower. It changes by at most kOrientationRate. Where the warp vanishes, the frame
 /// becomes aligned with the camera, because S is then smallest.
 LightFrame chosenFrame(
     const ViewFrustum& slice,

@@ -11,10 +11,10 @@ namespace gnomon::shadow {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kMaxWarp = 1e6; // max kappa d, for rules whose kappa has a pole
+constexpr double kMaxWarp = 1e6; // max kappa d for the rules whose kappa can become infinite
 
-/// Returns the argument of the smallest `value` in [low, high] by golden-section search, to within `tolerance`. The
-/// function must be unimodal. Returns the better end of the interval if it is at least as good.
+/// Returns the argument with the smallest `value` in [low, high], by golden-section search to within `tolerance`. The
+/// function must be unimodal. If an end of the interval is at least as good as the result, returns this end.
 template <class Function>
 double minimumOf(const Function& value, double low, double high, double tolerance) {
     constexpr double kGolden = 0.6180339887498949;
@@ -59,8 +59,8 @@ auto storageOfGrowth(const LightFit& fit) {
     return [&fit](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
 }
 
-/// Returns the growth with the smallest S, between no warp and kMaxWarp. The search takes the best of `steps` even
-/// steps and refines it by golden sections between its neighbours.
+/// Returns ln(1 + kappa d) with the smallest S, between no warp and kMaxWarp. The search evaluates `steps` equal steps,
+/// and refines the best step by golden-section search between its neighbours.
 double growthOfMinStorage(const LightFit& fit, int steps, double tolerance) {
     const auto storage = storageOfGrowth(fit);
     const double step = std::log1p(kMaxWarp) / steps;
@@ -113,12 +113,12 @@ double kappaMinimax(const LightFit& fit) {
     const double d = fit.length;
     if (d <= 2 * a) return 0;
     const double root = std::sqrt(fit.slice.depthRatio());
-    // This form of root - 1 is also exact for a depth ratio near 1.
+    // This form of root - 1 is also precise for a depth ratio near 1.
     const double rootLessOne = (fit.slice.far - fit.slice.near) / (fit.slice.near * (root + 1));
     const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kNever;
     const double farOvertakes = b > root * a ? rootLessOne / (b - root * a) : kNever;
-    // If the map covers far more than its slice, the error of the far side can still fall after it has become the
-    // larger one.
+    // If the map covers far more than its slice, the error of the far side can still fall after it has become larger
+    // than the error of the near side.
     const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kNever;
     const double kappa = nearStops < farOvertakes ? nearStops : std::max(farOvertakes, farStops);
     return std::isfinite(kappa) ? std::min(kappa, kMaxWarp / d) : 0.0;
@@ -144,8 +144,8 @@ std::optional<double> kappaAtEye(const LightFit& fit) {
 double kappaLog(const LightFit& fit, Search search) {
     if (!(fit.length > 0)) return 0;
     const double sought = search == Search::Fine ? growthOfMinStorage(fit, 32, 1e-5) : growthOfMinStorage(fit, 10, 0.1);
-    // The smallest S often lies at a kink, where two vertices have the same error. The search only comes near to a
-    // kink, so the code tests the eye directly.
+    // The smallest S is often at a kink, where two vertices have the same error. The search only approaches a kink. The
+    // code therefore also tests the warp about the eye directly.
     const std::optional<double> atEye = kappaAtEye(fit);
     if (atEye && storageFactor(fit, *atEye) <= storageOfGrowth(fit)(sought)) return *atEye;
     return kappaOfLog(fit, sought);

@@ -10,8 +10,8 @@ namespace gnomon::shadow {
 /// The projection of one shadow map. The coordinates s, t and depth are in [0, 1] over the fitted region:
 /// u = x / w, s = (u - uMin) / width, t = zeta (1 + kappa d) / (d w), depth = (rawDepth - rawMin) / rawRange
 /// with w = 1 + kappa zeta and rawDepth = -y / w. Depth 0 is nearest to the light. With logarithmic rows, t = ln w /
-/// ln(1 + kappa d). No matrix can express this t: `textureFromCamera` then returns the t of even rows. Callers
-/// therefore use mapPoint and mapJacobian.
+/// ln(1 + kappa d). No matrix can express this t, so `textureFromCamera` returns the t of even rows instead. For
+/// logarithmic rows, callers use mapPoint and mapJacobian.
 struct WarpedMap {
     LightFrame frame;
     RowSpacing rows = RowSpacing::Even;
@@ -24,13 +24,15 @@ struct WarpedMap {
     double rawRange = 1;
 };
 
-/// Returns true if the rows are logarithmic. Such a map needs a rasteriser that reads the row positions from an array.
+/// Returns true if the rows of `map` are logarithmic. Only a rasteriser that reads row positions from an array can draw
+/// such a map.
 inline bool hasLogRows(const WarpedMap& map) {
     return map.rows == RowSpacing::Logarithmic;
 }
 
-/// Returns the map of `fit` with warp `kappa`. The depth range contains all vertices and grows by `bias` (in rawDepth)
-/// at both ends. Extents of zero are widened to 1e-9 of the slice's near depth, to avoid a division by zero.
+/// Returns the projection for `fit` with warp `kappa`. The depth range contains all vertices and is extended by `bias`
+/// (in rawDepth) at both ends. Extents of zero are widened to 1e-9 of the slice's near depth, to avoid a division by
+/// zero.
 WarpedMap warpedMap(const LightFit& fit, double kappa, double bias = 0);
 
 /// The map coordinates of a point. They are valid only where w > 0.
@@ -43,10 +45,12 @@ struct MapPoint {
 
 MapPoint mapPoint(const WarpedMap& map, const glm::dvec3& p);
 
-/// Returns the light-space (x, z) of the map coordinates (s, t): the inverse of mapPoint without depth. Returns nothing
-/// on or behind the vanishing line of the warp. Logarithmic rows have no vanishing line. A larger or smaller rectangle
-/// of the map corresponds to the convex hull of its four transformed corners: even rows are a linear function divided
-/// by a linear function, and a step in ln w is linear in (x, w).
+/// Returns the light-space position (x, z) of the map coordinates (s, t): the inverse of mapPoint without depth.
+/// Returns nothing if (s, t) is on or behind the vanishing line of the warp. Logarithmic rows have no vanishing line.
+///
+/// Any rectangle in map coordinates corresponds to the convex hull of its four transformed corners. The reason for even
+/// rows is that the transformation is a linear function divided by a linear function. For logarithmic rows, a step in
+/// ln w is linear in (x, w).
 std::optional<glm::dvec2> lightPlanePoint(const WarpedMap& map, double s, double t);
 
 /// The derivatives of (s, t, depth) with respect to the camera-space position. Each row is a gradient.
@@ -60,8 +64,8 @@ MapJacobian mapJacobian(const WarpedMap& map, const glm::dvec3& p);
 
 /// The widths of a texel's light beam along x and z, in world units (Lloyd et al. 2006, section 4.1):
 /// w_lx = W w / res_s and w_lz = d w^2 / ((1 + kappa d) res_t).
-/// With logarithmic rows, w_lz = w ln(1 + kappa d) / (kappa res_t). `sheared` is the length of a whole step in t, which
-/// includes the shear.
+/// With logarithmic rows, w_lz = w ln(1 + kappa d) / (kappa res_t). `sheared` is the length of a step of one texel in
+/// t, including the shear.
 struct LightBeam {
     double x = 0;
     double z = 0;
@@ -73,8 +77,9 @@ LightBeam lightBeam(const WarpedMap& map, const glm::dvec3& p, const Resolution&
 /// Returns the matrix whose product with (p, 1) is (s w, t w, depth w, w). Here t is the t of even rows.
 glm::dmat4 textureFromCamera(const WarpedMap& map);
 
-/// Returns `textureFromCamera` for points relative to `origin` in camera space. Views with a depth ratio below 1.1 or a
-/// half angle below one degree need it: there, float positions must be relative to a point inside the slice.
+/// Returns `textureFromCamera` for positions relative to `origin` in camera space. Views with a depth ratio below 1.1
+/// or a half angle below one degree need this matrix, because their float positions must be relative to a point inside
+/// the slice.
 glm::dmat4 relativeTo(const glm::dmat4& textureFromCamera, const glm::dvec3& origin);
 
 } // namespace gnomon::shadow

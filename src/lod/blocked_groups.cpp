@@ -1,4 +1,4 @@
-// Blocked groups: groups above damaged pages that a cut must leave unrefined.
+// Blocked groups: groups that a cut must not refine, because a page below them is damaged.
 #include "lod/page_store.h"
 
 #include <limits>
@@ -8,16 +8,16 @@ namespace {
 
 constexpr double kNoParent = std::numeric_limits<double>::infinity(); // error of a root group
 
-/// Returns true if `outer` may contain `inner`, with a tolerance of 1e-6.
+/// Returns true if sphere `outer` may contain sphere `inner`, with a relative tolerance of 1e-6.
 bool mayEnclose(const Sphere& outer, const Sphere& inner) {
     return glm::distance(outer.center, inner.center) + inner.radius <= outer.radius * (1 + 1e-6);
 }
 
 } // namespace
 
-/// Blocks groups of `page`. A group may be refined only if each group that contains a part of its refinement is also
-/// refined. The groups that a damaged page refines are unknown, but its bounds contain theirs. Groups outside these
-/// bounds are not affected.
+/// Blocks the groups of `page` above damaged pages. A group may be refined only if each group that contains a part of
+/// its refinement is also refined. The groups in a damaged page are unknown, but the bounds of the page contain them.
+/// Groups outside these bounds are not blocked.
 void PageStore::blockGroups(std::uint32_t page) {
     const hierarchy::Page& content = *entries_[page].content;
     const auto block = [&](std::uint32_t group) {

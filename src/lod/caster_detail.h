@@ -1,4 +1,4 @@
-// Conversion of a shadow map to the input of the error rule: volumes and texels in the model's local space.
+// Converts a shadow map to the input of the error rule: volumes and texels in the model's local space.
 #pragma once
 
 #include "lod/error_rule.h"
@@ -6,7 +6,7 @@
 
 namespace gnomon::lod {
 
-/// Returns the required detail of the casters of `map`. `map` must be in the camera space of `view`.
+/// Returns the detail that the casters of `map` require. `map` must be in the camera space of `view`.
 lod::CasterDetail casterDetail(const lod::DetailView& view, const shadow::ShadowMap& map);
 
 } // namespace gnomon::lod

@@ -15,7 +15,7 @@ namespace {
 using hierarchy::kNone;
 using hierarchy::PageDemand;
 
-/// Merges demands like `unite`, for pages that are so close in the page table that an array over the range is small.
+/// Merges demands like `unite`. For pages whose ids are so close together that an array over the id range is small.
 void uniteByPlace(std::vector<PageDemand>& demands, std::uint32_t first, std::uint32_t last) {
     constexpr double kNobody = -1;
     std::vector<double> pixels(std::size_t{last} - first + 1, kNobody);
@@ -26,10 +26,11 @@ void uniteByPlace(std::vector<PageDemand>& demands, std::uint32_t first, std::ui
         if (pixels[page - first] != kNobody) demands.push_back({page, pixels[page - first]});
 }
 
-/// Merges the demands: each page once, with its largest number of pixels, by id.
+/// Merges the demands: each page occurs once, with its max number of pixels. The result is sorted by page id.
 void unite(std::vector<PageDemand>& demands) {
     if (demands.empty()) return;
-    constexpr std::size_t kPlacesADemand = 16; // scanning so many array elements is faster than sorting one demand
+    // scanning this number of array elements takes less time than sorting one demand
+    constexpr std::size_t kPlacesADemand = 16;
     const auto byPage = [](const PageDemand& a, const PageDemand& b) { return a.page < b.page; };
     const auto [first, last] = std::minmax_element(demands.begin(), demands.end(), byPage);
     if (last->page - first->page < kPlacesADemand * demands.size()) {
@@ -90,7 +91,7 @@ PageTrees::PageTrees(std::span<const hierarchy::PageInfo> pages, const hierarchy
 std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint32_t>& missingRoots) {
     const std::uint64_t mine = lod::undecidedMask(query.volumes.size()).touching;
     std::vector<ConvexVolume> volumes(query.volumes.begin(), query.volumes.end());
-    volumes.emplace_back(); // all of space: only the error rule selects pages
+    volumes.emplace_back(); // all of space, so that only the error rule selects pages
     std::vector<PageVisit> visits;
     const auto matters = [&](const Sphere& bounds, double error) {
         return query.rule->exceeds(bounds, error, query.errorPixels);
@@ -132,7 +133,7 @@ bool CutPart::isBlocked(std::uint32_t page, std::uint32_t group) const {
     return query_->blocked != nullptr && !query_->blocked->empty() && query_->blocked->contains({page, group});
 }
 
-/// Returns isSkippable for a page that is not resident.
+/// Returns the result of isSkippable for a page that is not resident.
 bool CutPart::isPassed(std::uint32_t page) {
     if (query_->passable.empty()) return false;
     if (asked_ != page) isAskedSkippable_ = isSkippable(*query_, page); // adjacent refinements often share a page
@@ -140,7 +141,8 @@ bool CutPart::isPassed(std::uint32_t page) {
     return isAskedSkippable_;
 }
 
-/// Collects the planes that a page's box may cross: the planes of volumes that do not certainly contain the box.
+/// Collects the planes that a page's box may intersect: the planes of all volumes that do not certainly contain the
+/// box.
 void CutPart::collectPlanes(lod::VolumeMask mask) {
     pagePlanes_.clear();
     for (std::uint64_t left = mask.undecided(); left != 0; left &= left - 1) {
@@ -150,8 +152,8 @@ void CutPart::collectPlanes(lod::VolumeMask mask) {
     }
 }
 
-/// Returns the volumes of `touching` that `box` intersects (see gnomon::classify). `planes` are the planes that the
-/// enclosing box crosses. Planes that `box` itself crosses are added to `still`.
+/// Returns the volumes of the bit set `touching` that `box` intersects (see gnomon::classify). `planes` are the planes
+/// that intersect a box around `box`. The planes that intersect `box` itself are added to `still`.
 std::uint64_t CutPart::narrowed(
     std::uint64_t touching,
     std::span<const CutPlane> planes,
@@ -188,8 +190,9 @@ void CutPart::addGroup(
     }
 }
 
-/// Returns the screen-space error of a drawn cluster. The cluster's own box gives a tighter bound than the sphere of
-/// its refinement. Where a page is missing, this sphere can reach the eye, and its bound is then infinite.
+/// Returns the screen-space error of a drawn cluster, in pixels. The box of the cluster gives a tighter bound than the
+/// sphere of its refinement. If the
+/// refinement is not resident, this sphere can contain the eye, and its bound is then infinite.
 double CutPart::shownPixels(const hierarchy::Page& page, const hierarchy::Cluster& cluster) const {
     const double pixels = refinements_[cluster.refinement].viewPixels;
     if (!(pixels > query_->errorPixels)) return pixels;
@@ -211,7 +214,8 @@ void CutPart::test(const hierarchy::Page& page) {
         refinements_[i].isRefined = (isResident || isPassed(refinement.group.page)) &&
                                     !isBlocked(refinement.group.page, refinement.group.group);
         std::vector<PageDemand>& demands = isResident ? used_ : wanted_;
-        if (!demands.empty() && demands.back().page == refinement.group.page) { // often shared with the last one
+        // adjacent refinements often share a page
+        if (!demands.empty() && demands.back().page == refinement.group.page) {
             demands.back().pixels = std::max(demands.back().pixels, pixels);
         } else {
             demands.push_back({refinement.group.page, pixels});
@@ -279,8 +283,8 @@ std::vector<PageDemand> demand(const CutQuery& query) {
 
 std::vector<PageDemand> findPrefetchSet(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages) {
-    // A page is refined only by pages with higher ids. In this order, all predecessors of a page are complete before
-    // the page.
+    // Only pages with higher ids refine a page. In this order, all coarser pages of a page are complete before the
+    // page.
     std::map<std::uint32_t, double> pixelsOf;
     for (const PageDemand& wanted : cut.wanted)
         pixelsOf[wanted.page] = wanted.pixels;

@@ -1,5 +1,5 @@
-// The LOD cut of a view: one decision per group, limited to resident pages, and the pages that would increase the
-// detail.
+// The LOD cut of a view: it selects the groups to refine, as far as their pages are resident. It also lists the missing
+// pages that would add detail.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::lod {
 
-/// Adjacent clusters of one page that are drawn.
+/// A range of adjacent clusters of one page, which are all drawn.
 struct ClusterRange {
     std::uint32_t page = 0;
     std::uint32_t firstCluster = 0;
@@ -35,11 +35,12 @@ struct DrawLists {
     std::vector<DrawList> sections; // one per section plane: the clusters near it
     bool operator==(const DrawLists&) const = default;
 
-    /// Returns all lists in the order of the query's volumes.
+    /// Returns all draw lists in the order of the query's volumes.
     std::vector<const DrawList*> all() const;
 };
 
-/// The trees over a model's pages, one per level. A tree with mixed levels would prune badly by error.
+/// The bounding volume trees over a model's pages, one tree per level. In a tree over mixed levels, the error test
+/// would skip few nodes.
 class PageTrees {
 public:
     /// Builds the trees from the page table. This takes milliseconds for tens of thousands of pages.
@@ -48,7 +49,7 @@ public:
     struct PageItem {
         std::uint32_t page = 0;
         Sphere bounds;
-        double error = 0; // max over its groups
+        double error = 0; // max error of its groups
         bool holdsRoot = false;
     };
 
@@ -57,7 +58,7 @@ public:
         std::vector<PageItem> items; // in the order of the tree's item indices
     };
 
-    /// Returns the levels, coarsest first.
+    /// Returns the trees of the levels, coarsest first.
     std::span<const Level> levels() const { return levels_; }
 
     const hierarchy::Grid& grid() const { return grid_; }
@@ -67,49 +68,55 @@ private:
     hierarchy::Grid grid_;
 };
 
-/// The input of a cut. The spans must outlive the call.
+/// The input for computing a cut. The spans must outlive the call.
 struct CutQuery {
     const PageTrees* trees = nullptr;
     hierarchy::ResidentPages resident;
     const ErrorRule* rule = nullptr;
-    double errorPixels = 1; // refined where the rule gives more
-    // In local space, fewer than lod::kMaxVolumes: the volume of the image, then of the casters, then of the sections.
+    double errorPixels = 1; // groups whose error in pixels exceeds this limit are refined
+    // Volumes in local space, fewer than lod::kMaxVolumes: first the volume of the image, then the volumes of the
+    // casters, then the volumes of the sections.
     std::span<const ConvexVolume> volumes;
-    const hierarchy::BlockedGroups* blocked = nullptr; // groups that stay unrefined whatever the rule says, if any
-    /// The page table, if the cut is drawn only once it wants nothing: then pages that it surely refines as a whole
-    /// need not be there (`isSkippable`).
+    const hierarchy::BlockedGroups* blocked = nullptr; // groups that must not be refined; null: none
+    /// The page table, if the caller draws the cut only when it wants no pages. The cut then does not need the pages
+    /// whose groups it certainly refines (`isSkippable`). Otherwise empty.
     std::span<const hierarchy::PageInfo> passable = {};
-    std::size_t sectionVolumes = 0; // number of volumes of the sections
+    std::size_t sectionVolumes = 0; // number of section volumes at the end of `volumes`
 };
 
-/// A cut: one draw list per volume, and the cost. It draws exactly one cluster along each chain of refinement that
-/// intersects a volume. This holds for each set of resident pages that is ancestor-complete. `used` and `wanted`
-/// together are the pages that contain a group with more than `errorPixels`, as far as the resident pages tell. They
-/// depend neither on boxes nor on earlier frames, so each cut of the same view wants the same pages.
+/// A cut: one draw list per volume, and the cost. If the resident pages are ancestor-complete, the cut draws exactly
+/// one cluster along each chain of refinement that intersects a volume. `used` and `wanted` together are the pages with
+/// a group whose error exceeds `errorPixels`, as far as the resident pages tell. They depend neither on volumes nor on
+/// earlier frames, so each cut of the same view wants the same pages.
 struct Cut {
     DrawLists lists;
-    std::vector<hierarchy::PageDemand> used;   // resident pages that the cut refines into, each once, by id
-    std::vector<hierarchy::PageDemand> wanted; // missing pages that the cut would refine into, each once, by id
-    std::vector<std::uint32_t> passed;         // pages that are not resident and that the cut refines through, by id
-    double errorPixels = 0;                    // the threshold of the cut
-    double achievedErrorPixels = 0;            // max screen-space error of the image
+    // resident pages into which the cut refines; each page once, sorted by id
+    std::vector<hierarchy::PageDemand> used;
+    // missing pages into which the cut would refine; each page once, sorted by id
+    std::vector<hierarchy::PageDemand> wanted;
+    // skippable pages that are not resident and whose groups the cut refines, sorted by id
+    std::vector<std::uint32_t> passed;
+    double errorPixels = 0;         // error limit of the cut, in pixels
+    double achievedErrorPixels = 0; // max screen-space error of the image, in pixels
     std::uint64_t groupsTested = 0;
-    std::uint64_t clustersTested = 0; // drawn clusters that the traversal reached, once per volume except the first
+    // drawn clusters that the traversal tested against caster volumes, once per volume
+    std::uint64_t clustersTested = 0;
 };
 
-/// A resident page that the traversal reached, and its relation to the query's volumes. The page may intersect no
-/// volume; it is then visited for the pages that refine it.
+/// A resident page that the traversal reached, and its relation to the query's volumes. A page without a volume is
+/// visited only for the pages that refine it.
 struct PageVisit {
     std::uint32_t page = 0;
     lod::VolumeMask mask;
     bool holdsRoot = false;
 };
 
-/// Returns the resident pages that may contain a refined group. Root pages that are not resident are added to
+/// Returns the resident pages that may contain a group to refine. Adds the root pages that are not resident to
 /// `missingRoots`.
 std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint32_t>& missingRoots);
 
-/// The part of a cut from some of the visited pages. Different threads can compute parts of disjoint pages.
+/// The part of a cut that some of the visited pages contribute. Threads can compute the parts of different pages in
+/// parallel.
 class CutPart {
 public:
     explicit CutPart(const CutQuery& query);
@@ -117,25 +124,25 @@ public:
     /// Adds the drawn clusters of one page.
     void add(const PageVisit& visit);
 
-    /// Joins the parts, in this order, into one cut.
+    /// Combines the parts, in this order, to one cut.
     static Cut joined(
         const CutQuery& query, std::span<const CutPart> parts, std::span<const std::uint32_t> missingRoots);
 
 private:
-    /// The result for a refinement of the current page.
+    /// The result of the error rule for a refinement of the current page.
     struct RefinementState {
         double viewPixels = 0;
         bool isRefined = false;
     };
 
-    /// A plane of a volume that intersects a box.
+    /// A plane of a volume that intersects the current box.
     struct CutPlane {
         glm::dvec3 normal{0};
         double offset = 0;
         std::uint64_t volume = 0; // the bit of its volume
     };
 
-    /// Adjacent drawn clusters that intersect the same volumes.
+    /// A range of adjacent drawn clusters that intersect the same volumes.
     struct Run {
         ClusterRange range;
         std::uint64_t touching = 0;
@@ -165,35 +172,37 @@ private:
     bool isAskedSkippable_ = false;
     std::vector<CutPlane> pagePlanes_;
     std::vector<CutPlane> groupPlanes_;
-    double step_; // of the grid
+    double step_; // step of the grid, in world units
     Run run_;
     double achieved_ = 0;
     std::uint64_t groupsTested_ = 0;
     std::uint64_t clustersTested_ = 0;
 };
 
-/// Returns the pages that a cut of `query` would use or want, without the cut itself. This serves prefetching. The
-/// result does not depend on the volumes.
+/// Returns the pages that a cut of `query` would use or want, without computing the cut. Prefetching needs this list.
+/// The result does not depend on the volumes.
 std::vector<hierarchy::PageDemand> demand(const CutQuery& query);
 
-/// Returns the prefetch set: the finer pages that `cut` may want after its wanted pages are loaded, according to the
-/// page table. The set is never too small and contains each page once, by id. It covers all levels at once, so loading
-/// does not wait for one level after another. The set is empty if the cut wants no pages.
+/// Returns the prefetch set of `cut`: the finer pages that the cut may want after its wanted pages are loaded. The page
+/// table determines the set. The set contains all such pages, each once, sorted by id. It includes all levels, so that
+/// pages need not be loaded level after level. If the cut wants no pages, the set is empty.
 std::vector<hierarchy::PageDemand> findPrefetchSet(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages);
 
-/// Returns true if `page` is skippable: the page table proves that a cut of `query` refines all groups of the page and
+/// Returns true if `page` is skippable: the page table proves that a cut of `query` refines all groups of the page, and
 /// thus draws none of its clusters. A page with root groups is never skippable.
 bool isSkippable(const CutQuery& query, std::uint32_t page);
 
-/// Replaces the skippable pages in `cut` by the pages that refine them, as wanted or used pages.
+/// Replaces the skippable pages in `cut` by the pages that refine them. These become wanted pages, or used pages if
+/// they are resident.
 void replacePassed(const CutQuery& query, Cut& cut);
 
-/// Returns the cut, computed on one thread. lod::cutFrame computes the same cut on all cores.
+/// Returns the cut of `query`, computed on one thread. lod::cutFrame computes the same cut on all cores.
 Cut cut(const CutQuery& query);
 
-/// Returns the smallest threshold, not below the query's threshold, at which the clusters of the first volume have at
-/// most `maxTriangles` triangles, if this is possible. The cap thus increases the error evenly.
+/// Returns the smallest error limit in pixels, not below the limit of the query, for which the clusters of the first
+/// volume have at most `maxTriangles` triangles. If no limit achieves this, returns the limit above which only root
+/// groups are refined. The cap on triangles thus increases the error of all clusters equally.
 double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles);
 
 } // namespace gnomon::lod

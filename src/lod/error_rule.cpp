@@ -13,7 +13,7 @@ bool touches(const ConvexVolume& volume, const Sphere& sphere) {
     });
 }
 
-/// An interval of the parameter of a ray.
+/// A range of the parameter of a ray.
 struct Interval {
     double first = 0;
     double last = std::numeric_limits<double>::infinity();
@@ -21,7 +21,7 @@ struct Interval {
     bool isEmpty() const { return first > last; }
 };
 
-/// Returns the part of the ray `origin + t direction`, t >= 0, in `volume` enlarged by `margin`.
+/// Returns the part of the ray `origin + t direction`, t >= 0, that is in `volume` enlarged by `margin` on all sides.
 Interval clippedRay(const ConvexVolume& volume, double margin, const glm::dvec3& origin, const glm::dvec3& direction) {
     Interval result;
     for (const Plane& plane : volume.planes) {
@@ -78,11 +78,11 @@ double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
     const glm::dvec3 toCenter = bounds.center - view_.eye;
     const double depth = glm::dot(toCenter, view_.basis.view);
     const double squaredDistance = glm::dot(toCenter, toCenter);
-    // Squared length of a tangent from the eye to the sphere.
+    // Squared length of a tangent from the eye to the bounding sphere.
     const double squaredTangent = squaredDistance - bounds.radius * bounds.radius;
     double cosine = cornerCosine_;
     if (depth > 0 && squaredTangent > 0) {
-        // cos(phi + asin(r / |p|)) belongs to the largest angle to the view axis in the sphere.
+        // cos(phi + asin(r / |p|)) is the cosine of the largest angle between the view axis and a point of the sphere.
         const double across = std::sqrt(std::max(0.0, squaredDistance - depth * depth));
         cosine = std::max(cosine, (depth * std::sqrt(squaredTangent) - across * bounds.radius) / squaredDistance);
     }
@@ -91,9 +91,9 @@ double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
 
 double ErrorRule::minViewPixels(const Box& box, double error) const {
     if (classify(pyramid_, box) != Containment::Inside) return 0;
-    // Each such sphere extends at least to the farthest point of the box. Its angle to the view axis can only increase
-    // the result.
-    constexpr double kRoundedUp = 1 - 1e-6; // spheres and their contents are rounded separately
+    // Each sphere that contains a point of the box extends at least to the farthest point of the box. An angle to the
+    // view axis can only increase the result.
+    constexpr double kRoundedUp = 1 - 1e-6; // spheres and the geometry in them are rounded separately
     const glm::dvec3& view = view_.basis.view;
     const double middle = glm::dot(box.center() - view_.eye, view);
     const double farthest = middle + 0.5 * glm::dot(glm::abs(view), box.extent());
@@ -106,8 +106,8 @@ double ErrorRule::maxViewPixels(const Box& box, double error) const {
     const glm::dvec3& view = view_.basis.view;
     const double middle = glm::dot(reach.center() - view_.eye, view);
     const double nearest = middle - 0.5 * glm::dot(glm::abs(view), reach.extent());
-    // The angle of a visible point to the view axis is at most that of the image corner. The point moves by at most
-    // `error` from there.
+    // The angle of a visible point to the view axis is at most the angle of the image corner. The geometry moves by at
+    // most `error` from the visible point.
     const double depth = std::max(nearest, distance(box, view_.eye) * cornerCosine_ - error);
     const double across = view_.heightPixels * std::hypot(1.0, view_.tanHalfX / view_.tanHalfY);
     return std::min(across, error * pixelsPerUnit_ / (std::max(depth, view_.nearestDepth) * cornerCosine_));
@@ -117,7 +117,7 @@ double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor)
     if (casters_.empty() || !(error > 0)) return 0;
     double pixels = floor;
     for (const CasterDetail& caster : casters_) {
-        const bool isBounded = !caster.point; // by the largest possible result
+        const bool isBounded = !caster.point; // a point light can magnify the displacement beyond the bound below
         if (isBounded && error * edgePixelsPerUnit_ / caster.receiverNear <= pixels) continue;
         pixels = std::max(pixels, oneCasterPixels(caster, bounds, error));
     }
@@ -127,7 +127,7 @@ double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor)
 double ErrorRule::oneCasterPixels(const CasterDetail& caster, const Sphere& bounds, double error) const {
     if (!touches(caster.casters, bounds)) return 0;
     if (caster.point) {
-        constexpr double kNearest = 1e-6; // of the distance to the farthest receiver
+        constexpr double kNearest = 1e-6; // as a fraction of the distance to the farthest receiver
         const double from = glm::length(bounds.center - caster.point->at) - bounds.radius;
         const double growth = std::max(1.0, caster.point->farthest / std::max(from, kNearest * caster.point->farthest));
         return error * growth * edgePixelsPerUnit_ / caster.receiverNear;

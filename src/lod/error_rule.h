@@ -1,4 +1,4 @@
-// The error rule: the error in pixels that the refinement of a group would remove, on the screen or at a shadow edge.
+// The error rule: the error in pixels that refining a group would remove, on the screen or at the edge of a shadow.
 #pragma once
 
 #include "core/camera.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::lod {
 
-/// The view that determines the detail. Positions are LOCAL to the model (world minus the grid's origin).
+/// The view for which detail is selected. Positions are in the model's LOCAL space (world minus the grid's origin).
 struct DetailView {
     glm::dvec3 eye{0};
     CameraBasis basis;
@@ -20,70 +20,75 @@ struct DetailView {
     double tanHalfX = 0.5773502691896257;
     double tanHalfY = 0.5773502691896257;
     double heightPixels = 800;
-    double nearestDepth = 1e-6; // min depth of geometry, world units, above 0; nearer geometry counts as this depth
+    double nearestDepth = 1e-6; // min depth of visible geometry, world units, above 0; smaller depths are clamped to it
 
-    /// Returns the pixels per unit length perpendicular to the view axis, at view depth 1.
+    /// Returns the number of pixels per unit length perpendicular to the view axis, at view depth 1.
     double pixelsPerUnit() const { return heightPixels / (2 * tanHalfY); }
 
-    /// Returns the pixels per unit of a caster's error that the rule counts for its shadow edge, at view depth 1.
+    /// Returns the displacement of a shadow edge in pixels per unit of the caster's error, at view depth 1, multiplied
+    /// by kEdgeMargin.
     double edgePixelsPerUnit() const { return kEdgeMargin * pixelsPerUnit(); }
 
-    /// The factor for the displacement of a shadow edge. The edge moves with the caster, but the receiver also has an
-    /// error and lies at any angle to the light. The factor was measured on five models: with 1.2 and an error of 1
-    /// pixel, the edges are off by 1.41 pixels at the 99th percentile, and with 1 by 1.75 pixels (bench/shadow_edges).
+    /// The factor by which the error rule multiplies the displacement of a shadow edge. The edge moves with the caster.
+    /// In addition, the receiver has an error, and its surface is at any angle to the light. The factor was measured on
+    /// five models with an error limit of 1 pixel. With the factor 1.2, the displacement of edges is 1.41 pixels at the
+    /// 99th percentile. With the factor 1, it is 1.75 pixels (bench/shadow_edges).
     static constexpr double kEdgeMargin = 1.2;
 };
 
-/// Returns the view pyramid of `view`: the four side planes, and the plane through the eye.
+/// Returns the view pyramid of `view`: the four side planes, and the plane through the eye perpendicular to the view.
 ConvexVolume viewPyramid(const DetailView& view);
 
-/// The size of a shadow map's texel as a function of `zeta`, for a perspective warp (w_lx and w_lz of the theory,
-/// without shear). `zeta` is dot(axis, point) - origin, clamped to [0, depth]. If all members are 0, the map has no
-/// texels: shadows by rays.
+/// The size of a shadow map's texel as a function of `zeta`, for a perspective warp (w_lx and w_lz in
+/// docs/shadow_theory.md, without shear). `zeta` is dot(axis, point) - origin, clamped to [0, depth]. If all members
+/// are 0, there are no texels, because rays compute the shadows.
 struct TexelWidth {
     glm::dvec3 axis{0, 0, 1}; // unit, local space: z axis of the light frame
     double origin = 0;        // dot(axis, point) at zeta = 0
-    double depth = 0;         // d
-    double kappa = 0;         // of the warp
-    double width = 0;         // W / res_s: width at zeta = 0
-    double length = 0;        // d / res_t: length without a warp; with logarithmic rows the length at zeta = 0
-    bool isLog = false;       // logarithmic rows: the length grows like the width; otherwise with its square
+    double depth = 0;         // largest zeta, d
+    double kappa = 0;         // kappa of the warp
+    double width = 0;         // W / res_s: width of a texel at zeta = 0
+    // d / res_t: length of a texel without a warp; with logarithmic rows, the length at zeta = 0
+    double length = 0;
+    // true: logarithmic rows, whose length grows in proportion to the width; false: with the square of the width
+    bool isLog = false;
 
     /// Returns the smaller side of the texel at `zeta`, in world units. It grows with zeta.
     double smallerSide(double zeta) const;
 };
 
-/// A point light, and the distance of the farthest receiver from it.
+/// A point light, and its distance to the farthest receiver.
 struct PointReach {
     glm::dvec3 at{0}; // local space
     double farthest = 0;
 };
 
-/// The required detail of the casters of one partition.
+/// The detail that the casters of one partition require.
 struct CasterDetail {
     ConvexVolume casters;             // volume of all casters of the partition; unit normals, local space
-    ConvexVolume receivers;           // the partition's frustum, or the part that the model reaches; local space
+    ConvexVolume receivers;           // frustum of the partition, or its part within the model's bounds; local space
     double receiverNear = 1e-6;       // min view depth in `receivers`, above 0
     glm::dvec3 towardsLight{0, 1, 0}; // unit, local space
     TexelWidth texel;
-    std::optional<PointReach> point; // replaces towardsLight
+    std::optional<PointReach> point; // the point light, if any; replaces towardsLight
 };
 
-/// The error in pixels, a monotone function of (bounds, error): a sphere inside another sphere, with an error that is
-/// not larger, never has more pixels. Along each chain of refinement, pixels therefore never decrease towards the root.
-/// The rule "refine if pixels > threshold" is thus a valid cut for each threshold.
+/// The error rule: converts the bounding sphere and the error of a group to pixels. The function is monotone: if one
+/// sphere contains another sphere and has at least the same error, it has at least the same number of pixels. Along
+/// each chain of refinement, pixels therefore never decrease towards the root. The test "refine if pixels > limit" thus
+/// gives a valid cut for each limit.
 ///
-/// In view (the sphere intersects the view pyramid): let e be a displacement at view depth z, seen at the angle phi to
-/// the view axis. It moves the image by at most e pixelsPerUnit / (z cos phi). This is the radial stretch 1/cos^2 phi
-/// over the distance z / cos phi. The rule uses the smallest z and the largest phi of the sphere. phi is limited to the
-/// angle of the image corner.
+/// Error in view, if the sphere intersects the view pyramid: let e be a displacement at view depth z, whose direction
+/// from the eye has the angle phi to the view axis. It moves the image by at most e pixelsPerUnit / (z cos phi). This
+/// is the radial stretch 1/cos^2 phi, divided by the distance z / cos phi. The rule uses the smallest z and the largest
+/// phi of the sphere. phi is at most the angle of the image corner.
 ///
-/// As a caster, in view or not, for each partition whose caster volume it intersects: the result is 0 if the error is
-/// at most half a texel at the sphere's shadow. Otherwise it is e edgePixelsPerUnit / z, where z is the smallest view
-/// depth of the partition's receivers on the light rays through the sphere. For a point light, the rule assumes
-/// receivers at the smallest view depth and at the largest distance from the light, and includes the magnification of
-/// the shadow. If the light hits the receivers at an angle a, the actual displacement of the edge is 1 / sin a of this
-/// value, divided by DetailView::kEdgeMargin.
+/// Error as a caster, in view or not, for each partition whose caster volume intersects the sphere: if the error is at
+/// most half a texel at the sphere's shadow, the result is 0. Otherwise it is e edgePixelsPerUnit / z, where z is the
+/// smallest view depth of the partition's receivers on the light rays through the sphere. For a point light, the rule
+/// assumes receivers at the smallest view depth and at the largest distance from the light, and includes the
+/// magnification of the shadow. If the light hits a receiver at the angle a, the real displacement of the edge is 1 /
+/// sin a of this value, divided by DetailView::kEdgeMargin.
 class ErrorRule {
 public:
     /// Creates the rule of a view without shadows.
@@ -96,14 +101,14 @@ public:
 
     std::span<const CasterDetail> casters() const { return casters_; }
 
-    /// Returns the larger of viewPixels and casterPixels. Returns 0 if a refinement would not be visible, and infinity
-    /// for an infinite error (a root group).
+    /// Returns the max of viewPixels and casterPixels. Returns 0 if refining would not be visible, and infinity for an
+    /// infinite error (a root group).
     double pixels(const Sphere& bounds, double error) const {
         if (error == std::numeric_limits<double>::infinity()) return error;
         return std::max(viewPixels(bounds, error), casterPixels(bounds, error));
     }
 
-    /// Returns true if `pixels` is above `threshold`. It is faster than `pixels`.
+    /// Returns true if the result of `pixels` would exceed `threshold`. This function is faster than `pixels`.
     bool exceeds(const Sphere& bounds, double error, double threshold) const {
         return error == std::numeric_limits<double>::infinity() || viewPixels(bounds, error) > threshold ||
                casterPixels(bounds, error, threshold) > threshold;
@@ -112,16 +117,16 @@ public:
     /// Returns the error in view, in pixels.
     double viewPixels(const Sphere& bounds, double error) const;
 
-    /// Returns a lower bound of `viewPixels` for each sphere that contains a point of `box` (local space), with at
-    /// least `error`. Returns 0 if `box` is not completely in view.
+    /// Returns a lower bound of `viewPixels` for all spheres that contain a point of `box` (local space) and have at
+    /// least the error `error`. Returns 0 if `box` is not completely in view.
     double minViewPixels(const Box& box, double error) const;
 
-    /// Returns an upper bound of the image displacement of geometry in `box` (local space) that moves by `error`.
-    /// Returns 0 if the geometry is not visible. The displacement is limited to the size of the image.
+    /// Returns an upper bound of the displacement in the image, in pixels, if geometry in `box` (local space) moves by
+    /// `error`. Returns 0 if the geometry is not visible. The bound is at most the size of the image.
     double maxViewPixels(const Box& box, double error) const;
 
-    /// Returns the error at shadow edges, in pixels. If the error is at most `floor`, the result may be any number up
-    /// to `floor`.
+    /// Returns the error at shadow edges, in pixels. If this error is at most `floor`, the function may return any
+    /// number up to `floor`, which is faster.
     double casterPixels(const Sphere& bounds, double error, double floor = 0) const;
 
 private:

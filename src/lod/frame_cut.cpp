@@ -8,7 +8,7 @@
 namespace gnomon::lod {
 namespace {
 
-/// Pages per task. A task then takes tens of microseconds, so the overhead of scheduling is small.
+/// Number of pages per task. A task takes tens of microseconds, so the overhead of scheduling is small.
 constexpr std::size_t kPagesPerTask = 24;
 
 } // namespace

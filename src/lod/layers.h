@@ -1,12 +1,13 @@
-// The depth complexity of an image: the number of clusters drawn on top of each other.
+// The depth complexity of an image: the mean number of drawn clusters that overlap at a pixel.
 #pragma once
 
 #include "lod/cut.h"
 
 namespace gnomon::lod {
 
-/// Returns the mean number of clusters of `image` per pixel, by their projected boxes. `image` is a draw list of
-/// `query`. Each box is limited to the image. The function stops at `sufficientLayers`.
+/// Returns the mean number of clusters of `image` per pixel, estimated from their projected boxes. `image` is a draw
+/// list of `query`. No box counts more pixels than the image has. The function stops when the result reaches
+/// `sufficientLayers`.
 double imageLayers(const lod::CutQuery& query, const lod::DrawList& image, double sufficientLayers);
 
 } // namespace gnomon::lod

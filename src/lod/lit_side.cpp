@@ -12,8 +12,8 @@
 namespace gnomon::lod {
 namespace {
 
-/// The sine below which a plane may contain the light or the eye. It is far larger than the rounding errors of a light
-/// direction and of the products below.
+/// Sine of the angle below which a plane may contain the light direction or the eye. It is far larger than the rounding
+/// errors of a light direction and of the products below.
 constexpr double kGrazing = 1e-6;
 
 /// Returns true if a * b equals c * d exactly. All arguments are integers with absolute values below 2^53.
@@ -23,8 +23,8 @@ bool areProductsEqual(double a, double b, double c, double d) {
     return p == q && std::fma(a, b, -p) == std::fma(c, d, -q);
 }
 
-/// Returns true if the plane of a triangle certainly contains the direction `towardsLight`. This is tested for lights
-/// along an axis, because walls are often exactly vertical on the grid.
+/// Returns true if the plane of a triangle certainly contains the direction `towardsLight`. The function tests only
+/// lights along an axis, because walls are often exactly vertical on the grid.
 bool holdsLight(const std::array<hierarchy::GridPoint, 3>& corners, const glm::dvec3& towardsLight) {
     const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
     const glm::dvec3 ab = cells(corners[1]) - cells(corners[0]);

@@ -35,7 +35,7 @@ Loaders::Loaders(const PageSource& source, unsigned threadCount) : source_(&sour
             threads_.emplace_back([this] { run(); });
         } catch (const std::system_error& error) {
             if (threads_.empty()) throw Error("a loader of pages", std::string("no thread for it: ") + error.what());
-            break; // fewer threads are sufficient
+            break; // the system starts no more threads, and fewer threads are sufficient
         }
     }
 }
@@ -57,7 +57,7 @@ void Loaders::request(std::span<const std::uint32_t> pages) {
         const std::lock_guard lock(mutex_);
         queue_.insert(queue_.begin(), pages.rbegin(), pages.rend());
         finished_.reserve(
-            // Reserved here, because a loader thread cannot report a failed allocation.
+            // Reserves the memory for the results here, because a loader thread cannot report a failed allocation.
             finished_.size() + busy_ + queue_.size());
     }
     work_.notify_all();

@@ -1,4 +1,4 @@
-// The loader threads: they read and decode the pages of a queue in order of urgency.
+// The loader threads, which read and decode the pages of a queue in order of urgency.
 #pragma once
 
 #include "lod/page_source.h"
@@ -13,15 +13,16 @@
 
 namespace gnomon::lod {
 
-/// The result of a loader for one page.
+/// The result of loading one page.
 struct LoadedPage {
     std::uint32_t page = 0;
     std::unique_ptr<const hierarchy::Page> content; // null if the page is damaged or could not be read
     std::string fault;                              // the reason, if `content` is null
-    std::exception_ptr failure = nullptr;           // set if the page is not damaged, but reading or decoding failed
+    // set if the page is not damaged, but could not be read or decoded at present
+    std::exception_ptr failure = nullptr;
 };
 
-/// Loader threads with a queue. Only the owner's thread may call the functions.
+/// Loader threads with a queue of pages. Only the thread that owns this object may call its functions.
 class Loaders {
 public:
     /// Starts `threadCount` threads (at least one). `source` must outlive them.
@@ -37,10 +38,10 @@ public:
     /// Appends `pages` to the queue.
     void request(std::span<const std::uint32_t> pages);
 
-    /// Empties the queue. Returns the pages that no thread had begun.
+    /// Empties the queue, and returns the pages whose loading no thread had started.
     std::vector<std::uint32_t> withdraw();
 
-    /// Returns the pages finished since the last call. Does not wait.
+    /// Returns the pages that were loaded since the last call. Does not wait.
     std::vector<LoadedPage> finished();
 
     /// Waits until the queue is empty and no page is being read.

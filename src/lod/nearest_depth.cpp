@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMargin = 0.05;
 
-/// Returns the view pyramid, slightly wider than the image.
+/// Returns the view pyramid of `view`, widened by kMargin.
 ConvexVolume widenedPyramid(DetailView view) {
     view.tanHalfX *= 1 + kMargin;
     view.tanHalfY *= 1 + kMargin;

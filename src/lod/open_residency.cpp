@@ -1,4 +1,4 @@
-// Conversion of the resident pages of an open demand to an ancestor-complete set.
+// Makes the resident pages ancestor-complete after an open demand (Demand::isOpen).
 #include "lod/page_store.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ bool PageStore::close() {
     if (!isOpen_) return false;
     isOpen_ = false;
     bool hasHidden = false;
-    for (std::uint32_t page = 0; page < entries_.size(); ++page) { // parents have lower ids
+    for (std::uint32_t page = 0; page < entries_.size(); ++page) { // parents have lower ids, so they come first
         const Entry& entry = entries_[page];
         const auto isThere = [this](std::uint32_t parent) { return entries_[parent].state == State::Resident; };
         if (entry.state != State::Resident || std::all_of(entry.parents.begin(), entry.parents.end(), isThere))
@@ -20,7 +20,7 @@ bool PageStore::close() {
     return hasHidden;
 }
 
-/// Hides `page`, as if it had been decoded before one of its parents.
+/// Makes `page` not resident but keeps its content, as if the page had been decoded before one of its parents.
 void PageStore::hide(std::uint32_t page) {
     Entry& entry = entries_[page];
     entry.state = State::Loading;

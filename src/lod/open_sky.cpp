@@ -24,7 +24,8 @@ struct SeenPlane {
     bool holds(const glm::dvec3& point) const { return glm::dot(normal, point) > offset; }
 };
 
-/// The position of all other geometry relative to a triangle: only behind it, only in front of it, or both.
+/// The position of all other geometry relative to a triangle's plane: only behind the plane, only in front of it, or on
+/// both sides.
 enum class PlaneSide : std::uint8_t { Behind, Before, Both };
 
 class OpenSkySearch {
@@ -42,8 +43,8 @@ public:
         }
     }
 
-    /// Returns true if geometry may lie in front of a triangle of `range`. A triangle with all geometry in front of it
-    /// is a back face: if `solids` is Whole, the function only records it.
+    /// Returns true if geometry may be in front of a triangle of `range`. If `solids` is Whole and all geometry is in
+    /// front of a triangle, the triangle is a back face. The function then only records it.
     bool isFound(const lod::ClusterRange& range, Solids solids) {
         const hierarchy::Page& page = *query_->resident[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
@@ -61,8 +62,8 @@ public:
         return false;
     }
 
-    /// Returns true if no back faces were found, or if they belong to a closed solid seen from outside, which hides
-    /// them.
+    /// Returns true if there are no back faces, or if all back faces are hidden because they belong to a closed solid
+    /// seen from outside.
     bool hidesFarSides() const { return !hasFarSides_.load() || (hasNearSides_.load() && isClosed()); }
 
 private:
@@ -76,7 +77,7 @@ private:
         return isAllInView_ && !isAnyBefore(-normal, corners[0]) ? PlaneSide::Before : PlaneSide::Both;
     }
 
-    /// Returns true if geometry lies in front of the plane through `point`, on the side of `normal`.
+    /// Returns true if geometry is in front of the plane through `point`, on the side of `normal`.
     bool isAnyBefore(const glm::dvec3& normal, const glm::dvec3& point) const {
         constexpr double kSteps = 2;
         const SeenPlane plane{normal, glm::dot(normal, point) + kSteps * grid_.step()};

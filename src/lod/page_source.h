@@ -1,4 +1,4 @@
-// The source of pages: a file or a server.
+// The source from which pages are loaded: a file or a server.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -7,7 +7,7 @@
 
 namespace gnomon::lod {
 
-/// A page table and its pages.
+/// A page table, and access to its pages.
 class PageSource {
 public:
     PageSource() = default;
@@ -17,12 +17,12 @@ public:
     PageSource(PageSource&&) = delete;
     PageSource& operator=(PageSource&&) = delete;
 
-    /// Returns the name for messages.
+    /// Returns the name of the source for messages.
     virtual std::string name() const = 0;
 
     virtual std::span<const hierarchy::PageInfo> pages() const = 0;
 
-    /// Returns one decoded page. Many threads may call it at once. Throws PageDamage if the page is damaged, and any
+    /// Reads and decodes one page. Can run on many threads at once. Throws PageDamage if the page is damaged, and any
     /// other exception if the page is not available at present.
     virtual hierarchy::Page readPage(std::uint32_t page) const = 0;
 };

@@ -10,7 +10,7 @@
 namespace gnomon::lod {
 namespace {
 
-/// Scale of the urgency of prefetched pages. All used and wanted pages are more urgent.
+/// Factor for the urgency of prefetched pages, so that all used and wanted pages are more urgent.
 constexpr double kPrefetchScale = 1e-30;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -108,7 +108,7 @@ DemandOutcome PageStore::load(const Demand& demand) {
     loaders_.wait();
     outcome.hasChanged = takeFinished() || outcome.hasChanged;
     if (outcome.isBudgetBinding) outcome.hasChanged = dropUnkept() || outcome.hasChanged;
-    evictFor({0}); // evicts pages without demand, because auxiliary bytes of other pages may need their memory
+    evictFor({0}); // evicts pages without demand, because the auxiliary bytes of other pages may need their memory
     countMissing(demand, outcome);
     const bool isIncomplete = statistics_.pagesDamaged > 0 || outcome.pagesMissing > 0;
     if (isIncomplete && close()) outcome.hasChanged = true; // a cut must be able to draw the ancestors
@@ -155,7 +155,8 @@ void PageStore::raisePriority(std::uint32_t page, double urgency, Need need) {
 }
 
 void PageStore::raiseParents() {
-    std::priority_queue<std::uint32_t> finestFirst(requested_.begin(), requested_.end()); // a parent has a lower id
+    // highest id first: parents have lower ids than their children
+    std::priority_queue<std::uint32_t> finestFirst(requested_.begin(), requested_.end());
     while (!finestFirst.empty()) {
         const std::uint32_t page = finestFirst.top();
         finestFirst.pop();
@@ -166,14 +167,14 @@ void PageStore::raiseParents() {
     }
 }
 
-/// Returns the error for a budget below `required` for `what`.
+/// Returns the error for a budget that is smaller than the memory `required` for `what`.
 Error PageStore::tooSmall(const std::string& what, Bytes required) const {
     const std::string found = readableBytes(options_.budget);
     return {source_->name(), "the page cache is too small for " + what, "at least " + readableBytes(required), found};
 }
 
-/// Selects the pages that the budget can hold, the most urgent first. All certain pages come before prefetched pages,
-/// and thus parents before children.
+/// Selects the requested pages for which the budget has memory, the most urgent first. All used and wanted pages and
+/// their ancestors come before prefetched pages. Parents come before children.
 void PageStore::chooseKept(DemandOutcome& outcome) {
     Bytes total{pinned_.count + reserved_.count};
     for (const std::uint32_t page : requested_) {
@@ -187,7 +188,7 @@ void PageStore::chooseKept(DemandOutcome& outcome) {
         if (!keep(entries_[page], total)) return;
 }
 
-/// Adds the entry to the kept pages and to `total`. Returns false if the budget is exceeded.
+/// Adds the entry to the kept pages and its bytes to `total`. Returns false if the budget would be exceeded.
 bool PageStore::keep(Entry& entry, Bytes& total) const {
     if (entry.isKept() || entry.state == State::Damaged) return true;
     if (total.count + entry.bytes.count > options_.budget.count) return false;
@@ -241,8 +242,8 @@ bool PageStore::evictFor(Bytes bytes) {
         for (std::uint32_t page = 0; page < table_.size(); ++page)
             if (entries_[page].state == State::Resident && entries_[page].retention == Retention::None)
                 victims_.push_back(page);
-        // The sort puts the next victim last: the page that was not used for the longest time. A child was used no
-        // later than its parents, so it is evicted before them.
+        // After this sort, the next page to evict is the last: the page that was not used for the longest time. A child
+        // was used no later than its parents, so it is evicted before them.
         std::sort(victims_.begin(), victims_.end(), [this](std::uint32_t a, std::uint32_t b) {
             const std::uint64_t usedA = entries_[a].lastUsed;
             const std::uint64_t usedB = entries_[b].lastUsed;
@@ -282,7 +283,8 @@ bool PageStore::takeFinished() {
     return statistics_.pagesRead != before;
 }
 
-/// Admits the waiting pages whose parents are all available, in one pass. Returns true if there was one.
+/// Makes the waiting pages resident whose parents are all available, in one pass over the pages. Returns true if there
+/// was such a page.
 bool PageStore::admitWaiting() {
     bool hasMoved = false;
     std::vector<LoadedPage> still;
@@ -305,7 +307,7 @@ bool PageStore::admitWaiting() {
     return hasMoved;
 }
 
-/// Rejects a page that could not be loaded. Returns the exception to throw if no other page can be drawn in its place.
+/// Rejects a page that could not be loaded. If no other page can be drawn in its place, returns the exception to throw.
 std::exception_ptr PageStore::reject(const LoadedPage& loaded) {
     release(loaded.page);
     const bool isUnread = loaded.failure != nullptr;
@@ -327,7 +329,7 @@ bool PageStore::isPausing(const Entry& entry) const {
     return entry.unreadSince && entry.unreadSince->elapsed() < *options_.unreadPause;
 }
 
-/// Returns true if `page` waits for a parent that could not be read and is not being loaded again.
+/// Returns true if `page` waits for a parent that could not be read and that is not being loaded again.
 bool PageStore::isUnrequested(std::uint32_t page) const {
     const std::vector<std::uint32_t>& parents = entries_[page].parents;
     return std::any_of(parents.begin(), parents.end(), [this](std::uint32_t parent) {
@@ -345,10 +347,11 @@ void PageStore::admit(LoadedPage loaded) {
     if (statistics_.pagesDamaged > 0 && !isOpen_) blockGroups(loaded.page);
 }
 
-/// Evicts requested pages for which the budget has no memory. Returns true if a page was evicted.
+/// Evicts the requested pages for which the budget has no memory. Returns true if a page was evicted.
 bool PageStore::dropUnkept() {
     bool hasDropped = false;
-    for (std::size_t i = requested_.size(); i-- > 0;) { // least urgent first, so children before parents
+    // least urgent first, so that children are evicted before their parents
+    for (std::size_t i = requested_.size(); i-- > 0;) {
         const Entry& entry = entries_[requested_[i]];
         if (entry.isKept() || entry.state != State::Resident || entry.heldChildren != 0) continue;
         evict(requested_[i]);

@@ -1,5 +1,5 @@
-// The page store: decoded pages under a hard byte budget. It loads the pages with the largest error reduction first.
-// The resident pages are ancestor-complete at all times, except after an open demand.
+// The page store: decoded pages under a hard byte budget. It first loads the pages that reduce the error most. The
+// resident pages are ancestor-complete at all times, except after an open demand (Demand::isOpen).
 #pragma once
 
 #include "core/error.h"
@@ -17,55 +17,57 @@
 
 namespace gnomon::lod {
 
-/// A page that the store could not load: it is damaged or unreadable, or memory was not available. Cuts draw the
-/// coarser pages above it instead.
+/// A page that the store could not load, because it is damaged or unreadable, or because memory was not available. Cuts
+/// draw the coarser pages above it instead.
 struct DamagedPage {
     std::uint32_t page = 0;
-    std::string reason;     // one line, with path and byte offset
-    bool isUnread = false;  // true: the page is not damaged; it could not be read, or memory was not available
-    bool isRetried = false; // true: the store will retry it; it is the first failure since a page was read
+    std::string reason;    // one line, with path and byte offset
+    bool isUnread = false; // true: the page is not damaged, but could not be read, or memory was not available
+    // true: the store will try to read the page again; the page is the first failure since the last successful read
+    bool isRetried = false;
 };
 
 struct PageStoreOptions {
-    /// Of decoded pages with their auxiliary bytes, including pages that are being loaded.
+    /// Limit for the memory of decoded pages with their auxiliary bytes, including pages that are being loaded.
     Bytes budget = gibibytes(1);
     unsigned loaderThreads = 4;
-    /// Called once per page, on the thread of `admitLoaded` and `load`.
+    /// Called once per page that could not be loaded, on the thread of `admitLoaded` and `load`.
     std::function<void(const DamagedPage&)> onDamaged;
-    /// Called when the memory is released, on the store's thread.
+    /// Called when the memory of a page is released, on the thread that owns the store.
     std::function<void(std::uint32_t page)> onEvicted = {};
     /// If true, a page that cannot be read counts as damaged. Otherwise `admitLoaded` and `load` throw an error.
     bool drawsWithoutUnread = false;
-    /// If set, a page that cannot be read counts as missing, not as damaged. The store requests it again after this
-    /// pause at the earliest. `onDamaged` then reports only the first such page until another page has been read.
+    /// If set, a page that cannot be read counts as missing, not as damaged. The store requests the page again, but not
+    /// before this pause has passed. `onDamaged` then reports only the first such page until another page has been
+    /// read.
     std::optional<Milliseconds> unreadPause = std::nullopt;
 };
 
-/// The demand of a cut. The store may evict all other pages.
+/// The pages that a cut demands. The store may evict all other pages.
 struct Demand {
     std::span<const hierarchy::PageDemand> used;
     std::span<const hierarchy::PageDemand> wanted;
-    /// The prefetch set: pages that the cut may want after the wanted pages are loaded. They are loaded in the same
+    /// The prefetch set: pages that the cut may want after the wanted pages are loaded. They are loaded by the same
     /// queue, but receive memory only after the wanted pages.
     std::span<const hierarchy::PageDemand> prefetchSet = {};
-    std::span<const hierarchy::PageDemand> prefetch = {}; // after all other pages, if the budget permits
-    /// True if the caller draws only after all used and wanted pages are resident. The store then does not read their
-    /// coarser ancestors, but still reserves memory for them. Only for `load`.
+    std::span<const hierarchy::PageDemand> prefetch = {}; // least urgent pages, loaded only if the budget permits
+    /// True for an open demand: the caller draws only after all used and wanted pages are resident. The store then does
+    /// not read their coarser ancestors, but still reserves memory for them. Only for `load`.
     bool isOpen = false;
 };
 
 /// The result of the last demand.
 struct DemandOutcome {
-    std::uint64_t pagesMissing = 0; // used or wanted, not resident and not damaged
-    std::uint64_t pagesBlocked = 0; // wanted, but damaged
+    std::uint64_t pagesMissing = 0; // used or wanted pages that are neither resident nor damaged
+    std::uint64_t pagesBlocked = 0; // wanted pages that are damaged
     bool isBudgetBinding = false;   // true: the budget is smaller than the demand
     bool hasChanged = false;        // true: pages were loaded or evicted
 };
 
 struct StoreStatistics {
     std::uint64_t residentPages = 0;
-    Bytes resident;  // decoded
-    Bytes committed; // resident or being loaded, with auxiliary bytes
+    Bytes resident;  // memory of decoded pages
+    Bytes committed; // memory of pages that are resident or being loaded, with auxiliary bytes
     Bytes peak;      // max of `committed` so far
     Bytes read;      // stored bytes of all pages read so far
     std::uint64_t pagesRead = 0;
@@ -73,17 +75,19 @@ struct StoreStatistics {
     std::uint64_t pagesDamaged = 0;
 };
 
-/// Returns the memory of a decoded page.
+/// Returns the memory of a page after decoding.
 Bytes decodedBytes(const hierarchy::PageInfo& info);
 
-/// The page store. Only the thread that owns it may call it. A frame that never waits calls `admitLoaded`, cuts, calls
-/// `request` and draws. Only `admitLoaded` adds pages or evicts pages that the last demand used. The pages of a frame
-/// therefore stay resident until the frame is complete. A frame that waits alternates between a cut and `load`.
+/// The page store. Only the thread that owns it may call it. A frame that does not wait for pages calls `admitLoaded`,
+/// computes a cut, calls `request` and draws. Only `admitLoaded` adds pages, or evicts pages that the last demand used.
+/// The pages of a frame therefore stay resident until the frame is drawn. A frame that waits for pages alternates
+/// between computing a cut and `load`.
 class PageStore {
 public:
-    /// Starts the loader threads and reads the pages with root groups and their ancestors, up to half the budget. These
-    /// pages are never evicted. Throws Error if one of them is damaged, or if the page table is not sorted coarsest
-    /// first. If a page cannot be read, this constructor, `admitLoaded` and `load` throw the exception of its source.
+    /// Starts the loader threads, and reads the pages with root groups and their ancestors, up to half the budget.
+    /// These pages are never evicted. Throws Error if one of them is damaged, or if the page table is not sorted
+    /// coarsest first. If a page cannot be read, this constructor, `admitLoaded` and `load` throw the exception of the
+    /// page source.
     PageStore(const PageSource& source, PageStoreOptions options);
     ~PageStore();
     PageStore(const PageStore&) = delete;
@@ -93,45 +97,48 @@ public:
 
     hierarchy::ResidentPages resident() const { return table_; }
 
-    /// Returns the groups of resident pages that must stay unrefined, because a page below them is damaged. The result
+    /// Returns the groups of resident pages that must not be refined, because a page below them is damaged. The result
     /// changes only when `resident()` changes.
     const hierarchy::BlockedGroups& blocked() const { return blocked_; }
 
     /// Returns true if `page` could not be read.
     bool isDamaged(std::uint32_t page) const { return entries_[page].state == State::Damaged; }
 
-    /// Makes loaded pages resident, and evicts used pages if the last demand needs their memory more. Never waits for
-    /// the disk. Returns true if pages were added or evicted. Throws Error if a page with a root group is damaged.
+    /// Makes loaded pages resident. Evicts used pages if other pages of the last demand need their memory more. Never
+    /// waits for the disk. Returns true if pages were added or evicted. Throws Error if a page with a root group is
+    /// damaged.
     bool admitLoaded();
 
-    /// Requests the most urgent pages from the loaders and evicts pages for them, but not pages that `demand` uses.
-    /// Never waits. Throws Error if the demanded pages with root groups do not fit into the budget.
+    /// Requests the most urgent pages of `demand` from the loaders. Evicts pages to make memory available, but not
+    /// pages that `demand` uses. Never waits. Throws Error if the demanded pages with root groups do not fit into the
+    /// budget.
     DemandOutcome request(const Demand& demand);
 
-    /// Requests and admits pages, waits for all pages that fit, and evicts the others. The resident demanded pages
-    /// therefore do not depend on earlier demands. The caller alternates between a cut and `load` until nothing
-    /// changes.
+    /// Requests the pages of `demand`, waits until all pages that fit into the budget are resident, and evicts all
+    /// others. The resident demanded pages therefore do not depend on earlier demands. The caller alternates between
+    /// computing a cut and `load` until nothing changes.
     DemandOutcome load(const Demand& demand);
 
-    /// Returns true if pages may be resident without their ancestors, after a `load` with an open demand. A cut is then
-    /// valid only if it wants no pages.
+    /// Returns true if pages may be resident without their ancestors, because of a `load` with an open demand. A cut is
+    /// then valid only if it wants no pages.
     bool isOpen() const { return isOpen_; }
 
-    /// Hides resident pages that lack an ancestor, or are below a damaged page, until the ancestors are resident.
-    /// Residency is then ancestor-complete. Returns true if such pages existed.
+    /// Makes the resident pages ancestor-complete. Pages that lack an ancestor, or are below a damaged page, are hidden
+    /// until their ancestors are resident. Returns true if such pages existed.
     bool close();
 
-    /// Reserves `bytes` of the budget for other uses than pages, and evicts pages that the last `load` does not need.
-    /// The value replaces the previous reservation; 0 releases it. Throws Error if the reservation does not fit beside
-    /// the pinned pages.
+    /// Reserves `bytes` of the budget for other data than pages. Evicts pages that the last `load` does not need. The
+    /// value replaces the previous reservation; 0 releases it. Throws Error if the reservation and the pinned pages do
+    /// not fit together.
     void reserve(Bytes bytes);
 
     /// Returns the memory of the pages that are never evicted.
     Bytes pinned() const { return pinned_; }
 
-    /// Reserves auxiliary bytes for each page: `bytes` returns the number for a page (null: none). They replace the
-    /// previous values and are released with the page. The store evicts pages that the last `load` does not need, and
-    /// later counts the auxiliary bytes. Throws Error if the pinned pages do not fit.
+    /// Reserves auxiliary bytes for each resident page. `bytes` returns the number for a page; null means none. The
+    /// numbers replace the previous numbers. A page's auxiliary bytes are released with the page. The store evicts
+    /// pages that the last `load` does not need, and from then on counts the auxiliary bytes. Throws Error if the
+    /// pinned pages do not fit.
     void reserveAuxiliary(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes);
 
     const StoreStatistics& statistics() const { return statistics_; }
@@ -140,35 +147,35 @@ private:
     /// The state of a page.
     enum class State : std::uint8_t {
         Absent,
-        Loading, // queued, being read, or decoded before one of its parents
+        Loading, // in the queue, being read, or decoded before one of its parents
         Resident,
         Damaged, // could not be read
     };
 
-    /// The reason that prevents the eviction of a page. Each value is stronger than the values before it.
+    /// The reason that prevents the eviction of a page, in increasing strength.
     enum class Retention : std::uint8_t {
         None,
         InUse,  // drawn until the next `admitLoaded`
-        Kept,   // the current demand has memory for it
+        Kept,   // the budget has memory for it in the current demand
         Pinned, // never evicted
     };
 
     /// The certainty with which the current demand needs a page.
     enum class Need : std::uint8_t { None, Prefetch, Certain /* used, wanted, or a parent of such a page */ };
 
-    /// The state of one page, besides its row in the page table.
+    /// The state of one page that is not in the page table.
     struct Entry {
         std::unique_ptr<const hierarchy::Page> content;
         std::vector<std::uint32_t> parents;
-        Bytes bytes;                    // of the page with its auxiliary bytes
-        std::uint64_t lastUsed = 0;     // number of the last demand that requested it
-        double urgency = 0;             // in the current demand; above 0 only if it is in `requested_`
-        std::uint32_t heldChildren = 0; // resident or loading
-        bool isRoot = false;            // holds a root group
+        Bytes bytes;                    // memory of the page with its auxiliary bytes
+        std::uint64_t lastUsed = 0;     // number of the last demand that requested the page
+        double urgency = 0;             // urgency in the current demand; above 0 only if the page is in `requested_`
+        std::uint32_t heldChildren = 0; // number of children that are resident or being loaded
+        bool isRoot = false;            // true: the page contains a root group
         State state = State::Absent;
         std::optional<Stopwatch> unreadSince{}; // time of the last failed read
         Need need = Need::None;
-        bool isRequested = false; // requested by the current demand itself, not only as a parent
+        bool isRequested = false; // true: the current demand contains the page itself, not only one of its children
         Retention retention = Retention::None;
 
         bool isKept() const { return retention >= Retention::Kept; }
@@ -205,18 +212,20 @@ private:
     PageStoreOptions options_;
     std::vector<Entry> entries_;
     std::vector<const hierarchy::Page*> table_;
-    std::vector<std::uint32_t> requested_; // current demand, by urgency, coarser pages first
-    std::vector<std::uint32_t> victims_;   // current demand: resident pages that may be evicted, the next one last
+    // pages of the current demand, most urgent first, coarser pages before finer pages
+    std::vector<std::uint32_t> requested_;
+    // resident pages that the current demand may evict; the next page to evict is the last
+    std::vector<std::uint32_t> victims_;
     bool areVictimsKnown_ = false;
     bool isOpen_ = false;             // true: resident pages need not be ancestor-complete
     bool isUnreadTold_ = false;       // true: onDamaged has reported an unreadable page, and no page was read since
-    std::vector<LoadedPage> waiting_; // decoded before one of their parents
+    std::vector<LoadedPage> waiting_; // pages that were decoded before one of their parents
     hierarchy::BlockedGroups blocked_;
     Bytes pinned_;
     Bytes reserved_;
     std::uint64_t clock_ = 0;
     StoreStatistics statistics_;
-    Loaders loaders_; // the last member, so that the threads stop first
+    Loaders loaders_; // last member, so that the threads stop before the other members are destroyed
 };
 
 } // namespace gnomon::lod

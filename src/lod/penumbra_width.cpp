@@ -14,7 +14,7 @@ namespace gnomon::lod {
 
 namespace {
 
-/// A box as seen from the light: a rectangle perpendicular to the light direction, and a range along it.
+/// A box as seen from the light: a rectangle perpendicular to the light direction, and a range along this direction.
 struct BeamBox {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
@@ -31,7 +31,7 @@ struct BeamBox {
     glm::dvec2 middle() const { return 0.5 * (min + max); }
 };
 
-/// A space with one axis along the light.
+/// A coordinate system with one axis along the light direction.
 class BeamSpace {
 public:
     explicit BeamSpace(const glm::dvec3& towards) : along_(towards) {
@@ -57,7 +57,7 @@ private:
     glm::dvec3 up_{0};
 };
 
-/// Boxes in an implicit binary tree: node i has the children 2 i + 1 and 2 i + 2.
+/// Boxes in an implicit binary tree: the children of node i are nodes 2 i + 1 and 2 i + 2.
 class BeamBoxTree {
 public:
     explicit BeamBoxTree(std::vector<BeamBox> boxes) : boxes_(std::move(boxes)) {
@@ -69,8 +69,8 @@ public:
         build(0, 0, boxes_.size(), leaves);
     }
 
-    /// Returns the largest distance of a box in front of `receiver` whose penumbra can fall on the receiver, or `best`
-    /// if it is larger.
+    /// Returns the max distance, along the light, of a box whose penumbra can fall on `receiver`. Returns `best` if it
+    /// is larger. `slope` is the width of a penumbra per unit of distance.
     double farthestBefore(const BeamBox& receiver, double slope, double best) const {
         if (!boxes_.empty()) visit(0, receiver, slope, best);
         return best;
@@ -131,8 +131,9 @@ struct SeenRectangle {
     }
 };
 
-/// Returns the image rectangle of the part of `box` with view depth `depth` or more. Normally, its corners bound the
-/// rectangle. If the box extends nearer, the rectangle covers all combinations of offset and depth.
+/// Returns the image rectangle that contains the part of `box` at view depth `depth` or more. If the whole box is at
+/// this depth or more, its corners bound the rectangle. Otherwise the rectangle contains all combinations of offset and
+/// depth.
 SeenRectangle seenRectangle(const lod::DetailView& view, const TiledView& seen, const Box& box, double depth) {
     const glm::dvec2 size(seen.tiles.width, seen.tiles.height);
     SeenRectangle offsets; // perpendicular to the view, world units
@@ -162,13 +163,13 @@ SeenRectangle seenRectangle(const lod::DetailView& view, const TiledView& seen, 
     return rectangle;
 }
 
-/// A half-open rectangle of image tiles.
+/// A rectangle of image tiles, without its upper ends `max`.
 struct TileBox {
     glm::ivec2 min{0};
     glm::ivec2 max{0};
 };
 
-/// Returns the tiles that may show a part of `box`, whose nearest point has view depth `depth`.
+/// Returns the tiles that may show a part of `box`. The nearest point of the box has view depth `depth`.
 TileBox tilesOf(const lod::DetailView& view, const TiledView& seen, const Box& box, double depth) {
     constexpr double kTileMargin = 1; // pixels: half a pixel, and a reserve for rounding
     const SeenRectangle rectangle = seenRectangle(view, seen, box, depth);
@@ -182,12 +183,12 @@ TileBox tilesOf(const lod::DetailView& view, const TiledView& seen, const Box& b
         glm::clamp(tileAt(rectangle.max + kTileMargin) + 1, glm::ivec2(0), tiles)};
 }
 
-/// The largest width per tile.
+/// The max penumbra width per tile, in pixels.
 class TileWidths {
 public:
     explicit TileWidths(const shadow::ImageTiles& tiles) : tiles_(tiles), widths_(tiles.count()) {}
 
-    /// Returns the smallest width in `box`, or infinity for an empty box.
+    /// Returns the min over the tiles of `box`, or infinity if `box` is empty.
     double min(const TileBox& box) const {
         double min = std::numeric_limits<double>::infinity();
         forEach(box, [&](std::size_t i) { min = std::min(min, widths_[i]); });
@@ -218,8 +219,8 @@ private:
     std::vector<double> widths_;
 };
 
-/// Computes the bounds of the widths for the visible surfaces. It tests clusters first, and triangles if the bound of a
-/// cluster is too coarse.
+/// Computes the bounds of penumbra widths on the visible surfaces. It first tests clusters. If the bound of a cluster
+/// is too coarse, it tests the triangles of the cluster.
 class WidthSearch {
 public:
     WidthSearch(const lod::CutQuery& query, const BeamBoxTree& casters, const DiscLight& light, const TiledView& seen)
@@ -230,7 +231,7 @@ public:
           seen_(&seen),
           space_(light.towards),
           pyramid_(lod::viewPyramid(*view_)) {
-        // Max factor by which a length appears larger than at the image centre.
+        // Max factor by which a length appears larger than at the centre of the image.
         const double aslant = std::sqrt(1 + view_->tanHalfX * view_->tanHalfX + view_->tanHalfY * view_->tanHalfY);
         perDistance_ = light.slope * aslant * view_->heightPixels / (2 * view_->tanHalfY);
     }
@@ -253,11 +254,12 @@ public:
     }
 
 private:
-    /// The position of a receiver in the image and in light space.
+    /// The position of a receiver in the image and in the coordinate system along the light.
     struct Receiver {
         TileBox tiles;
         BeamBox beam;
-        double perDistance = 0; // pixels of penumbra per unit of distance; 0 if not visible
+        // penumbra width in pixels per unit of distance to the caster; 0 if the receiver is not visible
+        double perDistance = 0;
     };
 
     Receiver receiver(const Box& box) const {
@@ -268,7 +270,7 @@ private:
         return {tilesOf(*view_, *seen_, box, depth), space_.boxOf(box), perDistance_ / depth};
     }
 
-    /// Returns true if a penumbra on `box` may be wider than the stored widths of its tiles.
+    /// Returns true if a penumbra on `box` may be wider than the widths of its tiles in `widths`.
     bool isWider(const Box& box, const TileWidths& widths) const {
         const Receiver found = receiver(box);
         if (found.perDistance == 0) return false;
@@ -287,7 +289,7 @@ private:
         if (before > known) widths.raise(found.tiles, before * found.perDistance);
     }
 
-    /// Returns true if a triangle may show the eye a side that a part of the light's disc reaches.
+    /// Returns true if the side of a triangle that the eye may see can be reached by light from a part of the disc.
     bool mayShowLight(const std::array<glm::dvec3, 3>& corners) const {
         constexpr double kGrazing = 1e-6; // rounding error of a sine from these products
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -307,7 +309,7 @@ private:
     const TiledView* seen_;
     BeamSpace space_;
     ConvexVolume pyramid_;
-    double perDistance_ = 0; // at depth 1
+    double perDistance_ = 0; // penumbra width in pixels per unit of distance to the caster, at view depth 1
 };
 
 } // namespace

@@ -18,8 +18,8 @@ void forEachCluster(const lod::CutQuery& query, const lod::DrawList& list, const
     }
 }
 
-/// Calls `visit(corners)` with the local positions of each triangle of a cluster until it returns true. Returns true in
-/// this case.
+/// Calls `visit(corners)` for the triangles of a cluster, with corners in local space, until `visit` returns true.
+/// Returns true in this case.
 template <class Visit>
 bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::uint32_t cluster, const Visit& visit) {
     const hierarchy::Cluster& c = page.clusters[cluster];
@@ -32,11 +32,12 @@ bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::
     return false;
 }
 
-/// Returns the error of a cluster whose refinement is required but not resident, else 0.
+/// If the refinement of a cluster is not resident although the cut requires it, returns the stored error of the
+/// refinement. Otherwise returns 0.
 double missingError(const lod::CutQuery& query, const hierarchy::Page& page, std::uint32_t cluster) {
     if (page.clusters[cluster].refinement == hierarchy::kNone) return 0;
     const hierarchy::Refinement& finer = page.refinements[page.clusters[cluster].refinement];
-    if (query.resident[finer.group.page] != nullptr) return 0; // the cut would have drawn it
+    if (query.resident[finer.group.page] != nullptr) return 0; // the cut would have drawn the refinement
     return query.rule->exceeds(finer.bounds, finer.drawnError(), query.errorPixels) ? finer.error : 0;
 }
 
@@ -59,7 +60,8 @@ void findCandidates(const lod::CutQuery& query, const lod::DrawList& image, std:
     });
 }
 
-/// Tests triangles only if the box of their cluster could still change `best`.
+/// Computes the depth range of visible triangles. It tests triangles only if the box of their cluster could extend the
+/// range.
 class DepthSearch {
 public:
     explicit DepthSearch(const lod::CutQuery& query)
@@ -112,7 +114,7 @@ std::optional<VisibleDepths> visibleDepthRange(
     }
     if (minDepth == kInfinite) return std::nullopt;
     const auto nearer = [](const DepthCandidate& a, const DepthCandidate& b) { return a.maxDepth < b.maxDepth; };
-    std::make_heap(heap.begin(), end, nearer); // candidates after `end` are measured
+    std::make_heap(heap.begin(), end, nearer); // the candidates from `end` on have been measured
     for (; end != heap.begin() && heap.front().maxDepth > maxDepth; --end) {
         search.measure(heap.front(), minDepth, maxDepth);
         std::pop_heap(heap.begin(), end, nearer);

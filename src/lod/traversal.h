@@ -1,4 +1,4 @@
-// Traversal of a tree with several convex volumes and an error rule at a time.
+// Traverses a tree with an error rule and several convex volumes at once.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -9,30 +9,32 @@
 
 namespace gnomon::lod {
 
-/// Max number of volumes in one traversal: one bit each.
+/// Max number of volumes in one traversal. Each volume has one bit of a mask.
 constexpr std::size_t kMaxVolumes = 64;
 
-/// The relation of a box to a set of volumes, one bit per volume. `inside` is a subset of `touching`. The bits are
-/// conservative, like `classify`.
+/// The relation of a box to a set of volumes, one bit per volume: the volumes that may intersect the box, and the
+/// volumes that certainly contain it. `inside` is a subset of `touching`. The bits are conservative, as in
+/// gnomon::classify.
 struct VolumeMask {
     std::uint64_t touching = 0;
     std::uint64_t inside = 0;
 
-    /// Returns the volumes against which a part of the box must still be tested.
+    /// Returns the volumes against which the parts of the box must still be tested.
     std::uint64_t undecided() const { return touching & ~inside; }
 
     bool operator==(const VolumeMask&) const = default;
 };
 
-/// Returns the mask of a box that intersects each of `count` volumes, without further knowledge.
+/// Returns the mask of a box that may intersect each of `count` volumes and that no volume certainly contains.
 VolumeMask undecidedMask(std::size_t count);
 
-/// Returns the mask of `part`, a part of a box with the mask `mask`. Tests only undecided volumes.
+/// Returns the mask of the box `part`. The mask of an enclosing box is `mask`, so only its undecided volumes are
+/// tested.
 VolumeMask narrowed(VolumeMask mask, std::span<const ConvexVolume> volumes, const Box& part);
 
 namespace detail {
 
-/// The planes of the volumes in floats. A margin makes each float test conservative.
+/// The planes of the volumes in single precision, with margins that make the tests conservative.
 class PreparedVolumes {
 public:
     PreparedVolumes(std::span<const ConvexVolume> volumes, double reach);
@@ -55,8 +57,9 @@ private:
 } // namespace detail
 
 /// Calls `visit(item, mask)` for each item whose box intersects one of `volumes` and for which `matters(bounds, error)`
-/// is true. `matters` must be monotone: if it is true for a sphere and an error, it is also true for a larger sphere
-/// around it and a larger error. The float tests can visit a few more items than exact tests, but never fewer.
+/// is true. `matters` must be monotone: if it is true for a sphere and an error, it must also be true for an enclosing
+/// sphere and a larger error. Because of rounding, the function can visit additional items near the volumes, but it
+/// misses no item.
 template <class Matters, class Visit>
 void traverse(const Tree& tree, std::span<const ConvexVolume> volumes, const Matters& matters, const Visit& visit) {
     if (tree.isEmpty() || volumes.empty()) return;

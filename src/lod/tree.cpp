@@ -31,14 +31,14 @@ Sphere merged(const Sphere& a, const Sphere& b) {
     return {a.center + between * ((radius - a.radius) / length), radius * (1 + 1e-12)};
 }
 
-/// A node of Embree's builder: it has children or an item.
+/// A node of Embree's builder, with either children or an item.
 struct BuildNode {
     std::vector<BuildNode*> children;
     std::uint32_t item = 0;
 };
 
 struct BuildContext {
-    // There is one builder thread, so a plain container suffices; it never moves its elements.
+    // Embree builds with one thread, so the container needs no locks. A deque never moves its elements.
     std::deque<BuildNode> nodes;
 };
 
@@ -104,7 +104,8 @@ const BuildNode* embreeTree(std::span<const Item> items, BuildContext& context) 
     return root;
 }
 
-/// Converts Embree's tree to nodes of this project: children after parents, leaves from left to right.
+/// Converts Embree's tree to the nodes of this project. Children come after their parents, and leaves are numbered from
+/// left to right.
 class Flattener {
 public:
     Flattener(std::span<const Item> items, std::vector<Node>& nodes, std::vector<std::uint32_t>& order)

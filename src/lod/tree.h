@@ -1,5 +1,5 @@
-// A bounding volume tree over boxes with errors. Embree builds it once, with eight children per node. The traversal is
-// in traversal.h.
+// A bounding volume hierarchy over boxes with errors. Embree builds it once, with eight children per node. traversal.h
+// contains the traversal.
 #pragma once
 
 #include "core/box.h"
@@ -11,7 +11,7 @@
 
 namespace gnomon::lod {
 
-/// An item of the tree. `box` is tested against volumes, `bounds` and `error` against an error rule.
+/// An item of the tree. Volumes are tested against `box`, and an error rule against `bounds` and `error`.
 struct Item {
     Box box;
     Sphere bounds;
@@ -20,19 +20,19 @@ struct Item {
 
 constexpr std::size_t kWidth = 8;
 
-/// A node with eight children in structure-of-arrays layout. Floats are rounded outwards: if a test fails here, it also
-/// fails for the child itself.
+/// A node with eight children in structure-of-arrays layout. Floats are rounded outwards: a child that fails a test
+/// with these values also fails with its exact values.
 struct Node {
     std::array<std::array<float, kWidth>, 3> min{};
     std::array<std::array<float, kWidth>, 3> max{};
     std::array<std::array<float, kWidth>, 4> bounds{}; // sphere: x, y, z, radius
     std::array<float, kWidth> error{};
-    std::array<std::uint32_t, kWidth> child{}; // a node, or an item if the child's bit in `leaves` is set
+    std::array<std::uint32_t, kWidth> child{}; // index of a node, or of an item if the child's bit in `leaves` is set
     std::uint8_t count = 0;
     std::uint8_t leaves = 0;
 };
 
-/// The tree. An item is identified by its index in the span that the tree was built from.
+/// The tree. An item is identified by its index in the array from which the tree was built.
 class Tree {
 public:
     Tree() = default;

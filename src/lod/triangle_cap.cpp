@@ -7,7 +7,7 @@
 namespace gnomon::lod {
 namespace {
 
-/// The thresholds at which a cluster is drawn: from `minPixels` (inclusive) to `end` (exclusive).
+/// The range of error limits for which a cluster is drawn: from `minPixels` (inclusive) to `end` (exclusive).
 struct DrawnAt {
     double minPixels = 0;
     double end = 0;
@@ -21,7 +21,7 @@ std::uint64_t trianglesAt(std::span<const DrawnAt> clusters, double errorPixels)
     return result;
 }
 
-/// The clusters of the first volume that are drawn at any threshold from the query's threshold up.
+/// The clusters of the first volume that are drawn at any error limit that is at least the limit of the query.
 class DrawnClusters {
 public:
     explicit DrawnClusters(const CutQuery& query) : query_(&query), volumes_(query.volumes.first(1)) {}
@@ -70,7 +70,8 @@ private:
 
     const CutQuery* query_;
     std::span<const ConvexVolume> volumes_;
-    std::vector<double> refinedBelow_; // by refinement of the current page: the threshold below which it is refined
+    // one per refinement of the current page: error limits below this value refine it
+    std::vector<double> refinedBelow_;
     std::vector<DrawnAt> found_;
 };
 
@@ -79,7 +80,7 @@ private:
 double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles) {
     const std::vector<DrawnAt> clusters = DrawnClusters(query).all();
     if (trianglesAt(clusters, query.errorPixels) <= maxTriangles) return query.errorPixels;
-    double coarsest = query.errorPixels; // above this threshold, only roots are refined
+    double coarsest = query.errorPixels; // above this error limit, only root groups are refined
     for (const DrawnAt& cluster : clusters)
         coarsest = std::max({coarsest, cluster.minPixels, std::isfinite(cluster.end) ? cluster.end : 0});
     double tooMany = std::max(query.errorPixels, std::numeric_limits<double>::min());

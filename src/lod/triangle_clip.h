@@ -8,13 +8,13 @@
 
 namespace gnomon::lod {
 
-/// Clips triangles to one volume and reuses its buffers.
+/// Clips triangles to one volume, and reuses its buffers.
 class TriangleClipper {
 public:
     explicit TriangleClipper(const ConvexVolume& volume) : volume_(&volume) {}
 
-    /// Returns the corners of the part of the triangle inside the volume (Sutherland, Hodgman 1974), or an empty list.
-    /// The result is valid until the next call.
+    /// Returns the corners of the part of the triangle inside the volume (Sutherland, Hodgman 1974). The list is empty
+    /// if no part is inside. The result is valid until the next call.
     const std::vector<glm::dvec3>& clipped(const std::array<glm::dvec3, 3>& corners);
 
 private:

@@ -47,7 +47,7 @@ private:
     std::size_t count_ = 1;
 };
 
-/// Depth steps with a mark for each step that contains a lit surface. Threads only add marks, so the result does not
+/// Depth steps, with a mark for each step that contains a lit surface. Threads only set marks, so the result does not
 /// depend on their order.
 class DepthSteps {
 public:
@@ -82,7 +82,7 @@ private:
     std::vector<std::atomic<bool>> marks_;
 };
 
-/// Returns the view depths of a box in the model's local space.
+/// Returns the range of view depths of a box in the model's local space.
 DepthSpan depthsOf(const lod::DetailView& view, const Box& box) {
     const double middle = glm::dot(view.basis.view, box.center() - view.eye);
     const double reach = glm::dot(glm::abs(view.basis.view), box.extent() * 0.5);
@@ -147,7 +147,8 @@ private:
         if (isBefore(corners[0], normal)) canBeShadowed_.store(true, std::memory_order_relaxed);
     }
 
-    /// Returns true if the casters extend above the plane through `point` by more than the snapping error of a vertex.
+    /// Returns true if the box of the casters extends above the plane through `point` by more than the snapping error
+    /// of a vertex.
     bool isBefore(const glm::dvec3& point, const glm::dvec3& normal) const {
         if (casters_.isEmpty()) return false;
         const double highest =
@@ -169,7 +170,7 @@ Box boxBetween(const lod::DetailView& view, const Box& box, const DepthSpan& spa
     const double eye = glm::dot(along, view.eye);
     Box result = box;
     for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(along[axis]) < 1e-3) continue; // almost no bound
+        if (std::abs(along[axis]) < 1e-3) continue; // the plane bounds this axis only at a very large distance
         double minDepth = eye + span.near;          // range of along[axis] * x for any values on the other axes
         double maxDepth = eye + span.far;
         for (int other = 0; other < 3; ++other) {
@@ -184,7 +185,7 @@ Box boxBetween(const lod::DetailView& view, const Box& box, const DepthSpan& spa
     return result;
 }
 
-/// Returns the box of a drawn cluster, extended by the error of its refinement.
+/// Returns the box of a drawn cluster, extended by the stored error of its refinement.
 Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
     const Box box = grid.local(cluster.box);
     const bool isLeaf = cluster.refinement == hierarchy::kNone;
@@ -192,7 +193,7 @@ Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, cons
     return {box.min - margin, box.max + margin};
 }
 
-/// Cuts `box` at the depth steps and adds each part to the box of its step.
+/// Cuts `box` at the borders of the depth steps, and adds each part to the box of its step in `boxes`.
 void addParts(
     const lod::DetailView& view,
     const Box& box,
@@ -233,7 +234,7 @@ std::vector<shadow::VisibleSlab> visibleSlabs(
     std::vector<DepthSpan> spans(steps.count());
     for (std::size_t i = 0; i < spans.size(); ++i)
         spans[i] = steps.span(i);
-    // Boxes store extremes, so the assignment of work to threads does not change the result.
+    // Each thread computes its own boxes, and their union does not depend on the assignment of work to threads.
     tbb::enumerable_thread_specific<std::vector<Box>> ofThreads(spans.size());
     tbb::parallel_for(std::size_t{0}, image.ranges.size(), [&](std::size_t i) {
         const lod::ClusterRange& range = image.ranges[i];

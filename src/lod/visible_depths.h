@@ -1,4 +1,4 @@
-// The survey of the visible geometry before shadow maps are planned: the depth ranges of surfaces that can be lit, and
+// A survey of the visible geometry before shadow maps are planned: the depth ranges of surfaces that can be lit, and
 // the positions of casters.
 #pragma once
 
@@ -10,22 +10,22 @@
 
 namespace gnomon::lod {
 
-/// Number of depth steps per octave. Depth spans consist of whole steps of this ratio. If all depths are within one
-/// such step, for example in a distant view, even steps are used. Whole steps avoid a test of each triangle.
+/// Number of depth steps per octave. Depth spans consist of whole steps, so not every triangle must be tested. If all
+/// depths are within one such step, for example in a distant view, the range is divided into steps of equal size.
 constexpr int kSpansPerOctave = 16;
 
-/// The surfaces of an image that a light could reach.
+/// The visible surfaces of an image whose visible side faces the light.
 struct LitSurfaces {
-    /// Depth spans of drawn surfaces whose visible side faces the light, disjoint and in order. A span can extend one
-    /// step beyond its surfaces, but never ends before them.
+    /// Depth spans of these surfaces, disjoint and sorted. A span can extend one step beyond its surfaces, but is never
+    /// shorter.
     std::vector<DepthSpan> spans;
-    /// False if no such surface has a caster in front of it. True is not certain.
+    /// False if certainly no caster is in front of these surfaces. True if a caster may be.
     bool canBeShadowed = false;
 };
 
-/// Returns the surfaces of `image` that are lit from `towardsLight` (unit, local space) unless a caster within
-/// `casters` (local space) shadows them. Depths below `depths.near` (above 0, world units) count as `depths.near`, and
-/// depths above `depths.far` count as `depths.far`.
+/// Returns the surfaces of `image` whose visible side faces `towardsLight` (unit, local space). `casters` is the box of
+/// all casters (local space). Depths below `depths.near` (above 0, world units) are clamped to `depths.near`, and
+/// depths above `depths.far` to `depths.far`.
 LitSurfaces litSurfaces(
     const lod::CutQuery& query,
     const lod::DrawList& image,
@@ -34,18 +34,18 @@ LitSurfaces litSurfaces(
     const DepthSpan& depths);
 
 /// Returns the visible slabs of `image`, one per depth step. The steps are the same as for depth spans. A slab contains
-/// whole clusters that intersect the view pyramid, extended by the error of any refinement. Boxes are in the model's
-/// axes, relative to the eye.
+/// all clusters at its depths that intersect the view pyramid, as whole clusters. It is extended by the stored error of
+/// their refinements. Boxes are in the model's axes, relative to the eye.
 std::vector<shadow::VisibleSlab> visibleSlabs(
     const lod::CutQuery& query, const lod::DrawList& image, const DepthSpan& depths);
 
-/// Adjacent clusters of a draw list.
+/// A block of adjacent clusters of a draw list.
 struct CasterBlock {
-    Box box; // local space, extended by the error of any refinement
+    Box box; // local space, extended by the stored errors of the refinements
     std::uint64_t triangles = 0;
 };
 
-/// Returns the clusters of `list` in blocks of at most kClustersPerBlock, in list order.
+/// Divides the clusters of `list`, in their order, into blocks of at most kClustersPerBlock clusters.
 std::vector<CasterBlock> casterBlocks(const lod::CutQuery& query, const lod::DrawList& list);
 
 constexpr std::uint32_t kClustersPerBlock = 16;

@@ -19,7 +19,7 @@ inline RTCDevice newDevice() {
     return device;
 }
 
-/// Throws Error if Embree reports an error. `what` names the failed operation.
+/// Throws Error if Embree has reported an error. `what` is the name of the failed operation for the message.
 inline void requireNoError(RTCDevice device, const char* what) {
     const RTCError error = rtcGetDeviceError(device);
     if (error != RTC_ERROR_NONE)
@@ -41,7 +41,7 @@ inline RTCRay embreeRay(const Ray& ray) {
     return result;
 }
 
-/// A triangle geometry with its buffers. The caller fills the buffers and then attaches the geometry.
+/// A triangle geometry of Embree with its buffers. The caller first fills the buffers, and then calls attachTriangles.
 struct TriangleGeometry {
     RTCGeometry geometry = nullptr;
     float* positions = nullptr;       // 3 per vertex

@@ -10,15 +10,16 @@
 namespace gnomon::raytrace {
 namespace {
 
-/// Relative distance of a ray's origin from the surface, as a fraction of the point's distance from the eye. This is
-/// the precision of floats there.
+/// Offset of a ray's origin from the surface, as a fraction of the point's distance from the eye. It is the precision
+/// of floats at this distance.
 constexpr float kRelativeOffset = 0x1.0p-19F;
 
 bool isLitSide(Light light) {
     return light == Light::Dark || light == Light::Lit;
 }
 
-/// Marks lit-side pixels that have a lit-side neighbour with a different result. Skips pairs with an `apart` pixel.
+/// Marks edge pixels: lit-side pixels that have a lit-side neighbour with a different result. Pairs with a pixel marked
+/// in `apart` are skipped.
 template <class IsLit>
 std::vector<std::uint8_t> edges(
     std::span<const Light> reference, std::size_t width, const IsLit& isLit, std::span<const std::uint8_t> apart = {}) {
@@ -39,7 +40,7 @@ class Envelope {
 public:
     explicit Envelope(std::size_t length) : apex_(length), from_(length + 1), values_(length) {}
 
-    /// Replaces the `count` values of `f` at distance `stride` by their transform.
+    /// Replaces `count` values, which are `stride` elements apart, by their distance transform.
     void transform(double* f, std::size_t count, std::size_t stride) {
         for (std::size_t i = 0; i < count; ++i)
             values_[i] = f[i * stride];

@@ -1,5 +1,5 @@
-// The ground truth of shadows: computes by rays which points are lit, and measures the difference to a
-// picture's shadows.
+// The ground truth of shadows: computes with rays which points are lit, and measures the difference to the shadows of a
+// picture.
 #pragma once
 
 #include "raytrace/scene.h"
@@ -13,23 +13,23 @@
 
 namespace gnomon::raytrace {
 
-/// The visible surface at one pixel, relative to the eye.
+/// The visible surface at one pixel, in coordinates relative to the eye.
 struct SurfacePoint {
     glm::vec3 position{0};
     glm::vec3 normal{0}; // geometric, unit length, towards the eye; zero without a surface
-    /// Max distance of the ray's origin from the surface, world units, for example the stored error.
+    /// Max offset of the ray's origin from the surface, in world units, for example the stored error.
     float offset = 0;
 };
 
-/// The ground truth at a pixel.
+/// The ground truth of the light at a pixel.
 enum class Light : std::uint8_t {
     Nothing, // no surface is visible
-    Turned,  // the surface faces away from the light: dark without a ray
+    Turned,  // the surface faces away from the light, so it is dark without a ray
     Dark,    // a triangle blocks the ray
     Lit
 };
 
-/// A light source: a direction, or a point at which rays end.
+/// A light source: a direction, or a point light.
 struct LightSource {
     glm::vec3 at{0, 1, 0}; // position, or direction of unit length
     bool isPoint = false;
@@ -49,14 +49,14 @@ Light litByRay(const Occluders& scene, const SurfacePoint& point, const LightSou
 /// Returns whether the light reaches each point. Runs on all cores.
 std::vector<Light> litByRays(const Occluders& scene, std::span<const SurfacePoint> points, const LightSource& source);
 
-/// The difference between a picture's shadows and the ground truth. It covers the lit-side pixels: pixels whose surface
-/// faces the light.
+/// The difference between the shadows of a picture and the ground truth. Only lit-side pixels count: pixels whose
+/// surface faces the light.
 struct ShadowComparison {
     std::uint64_t litSidePixels = 0;
     std::uint64_t wrongPixels = 0;
-    std::uint64_t edgePixels = 0;      // of both pictures, with distances in the statistics below
-    std::uint64_t edgePixelsApart = 0; // of the ground truth only, without distances, because of `apart`
-    double wrongFraction = 0;          // of the lit-side pixels; 0 without such pixels
+    std::uint64_t edgePixels = 0;      // edge pixels of both pictures whose distances are in the statistics below
+    std::uint64_t edgePixelsApart = 0; // edge pixels of the ground truth without a distance, because of `apart`
+    double wrongFraction = 0;          // wrong pixels divided by lit-side pixels; 0 without lit-side pixels
     /// Distance from each shadow edge of either picture to the nearest edge of the other picture.
     double edgeMedianPixels = 0;
     double edgeP99Pixels = 0;
@@ -66,17 +66,18 @@ struct ShadowComparison {
     std::vector<float> wrongDistances;
 };
 
-/// Returns 1 for each edge pixel of a picture with `width` columns, else 0. An edge pixel has a lit-side neighbour (of
-/// four) with a different result.
+/// Returns one value per pixel of a picture with `width` columns: 1 for an edge pixel, else 0. An edge pixel is a
+/// lit-side pixel with a lit-side neighbour (of four) whose result is different.
 std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::size_t width);
 
-/// Compares a picture with the ground truth; both have `width` columns. `isLit` is the result of the picture, valid
-/// where `reference` is Dark or Lit. An edge pixel has a lit-side neighbour (of four) with a different result.
-/// Distances are between pixel centres. If the other picture has no edge, the distance is the diagonal of the picture.
+/// Compares the shadows of a picture with the ground truth `reference`. Both have `width` columns. `isLit` is the
+/// result of the picture; it is valid where `reference` is Dark or Lit. An edge pixel is a lit-side pixel with a
+/// lit-side neighbour (of four) whose result is different. Distances are between pixel centres. If the other picture
+/// has no edge, the distance is the diagonal of the picture.
 ///
-/// `apart` (one mark per pixel, or empty) marks shadows that the picture may omit. The picture need not show an edge of
-/// the ground truth that has a marked pixel on either side. A marked dark pixel that the picture shows as lit is not
-/// wrong. If the picture does show such an edge, the distance to it is measured like any other.
+/// `apart` has one mark per pixel, or is empty. It marks shadows that the picture may omit. The picture need not show
+/// an edge of the ground truth if a pixel on either side is marked. If a marked dark pixel is lit in the picture, it is
+/// not wrong. If the picture does show such an edge, the distance to this edge is measured like all others.
 ShadowComparison compareShadows(
     std::span<const Light> reference,
     std::span<const std::uint8_t> isLit,

@@ -16,20 +16,21 @@ namespace gnomon::raytrace {
 
 namespace {
 
-/// Max number of clusters in a run. Groups rarely have more.
+/// Max number of clusters in a run. Groups rarely have more clusters.
 constexpr std::uint32_t kMaxClusters = 64;
 
 using ClusterBits = std::bitset<kMaxClusters>;
 
-/// Adjacent clusters of one group with the same refinement. A cut draws all of them or none, except clusters outside
-/// its volumes.
+/// A run: adjacent clusters of one group with the same refinement. A cut draws all of them or none, except clusters
+/// outside its volumes.
 struct Run {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
-    hierarchy::GridPoint corner{};   // min corner of the bounding box: the origin of the scene, whose unit is a cell
-    RTCScene scene = nullptr;        // null until a frame draws it
+    // min corner of the run's bounding box; it is the origin of the run's scene, whose unit is a grid cell
+    hierarchy::GridPoint corner{};
+    RTCScene scene = nullptr;        // ray-tracing tree; null until a frame draws the run
     std::vector<std::uint32_t> ends; // per cluster, the index after its last triangle in the run
-    ClusterBits drawn;               // drawn clusters of the frame whose scene is being built
+    ClusterBits drawn;               // clusters of the run that the current frame draws
 };
 
 /// The runs of a page.
@@ -61,7 +62,7 @@ PageRuns::~PageRuns() {
         if (run.scene != nullptr) rtcReleaseScene(run.scene);
 }
 
-/// A run that a frame draws completely or in part.
+/// A run of which a frame draws at least one cluster.
 struct DrawnRun {
     std::uint32_t page = 0;
     std::uint32_t firstCluster = 0;
@@ -69,15 +70,15 @@ struct DrawnRun {
     ClusterBits drawn;
 };
 
-/// The data of a query for the hit filter. Embree passes the address of `base`.
+/// The data of a ray query for Embree's hit filter. Embree passes the address of the member `base`.
 struct RayContext {
     RTCIntersectContext base{};
-    const DrawnRun* runs = nullptr; // by instance
+    const DrawnRun* runs = nullptr; // one per Embree instance
     const HitRule* rule = nullptr;
     std::uint32_t name = 0;
 };
 
-/// Rejects hits on clusters that the frame does not draw, and hits that the rule does not stop at.
+/// Rejects hits on clusters that the frame does not draw, and hits that do not stop the ray according to the hit rule.
 void filterHit(const RTCFilterFunctionNArguments* arguments) {
     const auto& context = *reinterpret_cast<const RayContext*>(arguments->context);
     const DrawnRun& run = context.runs[RTCHitN_instID(arguments->hit, arguments->N, 0, 0)];
@@ -93,7 +94,7 @@ void filterHit(const RTCFilterFunctionNArguments* arguments) {
     if (!isStopped) *arguments->valid = 0;
 }
 
-/// Copies the triangles of `run` into a geometry of `scene`, relative to the corner of the run.
+/// Copies the triangles of `run` into a geometry of `scene`. Positions are relative to the corner of the run.
 void addTriangles(RTCDevice device, const hierarchy::Page& page, RTCScene scene, Run& run) {
     hierarchy::GridBox box;
     std::uint32_t vertices = 0;
@@ -135,7 +136,7 @@ void build(RTCDevice device, const hierarchy::Page& page, Run& run) {
     run.scene = scene;
 }
 
-/// Attaches `run` to `scene`, translated to its position relative to `origin`.
+/// Attaches the scene of `run` to `scene` as an instance, translated to the run's position relative to `origin`.
 void attach(RTCDevice device, RTCScene scene, const Run& run, const hierarchy::GridPoint& origin) {
     const auto cells = [](std::uint32_t to, std::uint32_t from) {
         return static_cast<float>(static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from));
@@ -187,7 +188,7 @@ struct KeptTrees::State {
 };
 
 Bytes keptTreeBytes(const hierarchy::PageInfo& page) {
-    // Measured with SSE2 and AVX-512: 88 bytes per triangle and 6,000 bytes per run. Pages have few or many runs.
+    // Measured with SSE2 and AVX-512: 88 bytes per triangle and 6,000 bytes per run. The numbers of runs per page vary.
     constexpr std::uint64_t kBytesPerTriangle = 96;
     constexpr std::uint64_t kBytesPerCluster = 3072;
     constexpr std::uint64_t kBytesPerPage = 16384;
@@ -229,7 +230,7 @@ struct FoundRun {
     Run* run = nullptr;
 };
 
-/// Returns the runs that contain `clusters`, each once, and marks the drawn clusters in them.
+/// Returns the runs that contain `clusters`, each run once, and marks the drawn clusters of each run.
 std::vector<FoundRun> foundRuns(
     std::unordered_map<std::uint32_t, PageRuns>& pages, std::span<const PageClusters> clusters) {
     std::vector<FoundRun> found;

@@ -1,5 +1,6 @@
-// Ray tracing trees that are reused between frames. Each run of clusters of a page that cuts draw together has a tree,
-// built when a frame first draws it. Each frame builds a tree over its runs.
+// Ray-tracing trees that are reused between frames. A run is a range of clusters of a page that cuts draw together.
+// Each run has a tree, which is built when a frame first draws the run. Each frame builds a top-level tree over its
+// runs.
 #pragma once
 
 #include "core/units.h"
@@ -12,24 +13,24 @@
 
 namespace gnomon::raytrace {
 
-/// Adjacent clusters of a resident page.
+/// A range of adjacent clusters of a resident page.
 struct PageClusters {
     std::uint32_t page = 0; // page id
     ClusterSpan span;
 };
 
-/// A triangle of a resident page: the index of the cluster in the page, and of the triangle in the cluster.
+/// A triangle of a resident page, identified by the index of its cluster in the page and its own index in the cluster.
 struct PageTriangle {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     std::uint32_t triangle = 0;
 };
 
-/// Returns the approximate memory of a page's trees. On models of many kinds the estimate is never too small, and at
-/// most a third too large.
+/// Returns the approximate memory of the ray-tracing trees of a page. In tests with models of many kinds, the result
+/// was never too small, and at most a third too large.
 Bytes keptTreeBytes(const hierarchy::PageInfo& page);
 
-/// The trees of a model's pages. Only one thread at a time may use them.
+/// The ray-tracing trees of a model's pages. Only one thread at a time may use them.
 class KeptTrees {
 public:
     KeptTrees();
@@ -39,7 +40,7 @@ public:
     KeptTrees(KeptTrees&&) = delete;
     KeptTrees& operator=(KeptTrees&&) = delete;
 
-    /// Removes the trees of `page`. Afterwards, no CutScene that contains clusters of the page may be queried.
+    /// Removes the trees of `page`. After this call, a CutScene that contains clusters of the page must not be queried.
     void drop(std::uint32_t page);
 
     /// Returns the memory that Embree uses for the trees.
@@ -51,7 +52,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The rule for a ray that hits a triangle.
+/// A rule that tells whether a triangle on a ray stops the ray.
 class HitRule {
 public:
     HitRule() = default;
@@ -61,17 +62,18 @@ public:
     HitRule(HitRule&&) = delete;
     HitRule& operator=(HitRule&&) = delete;
 
-    /// Returns true if `triangle`, a hit of ray `ray` in float arithmetic, stops the ray. Can run on any thread.
+    /// Returns true if `triangle` stops ray `ray`. The triangle is a hit of the ray in float arithmetic. Can run on any
+    /// thread.
     virtual bool stops(std::uint32_t ray, const PageTriangle& triangle) const = 0;
 };
 
-/// The clusters of a frame's cut as a scene for rays. Many threads may query it at once while the trees of its pages
-/// exist.
+/// A ray-tracing scene of the clusters of a frame's cut. Many threads may query it at once, as long as the trees of its
+/// pages exist.
 class CutScene final : public Occluders {
 public:
-    /// Builds a scene of `clusters`, which may overlap, relative to `origin`. It builds missing trees on all cores: 0.2
-    /// microseconds and 90 to 145 bytes per triangle. Corners within a run are exactly on the grid. The position of a
-    /// run has float precision. Throws Error if Embree fails.
+    /// Builds a scene of `clusters`, whose ranges may overlap, relative to `origin`. It builds missing trees on all
+    /// cores. This takes 0.2 microseconds and 90 to 145 bytes per triangle. Corners are exactly on the grid relative to
+    /// their run, and the position of a run has float precision. Throws Error if Embree fails.
     CutScene(
         KeptTrees& trees,
         std::span<const PageClusters> clusters,
@@ -83,11 +85,11 @@ public:
     CutScene(const CutScene&) = delete;
     CutScene& operator=(const CutScene&) = delete;
 
-    /// Returns true if a triangle is on `ray`. The ray is in world units, relative to the scene's origin.
+    /// Returns true if a triangle intersects `ray`, which is in world units relative to the scene's origin.
     bool isOccluded(const Ray& ray) const override;
 
-    /// Returns true if a triangle stops `ray` according to `rule`. The ray is in cells relative to the scene's origin,
-    /// and `name` identifies it to the rule.
+    /// Returns true if a triangle stops `ray` according to `rule`. The ray is in grid cells relative to the scene's
+    /// origin. `name` is the number of the ray that is passed to the rule.
     bool isStopped(const Ray& ray, std::uint32_t name, const HitRule& rule) const;
 
 private:

@@ -7,7 +7,7 @@
 
 namespace gnomon::raytrace {
 
-/// A ray. Points are relative to the eye or a nearby origin, so that floats are precise there.
+/// A ray. Positions are relative to the eye or to another near origin, so that floats are precise there.
 struct Ray {
     glm::vec3 origin{0};
     glm::vec3 direction{0, 0, 1};
@@ -15,7 +15,7 @@ struct Ray {
     float tMax = std::numeric_limits<float>::infinity();
 };
 
-/// Triangles for occlusion queries, in world orientation and units. Many threads may query them at once.
+/// A set of triangles for occlusion queries, in world axes and units. Many threads may query it at once.
 class Occluders {
 public:
     Occluders() = default;

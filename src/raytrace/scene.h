@@ -1,4 +1,4 @@
-// A scene of given clusters for ray tracing, relative to the eye: first hits and occlusion.
+// A ray-tracing scene of given clusters, relative to the eye, for first hits and occlusion queries.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -14,25 +14,25 @@
 
 namespace gnomon::raytrace {
 
-/// Adjacent clusters of one decoded page.
+/// A range of adjacent clusters of one decoded page.
 struct ClusterSpan {
     const hierarchy::Page* page = nullptr;
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
 };
 
-/// The first triangle on a ray.
+/// The first triangle that a ray hits.
 struct Hit {
-    float distance = 0;         // the parameter along the ray's direction
-    std::uint32_t span = 0;     // index of the ClusterSpan in the constructor
+    float distance = 0;         // parameter of the hit along the ray's direction
+    std::uint32_t span = 0;     // index of the ClusterSpan in the argument of the constructor
     std::uint32_t cluster = 0;  // index in its page
     std::uint32_t triangle = 0; // index in its page
-    float u = 0;                // barycentric: (1 - u - v) a + u b + v c
+    float u = 0;                // barycentric coordinates: the hit is (1 - u - v) a + u b + v c
     float v = 0;
     glm::vec3 normal{0}; // geometric, unit length, towards the ray's origin
 };
 
-/// Returns the part of `ray` on the inner side of all `planes`, or nothing if there is none.
+/// Returns the part of `ray` that is on the inner side of all `planes`, or nothing if no part is.
 std::optional<Ray> keptPart(Ray ray, std::span<const Plane> planes);
 
 /// Max memory of a scene during its construction, per triangle.
@@ -41,8 +41,8 @@ inline constexpr Bytes kSceneBytesPerTriangle{83};
 /// An Embree scene of one mesh, for rays relative to the eye. Many threads may query it at once.
 class Scene final : public Occluders {
 public:
-    /// Builds a scene from copies of the triangles of `spans`, relative to `eye` (local space). Triangles are
-    /// two-sided. The cost is about 63 bytes and 0.25 microseconds per triangle. The pages may be evicted afterwards.
+    /// Builds a scene from copies of the triangles of `spans`, relative to `eye` (local space). Both sides of triangles
+    /// are hit. This takes about 63 bytes and 0.25 microseconds per triangle. The pages may be evicted afterwards.
     /// Throws Error if Embree fails.
     Scene(std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& eye);
     ~Scene() override;
@@ -53,8 +53,9 @@ public:
 
     std::uint64_t triangleCount() const;
 
-    /// Restricts later queries to the inner side of all `planes` (relative to the eye), as if the triangles had been
-    /// cut there. Occlusion queries still use whole triangles unless `cutsOccluders` is true.
+    /// Restricts later first-hit queries to the inner side of all `planes` (relative to the eye), as if the triangles
+    /// had been cut there. Occlusion queries are restricted only if `cutsOccluders` is true; otherwise they use whole
+    /// triangles.
     void cutBy(std::vector<Plane> planes, bool cutsOccluders);
 
     std::optional<Hit> firstHit(const Ray& ray) const;

@@ -11,7 +11,8 @@ namespace gnomon::validation {
 
 namespace {
 
-/// About one level of the picture. Smaller changes come from rounding, which moves the weights of a filter kernel.
+/// About one level of an 8-bit picture. Smaller changes come from rounding, which changes the weights of a filter
+/// kernel.
 constexpr float kSeenChange = 1.0F / 128;
 
 bool isInView(const render::DrawInputs& frame, const glm::dvec3& position) {
@@ -24,7 +25,7 @@ bool isSameSlice(const plan::ShadowPass& a, const plan::ShadowPass& b) {
     return a.map.region.slice == b.map.region.slice && a.map.region.face == b.map.region.face;
 }
 
-/// A comparison of the shadow lookups of two frames at the same points.
+/// Compares the shadow lookups of two frames at the same world points.
 class Comparison {
 public:
     Comparison(const DrawnMaps& before, const DrawnMaps& now)
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    /// Compares the points of the batch and empties it.
+    /// Compares the lookups at the points of the batch, adds the counts to `found`, and empties the batch.
     void compare(render::PointBatch& points, Crawl& found) const {
         render::PointBatch moved = points;
         const glm::vec3 offset(nowFromBefore_);
@@ -76,7 +77,8 @@ private:
     const render::DrawInputs* now_;
     render::Shading then_;
     render::Shading later_;
-    glm::dvec3 nowFromBefore_{0}; // offset of a position from the earlier to the later camera-relative space
+    // vector from a position in the earlier camera-relative space to the same point in the later space
+    glm::dvec3 nowFromBefore_{0};
 };
 
 } // namespace

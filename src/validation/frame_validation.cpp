@@ -13,7 +13,7 @@ namespace gnomon::validation {
 
 namespace {
 
-/// Prepares the finest level of `frame`'s view, with all casters that shadow rays can hit.
+/// Prepares the view of `frame` at the finest level of detail, with all casters that shadow rays can hit.
 frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame, plan::ShadowMode shadows) {
     plan::Quality quality = frame.plan.quality;
     quality.shadows = shadows;
@@ -25,8 +25,8 @@ frame::PreparedFrame finest(frame::Renderer& renderer, const frame::Frame& frame
     return fine;
 }
 
-/// Draws and returns the picture of the finest level with ray-traced shadows. For GroundTruth::FullDetail, throws Error
-/// if the level is incomplete.
+/// Draws and returns the picture of the finest level of detail with ray-traced shadows. For GroundTruth::FullDetail,
+/// throws Error if pages of this level are missing.
 render::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& frame, GroundTruth groundTruth) {
     frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Rays);
     std::optional<RayMemory> memory;
@@ -35,26 +35,27 @@ render::Picture finestPicture(frame::Renderer& renderer, const frame::Frame& fra
     return renderer.backend().picture();
 }
 
-/// Traces shadow rays from the surfaces of `frame` against the finest level. The frame must have been drawn with its
-/// surfaces just before.
+/// Traces shadow rays from the surfaces of `frame` against the finest level of detail. The frame must have been drawn
+/// with its surfaces just before.
 ShadowTruth truthOfFullDetail(frame::Renderer& renderer, const frame::Frame& frame, const render::DrawInputs& drawing) {
     const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
-    // Prepared as an exact frame, which has no auxiliary bytes per page, because one scene contains all triangles here.
+    // The frame is prepared with exact shadows, because such a frame has no ray-tracing trees per page. Here, one scene
+    // contains all triangles.
     const frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Exact);
     const RayMemory memory(renderer, fine);
     const raytrace::Scene scene = render::rayScene(drawing, listsOf(fine));
-    // The error limit of the cut bounds the distance between drawn and true surface.
+    // The error limit of the cut bounds the distance between the drawn surface and the true surface.
     const auto light =
         render::lightByRays(scene, drawing, surfaces, std::max(render::kContactTolerancePixels, frame.errorPixels));
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
-/// Traces shadow rays from the surfaces of `frame` against the cut of its maps. The frame must have been drawn with its
-/// surfaces just before.
+/// Traces shadow rays from the surfaces of `frame` against the clusters that its maps draw. The frame must have been
+/// drawn with its surfaces just before.
 ShadowTruth truthOfSameDetail(
     const frame::Renderer& renderer, const frame::Frame& frame, const render::DrawInputs& drawing) {
     const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
-    // The same error rule as for the maps selects the same clusters. Only the volume is larger.
+    // The error rule is the same as for the maps, so the same clusters are selected, only in a larger volume.
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
     lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
@@ -66,8 +67,8 @@ ShadowTruth truthOfSameDetail(
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
-/// Returns the share of all pixels of `frame` whose lit or dark result differs from integer arithmetic over its whole
-/// cut. The frame must have been drawn with its surfaces just before.
+/// Returns the fraction of all pixels of `frame` whose lit or dark result differs from the result by integer arithmetic
+/// over all clusters of its cut. The frame must have been drawn with its surfaces just before.
 double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, render::DrawInputs drawing) {
     const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};

@@ -11,9 +11,9 @@ namespace gnomon::validation {
 /// The ground truth (option --oracle) for the shadows of a frame.
 enum class GroundTruth : std::uint8_t {
     None,
-    SameDetail, // rays against the cut of the maps, in the caster volume of the whole frustum
-    FullDetail, // rays against the finest level in that volume
-    Exact,      // integer arithmetic against the cut of the frame in that volume
+    SameDetail, // rays against the clusters that the maps draw, in the caster volume of the whole frustum
+    FullDetail, // rays against the finest level of detail in the same volume
+    Exact,      // integer arithmetic against the clusters of the frame's cut in the same volume
 };
 
 /// All kinds of ground truth except None.

@@ -36,7 +36,7 @@ std::uint64_t finestTriangles(const frame::Renderer& renderer, std::span<const s
     return triangles;
 }
 
-/// Rounds up to whole mebibytes, so that the printed amount is sufficient.
+/// Rounds `bytes` up to whole mebibytes, so that the printed memory is sufficient.
 std::uint64_t wholeMebibytes(Bytes bytes) {
     return (bytes.count + mebibytes(1).count - 1) / mebibytes(1).count;
 }
@@ -70,7 +70,7 @@ RayMemory::RayMemory(frame::Renderer& renderer, const frame::PreparedFrame& fine
              "the finest level of this view and rays against it take more than the page memory",
              "at least " + std::to_string(wholeMebibytes(needed.all())) + "M",
              readableBytes(residency_->memory())});
-    // The trees of a ray-traced frame have already reserved memory next to their pages.
+    // A ray-traced frame has already reserved the memory of its trees, together with its pages.
     if (!fine.isRayTraced()) residency_->reserve(needed.rays);
 }
 

@@ -1,4 +1,4 @@
-// Comparison of a picture's shadows with ray-traced shadows, pixel by pixel, with a cause for each difference.
+// Compares the shadows of a picture with ray-traced shadows, pixel by pixel, and finds a cause for each difference.
 #pragma once
 
 #include "raytrace/ground_truth.h"
@@ -6,36 +6,38 @@
 
 namespace gnomon::validation {
 
-/// The result of the comparison at a pixel.
+/// The result of the comparison with ray-traced shadows at a pixel.
 enum class ShadowVerdict : std::uint8_t {
     Unasked,     // no surface, or a surface that faces away from the light
     Right,       // equal to the ray-traced result
-    NearEdge,    // wrong, but within a texel's footprint of an edge of the true shadow
+    NearEdge,    // wrong, but within a texel footprint of an edge of the ray-traced shadow
     ContactGap,  // lit instead of dark, within 1.5 footprints of the caster or of a lit point
     Missed,      // lit instead of dark, because the caster is thinner than a texel along columns or rows
-    FalseShadow, // dark instead of lit, farther from an edge
-    Leak         // lit instead of dark, without one of these causes
+    FalseShadow, // dark instead of lit, more than a texel footprint from an edge
+    Leak         // lit instead of dark, for none of these reasons
 };
 
 /// The comparison of a picture's shadows with ray-traced shadows.
 struct ShadowTruth {
-    raytrace::ShadowComparison shadows; // over all pixels
-    /// The comparison without details finer than a texel, which a map cannot represent. Pixels of missed casters are
-    /// not wrong. The edges of casters and gaps thinner than a texel may be absent, and so may contact shadows, whose
-    /// caster is within 1.5 footprints. If such an edge is drawn, its position is measured like that of all others. The
-    /// columns of wrong shadows and edge distances use this comparison.
+    raytrace::ShadowComparison shadows; // the comparison over all pixels
+    /// The comparison without details finer than a texel, which a map cannot show. Pixels with the result Missed are
+    /// not wrong. The picture may omit the edges of casters and gaps that are thinner than a texel, and contact
+    /// shadows, whose caster is within 1.5 footprints. If the picture shows such an edge, its position is measured like
+    /// all others. The log columns for wrong pixels and edge distances use this comparison.
     raytrace::ShadowComparison answerable;
     std::vector<ShadowVerdict> verdicts; // rows from top to bottom
     std::uint64_t missedPixels = 0;
-    /// Lit-side pixels with N.L above 0.1, where the bias is not capped, and the false shadows and leaks among them.
+    /// Lit-side pixels with N.L above 0.1, where the bias covers the whole slope; and among them the pixels with the
+    /// result FalseShadow or Leak.
     std::uint64_t judgedPixels = 0;
     std::uint64_t unexplainedPixels = 0;
 
-    double missedFraction() const;      // share of the lit-side pixels
-    double unexplainedFraction() const; // share of the judged pixels
+    double missedFraction() const;      // missed pixels divided by lit-side pixels
+    double unexplainedFraction() const; // unexplained pixels divided by judged pixels
 };
 
-/// Compares the shadows of the picture of `frame` that shows `surfaces` with `light`, the ray-traced result in `scene`.
+/// Compares the shadows in the picture of `frame` with `light`, the ray-traced results for `scene`. `surfaces` are the
+/// visible surfaces of the picture.
 ShadowTruth shadowTruth(
     const raytrace::Scene& scene,
     const render::DrawInputs& frame,

@@ -1,20 +1,20 @@
-// The footprint of a shadow-map texel at a point, by finite differences of the uploaded matrix. This code is
-// independent of the functions that plan maps and bound their aliasing.
+// The footprint of a shadow map texel at a point, by finite differences of the matrix that the shaders use. This code
+// is independent of the functions that plan maps and bound their aliasing.
 #pragma once
 
 #include "render/backend.h"
 
 namespace gnomon::validation {
 
-/// Step of the finite differences relative to a pixel's width. It is far smaller than a texel, and far larger than the
-/// rounding error of doubles.
+/// Step of the finite differences divided by the width of a pixel. It is far smaller than a texel, and far larger than
+/// the rounding error of doubles.
 constexpr double kStepOverPixel = 1e-3;
 
-/// The widths of a texel at a point, perpendicular to the light, in world units. They do not include the receiver's
-/// slope.
+/// The widths of a texel at a point, perpendicular to the light, in world units. They do not include the slope of the
+/// receiver.
 struct TexelWidths {
     double x = 0; // along the light frame's x axis
-    double z = 0; // along its z axis, without shear
+    double z = 0; // along the light frame's z axis, without shear
 };
 
 /// The footprint of a texel at a point, as two displacements perpendicular to the light in camera-relative space,
@@ -24,13 +24,13 @@ struct TexelFootprint {
     glm::dvec3 row{0};
 };
 
-/// Measures the texels of one map of a frame.
+/// Measures the widths and footprints of texels of one map of a frame.
 class TexelProbe {
 public:
     TexelProbe(const render::DrawInputs& frame, const shadow::ShadowMap& map);
 
-    /// Returns the widths at `p` (camera-relative space). `step` is the world length of the finite differences, and
-    /// must be much smaller than a texel.
+    /// Returns the widths of the texel at `p` (camera-relative space). `step` is the step of the finite differences in
+    /// world units. It must be much smaller than a texel.
     TexelWidths widths(const glm::dvec3& p, double step) const;
 
     TexelFootprint footprint(const glm::dvec3& p, double step) const;
@@ -44,7 +44,7 @@ private:
     glm::dvec2 texel(const glm::dvec3& p) const;
     Derivatives derivatives(const glm::dvec3& p, double step) const;
 
-    shadow::FloatMapImage image_; // the uploaded floats
+    shadow::FloatMapImage image_; // the lookup parameters in floats, as uploaded
     glm::dvec3 x_;                // axes of the light frame in camera-relative space
     glm::dvec3 z_;
 };

@@ -1,4 +1,4 @@
-// The interface of a backend, which draws a frame plan with OpenGL or the software rasteriser.
+// The interface of a backend, which draws a plan with OpenGL or with the software rasteriser.
 #pragma once
 
 #include "core/units.h"
@@ -27,30 +27,32 @@ class CutScene;
 
 namespace gnomon::render {
 
-/// Returns the decoded page of an id in a draw list. The page stays valid until the frame is drawn.
+/// Returns the decoded page with the id `page` from a draw list. The page stays valid until the frame is drawn.
 using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 
-/// Camera-relative space: world axes and units, with the origin at the grid point of the model that is nearest to the
-/// eye. Floats are therefore precise near the eye, also if the model is far from the world's origin or the eye is far
-/// from the model.
+/// Camera-relative space: it has the axes and units of the world, and its origin is the grid point of the model that is
+/// nearest to the eye. Floats are therefore precise near the eye, even if the model is far from the world's origin or
+/// the eye is far from the model.
 struct CameraRelativeSpace {
     hierarchy::GridPoint originCell;
     double step = 1;
-    glm::dvec3 eye{0};              // in camera-relative space
-    glm::dmat4 cameraFromDraw{1.0}; // to left-handed camera space
+    glm::dvec3 eye{0};              // position of the eye in camera-relative space
+    glm::dmat4 cameraFromDraw{1.0}; // from camera-relative space to left-handed camera space
 };
 
-/// Returns the camera-relative space of `view` on `grid`. `bounds` are the bounds of the model in world space.
+/// Returns the camera-relative space of `view` for a model with the grid `grid`. `bounds` are the bounds of the model
+/// in world space.
 CameraRelativeSpace cameraRelativeSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
 
-/// Returns the width of a pixel's beam at `p` (camera-relative space) in world units: 2 tan(theta) (p.v) / height.
+/// Returns the width of a pixel's beam at position `p` (camera-relative space) in world units: 2 tan(theta) (p.v) /
+/// height.
 double pixelWidth(const plan::FramePlan& plan, const CameraRelativeSpace& space, const glm::dvec3& p);
 
-/// The reason why a cluster is drawn and not a finer one.
+/// The reason why a cluster is drawn instead of its refinement.
 enum class Residence : std::uint8_t {
-    Final,   // its error is small enough
-    Pending, // its refinement is not in memory
-    Damaged, // its refinement cannot be read
+    Final,   // the error of the cluster is small enough
+    Pending, // the refinement is not in memory
+    Damaged, // the refinement cannot be read
 };
 
 /// A drawn cluster that is coarser than the error limit requires.
@@ -60,11 +62,11 @@ struct LodSubstitute {
     Residence residence = Residence::Pending;
 };
 
-/// The part of the light that an image shows. Some pictures are the sum of several such images.
+/// The part of the light that an image shows. An accumulated image can be the sum of images with different parts.
 enum class LightPart : std::uint8_t {
     All,
     WithoutSky,   // light of the sun, the ground and the headlight
-    SkyDirection, // only the light from the direction of the plan's light, as a part of the sky
+    SkyDirection, // only sky light from the direction of the plan's light
 };
 
 /// A range of rows of an image, counted from the bottom.
@@ -75,70 +77,78 @@ struct ImageRows {
     bool operator==(const ImageRows&) const = default;
 };
 
-/// The light that a pixel's surface reflects towards the eye: linear RGB before tone mapping, with 1 as full scale. A
-/// pixel without a surface has the value -1 + kGroundShade * s. s is the share of the background's light that a shadow
-/// on the ground removes.
+/// The light that the surface of each pixel reflects towards the eye: linear RGB before tone mapping, with 1 as full
+/// scale. A pixel without a surface has the value -1 + kGroundShade * s, where s is the fraction of the background's
+/// light that a shadow on the ground removes.
 using LightPicture = Raster<std::array<float, 3>>;
 
-/// Scale of a ground shadow in a LightPicture. With this scale, the sum over several directions of light stays
-/// negative.
+/// Scale of ground shadows in a LightPicture. With this scale, a pixel without a surface stays negative in the sum over
+/// several light directions.
 inline constexpr float kGroundShade = 1.0F / 16;
 
 struct SectionMemory;
 
-/// One frame, ready to be drawn.
+/// The complete input for drawing one frame.
 struct DrawInputs {
     const plan::FramePlan* plan = nullptr;
     CameraRelativeSpace space;
     hierarchy::Grid grid;
     const lod::DrawList* image = nullptr;
-    std::vector<const lod::DrawList*> casters; // one list per pass
+    std::vector<const lod::DrawList*> casters; // one list per shadow pass
     PageLookup pages;
-    double clipNear = 1e-3; // view depth of the near clip plane; nothing drawn is nearer
+    double clipNear = 1e-3; // view depth of the near clip plane; no drawn geometry is nearer
     // View depth of the far clip plane of an orthographic image. Perspective images do not use it.
     double clipFar = 0;
-    std::optional<Camera> observerCamera; // draws the image from outside instead of the plan's camera
+    std::optional<Camera> observerCamera; // if set, the image is drawn from this camera instead of the plan's camera
     // Sample position relative to the centre of each pixel, in pixels to the right and up.
     glm::dvec2 subpixel{0};
     Overlay overlay = Overlay::None;
     plan::Shading shading = plan::Shading::Lit; // never Auto
-    // The substitutes in the image, sorted by page and cluster. Only Overlay::Residency needs them.
+    // The clusters in the image that are coarser than required, sorted by page and cluster. Only Overlay::Residency
+    // needs them.
     std::vector<LodSubstitute> substitutes;
     bool wantsSurfaces = false; // stores the result of `surfaces`
     bool wantsLight = false;    // stores the result of `light`; excludes wantsSurfaces
     LightPart lightPart = LightPart::All;
-    double skyWeight = 0;                       // weight of SkyDirection, as in light_model.h
-    std::vector<const lod::DrawList*> sections; // per section plane of the view: all clusters near the plane
+    double skyWeight = 0;                       // weight of LightPart::SkyDirection, as in light_model.h
+    std::vector<const lod::DrawList*> sections; // one list per section plane of the view: all clusters near the plane
     SectionMemory* sectionMemory = nullptr;     // cached sections of the model
-    const hierarchy::Page* ground = nullptr;    // a page with one cluster, which shows only shadows
-    // Share of the background's light that a ground shadow removes. The default is the share of the sun.
+    // the ground as a page with one cluster, which shows only shadows; null: no ground
+    const hierarchy::Page* ground = nullptr;
+    // Fraction of the background's light that a ground shadow removes, per channel. The default is the fraction of the
+    // sun's light.
     std::optional<glm::vec3> groundShade;
-    const Raster<std::uint8_t>* litMask = nullptr; // 255 where a pixel is lit; used instead of maps
-    const lod::DrawList* exactCasters = nullptr;   // casters of drawExactly besides the image's own clusters
-    // Min number of lit pixels. If drawExactly finds fewer, it shades with the headlight.
+    // 255 for lit pixels; if not null, it replaces lookups in shadow maps
+    const Raster<std::uint8_t>* litMask = nullptr;
+    // additional casters for drawExactly; the clusters of the image also cast shadows
+    const lod::DrawList* exactCasters = nullptr;
+    // If drawExactly finds fewer lit pixels than this number, it shades with the headlight.
     std::optional<std::uint64_t> minLitPixels;
-    // A scene of the image and exactCasters. If it is given, drawExactly traces rays instead of rasterising casters.
+    // A ray-tracing scene of the image and exactCasters. If not null, drawExactly traces rays instead of rasterising
+    // casters.
     const raytrace::CutScene* rays = nullptr;
-    std::optional<ImageRows> rows; // the only rows to draw, if the backend has the capability `bands`; default: all
-    // The only tiles of the image to draw, if the backend supports this. Null means all tiles.
+    std::optional<ImageRows> rows; // rows to draw, if the backend has the capability `bands`; nullopt: all rows
+    // Tiles of the image to draw, if the backend supports this. Null means all tiles.
     const shadow::TileMask* tiles = nullptr;
-    bool cullsByReceivers = false; // skips parts of maps that no pixel looks up; needs the capability `imageFirst`
+    // true: skips parts of maps that no pixel looks up, and casters that cannot change a pixel; needs the capability
+    // `imageFirst`
+    bool cullsByReceivers = false;
 };
 
-/// Returns the rows that `frame` draws.
+/// Returns the rows of the image that `frame` draws.
 inline ImageRows rowsOf(const DrawInputs& frame) {
     return frame.rows.value_or(ImageRows{0, frame.plan->view.height});
 }
 
-/// The cost of the passes of one kind.
+/// The cost of all shadow passes, or of the image pass.
 struct PassStatistics {
     Milliseconds time; // wall-clock time, including the wait for the GPU
     std::uint64_t drawCalls = 0;
-    std::optional<std::uint64_t> fragments;             // covered pixels, with overdraw; empty if not counted
-    std::optional<raster::OcclusionCounts> occlusion{}; // of an image with occlusion culling
+    std::optional<std::uint64_t> fragments;             // covered pixels, summed over triangles; nullopt if not counted
+    std::optional<raster::OcclusionCounts> occlusion{}; // only for an image with occlusion culling
 };
 
-/// Counts of the casters that shadow maps drew, if receivers culled them.
+/// The numbers of casters that shadow maps drew, if receivers culled the casters.
 struct CulledCasters {
     std::uint64_t clustersTested = 0;
     std::uint64_t clustersKept = 0;
@@ -150,17 +160,18 @@ struct CulledCasters {
 struct DrawStatistics {
     PassStatistics shadows;
     PassStatistics image;
-    std::optional<CulledCasters> culled;         // with culling by receivers
-    std::optional<exact::ExactStatistics> exact; // of exact shadows
-    bool isHeadlit = false;                      // true: fewer pixels than `minLitPixels` were lit
-    Bytes deviceMemory;                          // geometry and textures
+    std::optional<CulledCasters> culled;         // only if receivers culled the casters
+    std::optional<exact::ExactStatistics> exact; // only with exact shadows
+    // true: shaded with the headlight, because fewer pixels than `minLitPixels` were lit
+    bool isHeadlit = false;
+    Bytes deviceMemory; // memory of geometry and textures
 };
 
 /// The visible surface of a pixel.
 struct SurfaceSample {
     glm::vec3 normal{0};       // normal of the triangle, towards the viewer; camera-relative space
     float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 if the surface faces away from the light
-    glm::vec3 position{0};     // the point of the shadow lookup; camera-relative space
+    glm::vec3 position{0};     // position of the shadow lookup; camera-relative space
     float isSurface = 0;       // 1 if the pixel shows a surface, otherwise 0
 
     bool isLitSide() const { return isSurface > 0 && partitionAndLit >= 0; }
@@ -174,12 +185,14 @@ struct SurfaceSample {
 
 /// The triangle of the model that a pixel shows.
 struct SeenTriangle {
-    std::uint32_t page = hierarchy::kNone; // kNone where none is seen: the background, the ground, a section's cap
-    std::uint32_t cluster = 0;             // in the page, as are:
+    // kNone if the pixel shows no triangle of the model, but the background, the ground or the cap of a section
+    std::uint32_t page = hierarchy::kNone;
+    std::uint32_t cluster = 0; // index in the page; `vertices` are also indices in the page
     std::array<std::uint32_t, 3> vertices{};
 };
 
-/// Draws frames: a frame's shadow maps, then its image. The results are those of the last frame.
+/// Draws frames: first the shadow maps of a frame, then its image. The functions that return results refer to the last
+/// frame.
 class Backend {
 public:
     Backend() = default;
@@ -189,44 +202,45 @@ public:
     Backend(Backend&&) = delete;
     Backend& operator=(Backend&&) = delete;
 
-    /// Returns the name for the column `backend`: "osmesa", "egl", ...
+    /// Returns the name for the log column `backend`: "osmesa", "egl", ...
     virtual std::string name() const = 0;
-    /// Draws the maps of all passes. Maps that the plan reuses stay unchanged. Call this first in each frame, also in a
-    /// frame without maps.
+    /// Draws the maps of all passes. Maps that the plan reuses stay unchanged. This function must be called first in
+    /// each frame, even in a frame without maps.
     virtual PassStatistics drawShadowMaps(const DrawInputs& frame) = 0;
-    /// Draws the image, lit by the maps or by the frame's `litMask`.
+    /// Draws the image. The shadows come from the maps or from the frame's `litMask`.
     virtual PassStatistics drawImage(const DrawInputs& frame) = 0;
 
-    /// Returns what the backend can draw.
+    /// Returns the optional effects that the backend can draw.
     virtual plan::Capabilities capabilities() const { return plan::kOpenGlCapabilities; }
 
-    /// Returns the OpenGL name of the texture that holds the colours of the last frame, bottom row first. Returns 0 if
-    /// the picture is not in a texture.
+    /// Returns the OpenGL name of the texture with the colours of the last frame, bottom row first. Returns 0 if the
+    /// backend draws into no texture.
     virtual std::uint32_t texture() const { return 0; }
 
-    /// Draws the image of a frame whose plan has exact shadows or rays: finds the visible points, computes their
-    /// shadows, and shades each pixel once. Throws Error if the backend cannot.
+    /// Draws the image of a frame whose plan has exact shadows or rays. The function finds the visible points, computes
+    /// their shadows, and shades each pixel once. Throws Error if the backend does not support exact shadows.
     virtual DrawStatistics drawExactly(const DrawInputs& frame);
 
     /// Returns the memory of geometry and textures since the last frame.
     virtual Bytes deviceMemory() const = 0;
 
-    /// Draws both passes of a frame. The picture is the same with and without culling by receivers.
+    /// Draws the maps and the image of a frame. The picture is the same with and without culling by receivers.
     virtual DrawStatistics draw(const DrawInputs& frame);
 
-    /// Returns the image of the drawn rows. The following functions return these rows too.
+    /// Returns the drawn rows of the image. The functions below also return these rows.
     virtual Picture picture() = 0;
-    /// Returns the light of the image, from which `picture` is made. Requires a frame with `wantsLight`.
+    /// Returns the light of the image before tone mapping, from which `picture` is computed. Requires a frame with
+    /// `wantsLight`.
     virtual LightPicture light() = 0;
     /// Returns the number of pixels that are at least partly lit. Returns nullopt if counting would delay later frames.
-    /// A GPU therefore returns a count only from time to time.
+    /// With a GPU, a count is therefore available only for some frames.
     virtual std::optional<std::uint64_t> litPixels() = 0;
-    /// Returns the view depth per pixel, measured from the requested eye. The depth is infinite if no surface is
-    /// visible.
+    /// Returns the view depth per pixel, measured from the requested eye. Pixels without a visible surface have
+    /// infinite depth.
     virtual FloatPicture viewDepth() = 0;
 
-    /// Returns the coverage of each pixel. A transparent background with a ground has the darkness of its shadow as
-    /// coverage.
+    /// Returns the coverage of each pixel. If a transparent background has a ground, the coverage of a ground pixel is
+    /// the darkness of its shadow.
     virtual Coverage coverage() { return coverageOf(viewDepth()); }
 
     /// Returns the whole depth texture of the shadow maps. Its rows are in memory order, row 0 first.
@@ -234,7 +248,8 @@ public:
     /// Returns the surface of each pixel. Requires a frame with `wantsSurfaces`.
     virtual Raster<SurfaceSample> surfaces() = 0;
 
-    /// Returns the triangle that each pixel shows. Empty without the capability `seesTriangles`.
+    /// Returns the triangle that each pixel shows. Returns an empty raster if the backend lacks the capability
+    /// `seesTriangles`.
     virtual Raster<SeenTriangle> seenTriangles() const { return {}; }
 };
 

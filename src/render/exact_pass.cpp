@@ -13,7 +13,7 @@ namespace gnomon::render {
 
 namespace {
 
-/// The clusters of the image, for lookups by page and cluster.
+/// The clusters of the image, as a set that is searched by page and cluster.
 class ClusterSet {
 public:
     ClusterSet(std::span<const DrawnCluster> clusters, bool withPieces) {
@@ -37,7 +37,7 @@ private:
 exact::Caster casterOf(const DrawInputs& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     const hierarchy::GridPoint origin = frame.space.originCell;
-    // Differences in 32 bits are also correct for positions outside the grid.
+    // Differences modulo 2^32 are also correct for positions outside the grid.
     const auto fromOrigin = [&](const hierarchy::GridPoint& p) {
         return glm::i64vec3(glm::ivec3(glm::uvec3(p.x, p.y, p.z) - glm::uvec3(origin.x, origin.y, origin.z)));
     };
@@ -53,7 +53,7 @@ exact::Caster casterOf(const DrawInputs& frame, const hierarchy::Page& page, std
     return caster;
 }
 
-/// Returns the caster of a piece of a cluster, with the piece's own corners.
+/// Returns the caster of a piece of a cluster that sections cut, with the piece's own corners.
 exact::Caster casterOfPiece(const DrawInputs& frame, const raster::Cluster& piece) {
     const hierarchy::GridPoint origin = frame.space.originCell;
     exact::Caster caster;
@@ -70,8 +70,8 @@ exact::Caster casterOfPiece(const DrawInputs& frame, const raster::Cluster& piec
     return caster;
 }
 
-/// Returns the eye in cells. A distant orthographic eye can exceed the range of fixed-point coordinates with 2^-24
-/// precision. It is then moved along the view, which does not change its parallel rays.
+/// Returns the eye in grid cells. A distant orthographic eye can exceed the range of fixed-point coordinates with a
+/// precision of 2^-24. The eye is then moved along the view direction, which does not change the parallel rays.
 glm::dvec3 eyeCell(const DrawInputs& frame) {
     constexpr double kFarthest = 0x1p36;
     const glm::dvec3 eye = frame.space.eye / frame.space.step;
@@ -92,7 +92,7 @@ exact::SampleSpace sampleSpace(const DrawInputs& frame) {
     space.light = frame.plan->light;
     space.shear = exact::shearAlong(space.light);
     space.eye = eyeCell(frame);
-    // 0 maps when shadow maps are compared with the ground truth
+    // the plan has 0 maps if the function computes the ground truth for shadow maps
     space.maps = std::max(static_cast<int>(frame.plan->sampleGridMaps.size()), 1);
     return space;
 }
@@ -140,8 +140,8 @@ void drawPoints(const DrawInputs& frame, const ImageBuffers& buffers, exact::Vis
 
 namespace {
 
-/// Adds the clusters of the image's pass at their indices. The ground and pieces get no vertices, so they throw no
-/// shadow, but samples can still refer to their triangles.
+/// Adds the clusters of the image pass to `casters`, at the same indices. The ground and the pieces of cut clusters are
+/// added without vertices, so they throw no shadow, but samples can still refer to their triangles.
 void addDrawnCasters(const DrawInputs& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
     for (std::size_t place = 0; place < image.drawn().size(); ++place) {
         const DrawnCluster& cluster = image.drawn()[place];
@@ -153,14 +153,15 @@ void addDrawnCasters(const DrawInputs& frame, const SoftwarePass& image, std::ve
     }
 }
 
-/// Adds the pieces in the pass from index `first` on. Their ids are those of the triangles that they belong to.
+/// Adds the pieces of cut clusters, from index `first` of the pass on. The id of a piece is the id of the triangle from
+/// which it was cut.
 void addPieceCasters(
     const DrawInputs& frame, const SoftwarePass& image, std::size_t first, std::vector<exact::Caster>& casters) {
     for (std::size_t place = first; place < image.drawn().size(); ++place)
         if (image.drawn()[place].isPiece) casters.push_back(casterOfPiece(frame, image.clusters()[place]));
 }
 
-/// Adds the parts of a cluster that the sections keep.
+/// Adds the parts of a cluster that the sections do not remove.
 void addCutCaster(
     const DrawInputs& frame,
     SoftwarePass& image,
@@ -199,7 +200,7 @@ void gatherExactCasters(const DrawInputs& frame, SoftwarePass& image, std::vecto
 
 std::vector<glm::dmat3> cellPlanes(const DrawInputs& frame, const exact::LightShear& shear) {
     std::vector<glm::dmat3> planes;
-    if (frame.plan->view.pointLight) return planes; // its maps are the faces of a cube around the light
+    if (frame.plan->view.pointLight) return planes; // a point light has one map per face of a cube around it
     for (const shadow::ShadowMap& map : frame.plan->sampleGridMaps) {
         const glm::dmat4 clip = map.lightClipFromCamera() * frame.space.cameraFromDraw;
         const auto column = [&](const glm::dvec4& p) {

@@ -11,7 +11,7 @@
 
 namespace gnomon::render {
 
-// The C++ structs must have the std140 layout of the shaders.
+// The C++ structs must have the same std140 layout as the uniform blocks of the shaders.
 static_assert(offsetof(block::Frame, gridStep) == offsetof(block::Frame, eye) + 12 && sizeof(block::Frame) % 16 == 0);
 static_assert(offsetof(block::Frame, sliceCount) % 16 == 0 && offsetof(block::Frame, ambientMean) % 16 == 0);
 static_assert(offsetof(block::Shadows, partitions) % 256 == 0);
@@ -38,7 +38,7 @@ glm::dmat4 cameraFromDraw(const CameraBasis& basis, const glm::dvec3& eye) {
     return fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
 }
 
-/// Returns the camera-relative space of `view` with the grid point nearest to `local` as origin. `local` is in the
+/// Returns the camera-relative space of `view` whose origin is the grid point nearest to `local`. `local` is in the
 /// model's local space.
 CameraRelativeSpace cameraRelativeSpaceAt(
     const plan::View& view, const hierarchy::Grid& grid, const glm::dvec3& local) {
@@ -53,13 +53,14 @@ CameraRelativeSpace cameraRelativeSpaceAt(
     return space;
 }
 
-/// Returns the origin of `space` in the frame's camera-relative space.
+/// Returns the position of the origin of `space` in the frame's camera-relative space.
 glm::dvec3 originIn(const DrawInputs& frame, const CameraRelativeSpace& space) {
     const auto cells = [](const hierarchy::GridPoint& p) { return glm::dvec3(p.x, p.y, p.z); };
     return (cells(space.originCell) - cells(frame.space.originCell)) * space.step;
 }
 
-/// Returns the drawing space of a stabilised map. It depends only on the world, not on camera and frame.
+/// Returns the space for drawing a stabilised map. It depends only on the map's place in the world, not on the camera
+/// or the frame.
 MapDrawing stableDrawing(const DrawInputs& frame, const shadow::ShadowMap& map) {
     const plan::View& view = frame.plan->view;
     const shadow::LightFrame axes = shadow::stableWorldFrame(frame.plan->light.unit());
@@ -90,7 +91,7 @@ double pixelWidth(const plan::FramePlan& plan, const CameraRelativeSpace& space,
 glm::dmat4 imageClipFromDraw(const DrawInputs& frame) {
     const plan::View& view = frame.plan->view;
     const ImageProjection projection = imageProjection(frame);
-    // Shifts the image so that the sample position becomes the centre of the pixel.
+    // Shifts the image so that the sample position is at the centre of the pixel.
     const glm::dvec2 moved = glm::dvec2(0) - 2.0 * frame.subpixel / glm::dvec2(view.width, view.height);
     return projection.clipFromCamera(moved) * cameraFromDraw(projection.basis, projection.eye);
 }

@@ -25,7 +25,8 @@ std::optional<raster::OcclusionCounts> drawVisible(const DrawInputs& frame, cons
             return tiles.holdsAny(box.x0, box.y0, box.x1, box.y1);
         };
     std::optional<raster::OcclusionCounts> hidden;
-    tbb::task_group lines; // runs concurrently, because the search for lines is hard to parallelise
+    // the search for section lines runs in parallel with the other work, because it is itself hard to parallelise
+    tbb::task_group lines;
     if (!frame.sections.empty()) lines.run([&] { frame.sectionMemory->lines.find(frame); });
     if (frame.plan->skipsHidden)
         hidden = buffers.rasterizer->drawVisible(pass.clusters(), pass.boxes(), seen, target);
@@ -38,7 +39,7 @@ std::optional<raster::OcclusionCounts> drawVisible(const DrawInputs& frame, cons
 
 namespace {
 
-/// Shades the requested tiles in `square`, whose corner is the corner of a tile.
+/// Shades the requested tiles in `square`. The corner of the square is the corner of a tile.
 void shadeTiles(
     const Shading& shading,
     const raster::PixelBox& square,
@@ -54,8 +55,8 @@ void shadeTiles(
 } // namespace
 
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target) {
-    // Squares are used because neighbours in both directions often show the same triangles. They are small enough for
-    // load balancing.
+    // Work is divided into squares, because neighbouring pixels in both directions often show the same triangle. The
+    // squares are small enough for load balancing.
     constexpr int kSide = 2 * shadow::ImageTiles::kSide;
     const Picture& picture = *target.picture;
     const ImageRows held = shading.rows();

@@ -29,7 +29,7 @@ std::string sizeText(const Picture& picture) {
 
 namespace {
 
-/// A picture in the format of libpng.
+/// A picture as libpng needs it.
 class PngImage {
 public:
     PngImage(const Picture& picture, const std::optional<Coverage>& coverage) : pixels_(picture.pixels.data()) {
@@ -47,7 +47,7 @@ public:
         pixels_ = withAlpha_.data();
     }
 
-    /// Writes the file to `to`, or only computes its size if `to` is null.
+    /// Writes the PNG file to the memory `to`. If `to` is null, only computes the size of the file.
     void write(void* to, png_alloc_size_t& size) {
         require(png_image_write_to_memory(&image_, to, &size, 0, pixels_, 0, nullptr) != 0);
     }
@@ -126,11 +126,11 @@ std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<C
 
 void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage) {
     AtomicFile file(path);
-    FileStream stream(file.file()); // writes in parts, so that the whole file is never in memory
+    FileStream stream(file.file()); // the stream writes the file in parts, so that the whole file is never in memory
     try {
         PngImage(picture, coverage).write(stream.stream());
     } catch (const Error&) {
-        stream.rethrow(); // the file's error is more precise than libpng's
+        stream.rethrow(); // the error of the file is more precise than the error of libpng
         throw;
     }
     stream.close();

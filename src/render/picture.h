@@ -9,7 +9,7 @@
 
 namespace gnomon::render {
 
-/// A pixel with 8 bits per channel, display-referred.
+/// A display-referred colour with 8 bits per channel.
 using Rgb = std::array<std::uint8_t, 3>;
 
 /// A 2D array of pixels, with rows from top to bottom.
@@ -36,30 +36,30 @@ struct Raster {
 using Picture = Raster<Rgb>;
 using FloatPicture = Raster<float>;
 
-/// The coverage of each pixel, where 255 is full coverage. A picture without coverage is opaque.
+/// The coverage of each pixel; 255 is full coverage. A picture without coverage is opaque.
 using Coverage = Raster<std::uint8_t>;
 
-/// Encodes `picture` as a PNG file, with `coverage` as alpha. Throws Error if that fails.
+/// Encodes `picture` as a PNG file, with `coverage` as alpha. Throws Error if the encoding fails.
 std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
 
 /// Writes an 8-bit RGB PNG, or RGBA with `coverage`. The file appears under `path` only when it is complete. Throws
-/// Error if that fails.
+/// Error if writing fails.
 void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
 
-/// Returns full coverage for pixels with a finite `depth`, otherwise none.
+/// Returns full coverage for pixels with a finite `depth`, and coverage 0 for all others.
 Coverage coverageOf(const FloatPicture& depth);
 
 /// Reads a PNG as 8-bit RGB without transparency. Throws Error if the file is not a valid PNG.
 Picture readPng(const std::string& path);
 
-/// Writes a one-channel little-endian PFM, whose rows go from bottom to top. Throws Error if that fails.
+/// Writes a one-channel little-endian PFM, whose rows are ordered from bottom to top. Throws Error if writing fails.
 void writePfm(const std::string& path, const FloatPicture& picture);
 
-/// The difference of two pictures, in fractions of full scale.
+/// The difference of two pictures, as fractions of full scale.
 struct PictureDifference {
     double mean = 0;            // mean absolute difference over all pixels and channels
     double largest = 0;         // largest difference of a channel
-    double changedFraction = 0; // share of pixels with a channel that differs by more than 2 of 255 levels
+    double changedFraction = 0; // fraction of pixels that differ by more than 2 of 255 levels in some channel
 };
 
 /// Computes the difference of two pictures. Throws Error if their sizes differ.

@@ -19,7 +19,7 @@ exact::Corners cornersOf(
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const hierarchy::GridPoint& p = vertices[triangle[k]].position;
         // The coordinates are unsigned. The subtraction wraps modulo 2^32, and the cast gives the correct signed
-        // difference, also for positions outside the grid.
+        // difference, even for positions outside the grid.
         corners[k] = glm::ivec3(
             static_cast<std::int32_t>(p.x - origin.x),
             static_cast<std::int32_t>(p.y - origin.y),
@@ -28,7 +28,7 @@ exact::Corners cornersOf(
     return corners;
 }
 
-/// A rule that lets rays pass through their own triangle and through triangles in its plane.
+/// A hit rule that ignores the triangle on which a ray starts, and all triangles in the plane of this triangle.
 class PlaneRule final : public raytrace::HitRule {
 public:
     PlaneRule(const DrawInputs& frame, const exact::SampleList& samples, std::span<const DrawnCluster> drawn)
@@ -54,8 +54,9 @@ private:
     std::span<const DrawnCluster> drawn_;
 };
 
-/// Returns the ray of sample `i`, in cells. The direction of a distant light is exact, and its parameter is 1 per 2^-24
-/// of the light's integer direction. The direction to a point light has unit length, and the ray ends at the light.
+/// Returns the ray from sample `i` to the light, in grid cells. The direction of a directional light is exact: the ray
+/// parameter 1 is 2^-24 of the light's integer direction. The direction to a point light has unit length, and the ray
+/// ends at the light.
 raytrace::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<const Plane> sections) {
     const exact::SampleSpace& space = samples.space();
     const exact::LightShear& shear = space.shear;
@@ -77,7 +78,7 @@ raytrace::Ray rayOf(const exact::SampleList& samples, std::size_t i, std::span<c
         ray.tMin = static_cast<float>(samples.tolerance[i]);
     }
     const glm::dvec3 direction(ray.direction);
-    for (const Plane& plane : sections) { // removed geometry throws no shadow
+    for (const Plane& plane : sections) { // removed geometry throws no shadow, so the ray ends at the section planes
         const double slope = glm::dot(plane.normal, direction);
         if (slope >= 0) continue;
         const double end = std::max(plane.signedDistance(origin), 0.0) / -slope;

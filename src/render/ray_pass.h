@@ -1,4 +1,4 @@
-// Ray tracing for the samples of exact shadows, with the same points and the same tolerance.
+// Ray-traced shadows for the samples of exact shadows, with the same points and the same tolerance.
 #pragma once
 
 #include "raytrace/kept_trees.h"
@@ -9,9 +9,10 @@
 
 namespace gnomon::render {
 
-/// Returns exact::kDark for each sample whose ray towards the light hits a triangle of `scene` beyond the tolerance,
-/// otherwise exact::kLit. Samples name their triangles by the clusters of `drawn`. Rays use the floats of Embree, but
-/// an integer test ignores triangles in the plane of the sample.
+/// Returns one status per sample of exact shadows. The status is exact::kDark if the ray towards the light hits a
+/// triangle of `scene` beyond the tolerance, otherwise exact::kLit. The triangle ids of samples refer to the clusters
+/// in `drawn`. Rays use the single precision of Embree, but an integer test ignores triangles in the plane of the
+/// sample.
 std::vector<std::uint8_t> tracedStatuses(
     const DrawInputs& frame,
     const raytrace::CutScene& scene,

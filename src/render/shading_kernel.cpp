@@ -46,11 +46,11 @@ struct Weights {
     }
 };
 
-/// The point of an edge with the smallest distance to a ray.
+/// The point of an edge that is nearest to a ray.
 struct NearestOnEdge {
     Floats along; // position on the edge, from 0 to 1
-    // Distance measure, multiplied by the squared length of the ray's direction. It is the squared sine of the angle to
-    // the ray, or the squared distance for parallel rays.
+    // Measure of the distance to the ray, times the squared length of the ray's direction. The measure is the squared
+    // sine of the angle to the ray, or the squared distance for parallel rays.
     Floats beside;
 };
 
@@ -66,7 +66,7 @@ HWY_INLINE NearestOnEdge nearestOnEdge(const Vec3& ray, bool isParallel, const V
     return {along, hn::Div(dot(beside, beside), hn::Max(dot(point, point), tiny))};
 }
 
-/// Returns the point of the triangle's outline that is nearest to the ray.
+/// Returns the barycentric weights of the point on the triangle's outline that is nearest to the ray.
 HWY_INLINE Weights
 nearestOnOutline(const Vec3& ray, bool isParallel, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2) {
     const auto zero = hn::Zero(kFloats);
@@ -83,10 +83,11 @@ nearestOnOutline(const Vec3& ray, bool isParallel, const Vec3& fromCorner, const
     return {hn::Sub(hn::Sub(one, w1), w2), w1, w2};
 }
 
-/// Returns the intersection of the pixel's ray and the triangle (after Möller and Trumbore 1997). The ray can miss,
-/// because snapping moved the pixel's centre into the triangle. Or the triangle is almost edge-on, so that floats are
-/// too imprecise. The result is then the nearest point of the outline, so it is always a point of the triangle at this
-/// pixel. `normal` is the cross product of the edges.
+/// Returns the barycentric weights of the intersection of the pixel's ray and the triangle (after Möller and Trumbore
+/// 1997). The ray can miss the triangle, because the snapping of vertices moved the pixel's centre into the triangle.
+/// If the triangle is almost edge-on, floats are too imprecise. In both cases, the result is the nearest point of the
+/// outline. The result is therefore always a point of the triangle at this pixel. `normal` is the cross product of the
+/// edges.
 HWY_INLINE Weights weightsAt(
     const Vec3& ray, bool isParallel, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2, const Vec3& normal) {
     const auto zero = hn::Zero(kFloats);
@@ -110,7 +111,8 @@ HWY_INLINE Weights weightsAt(
         hn::IfThenElse(isHit, hit.third, nearest.third)};
 }
 
-/// Decodes two octahedral snorm16 to a unit normal (Meyer et al. 2010). Returns zero if the vertex has no normal.
+/// Decodes the two snorm16 of an octahedral normal to a unit vector (Meyer et al. 2010). Returns zero if the vertex has
+/// no normal.
 HWY_INLINE Vec3 octahedral(Uints bits) {
     const auto word = hn::BitCast(kInts, bits);
     const auto decoded = [](Ints half) HWY_ATTR {
@@ -152,7 +154,7 @@ HWY_INLINE Floats channel(const PixelBatch& batch, std::size_t i, const Weights&
     return hn::Mul(weights.mix(corner(0), corner(1), corner(2)), constant(1 / 255.0F));
 }
 
-/// Returns the nearest of the levels 0 to 255.
+/// Converts a value in [0, 1] to the nearest of the levels 0 to 255.
 HWY_INLINE Ints level(Floats value) {
     const auto doubled = hn::Mul(constant(510), hn::Min(hn::Max(value, hn::Zero(kFloats)), constant(1)));
     return hn::ShiftRight<1>(hn::Add(hn::ConvertTo(kInts, doubled), hn::Set(kInts, 1)));
@@ -163,7 +165,8 @@ HWY_INLINE Ints packed(const Vec3& color) {
     return hn::Or(level(color.x), hn::Or(hn::ShiftLeft<8>(level(color.y)), hn::ShiftLeft<16>(level(color.z))));
 }
 
-/// Stores the parameters of the later lookups in the maps. `pass` receives the map, or -1 without a lookup.
+/// Stores the parameters of lookups that follow when the maps are drawn. `pass` receives the index of the map, or -1
+/// without a lookup.
 HWY_INLINE void leaveLookups(
     const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass, PixelBatch& batch, std::size_t i) {
     const AwaitedLanes awaited = awaitedLookups(f, surface, pass);
@@ -174,21 +177,21 @@ HWY_INLINE void leaveLookups(
     hn::StoreU(awaited.depth, kFloats, batch.lookupDepth.data() + i);
 }
 
-/// Returns the unit direction to the point light.
+/// Returns the unit direction from `position` to the point light.
 HWY_INLINE Vec3 towardsPoint(const block::Frame& frame, const Vec3& position) {
     const auto zero = hn::Zero(kFloats);
     return normalizedOr(subtract(constant(&frame.towardsLight.x), position), {zero, zero, zero});
 }
 
-/// Returns the brightness of the point light relative to the sun. It falls with the squared distance, and is clamped to
-/// the range of light sums.
+/// Returns the brightness of the point light at `position`, relative to the sun. It decreases with the squared
+/// distance, and is clamped to the range of light sums.
 HWY_INLINE Floats pointStrength(const block::Frame& frame, const Vec3& position) {
     const Vec3 towards = scale(subtract(constant(&frame.towardsLight.x), position), constant(1 / frame.pointReach));
     constexpr float kMinSquare = 1.0F / 1024;
     return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kMinSquare)));
 }
 
-/// Returns the lit fraction before lookups in maps.
+/// Returns the lit fraction that is known without lookups in shadow maps.
 template <class Mask>
 HWY_INLINE Floats litBefore(const ShadingFrame& f, const PixelBatch& batch, std::size_t i, Mask faces) {
     if (f.litSource == LitSource::Mask) return load(batch.litMask, i);
@@ -214,7 +217,7 @@ HWY_INLINE void shadeLanes(const ShadingFrame& f, PixelBatch& batch, std::size_t
     const Vec3 position = scale(inCells, constant(frame.gridStep));
     const auto depth = hn::Add(dot(constant(&frame.viewDirection.x), position), constant(frame.originDepth));
     hn::StoreU(depth, kFloats, batch.depth.data() + i);
-    if (f.litSource == LitSource::Unresolved) { // the colour follows when the shadow is known
+    if (f.litSource == LitSource::Unresolved) { // the colour is computed when the exact shadow is known
         hn::StoreU(weights.second, kFloats, batch.second.data() + i);
         hn::StoreU(weights.third, kFloats, batch.third.data() + i);
         return;

@@ -1,4 +1,5 @@
-// The shadow-map lookup per vector lane: selection of the map, and the lit fraction. Included once per instruction set.
+// The shadow map lookup, with one point per SIMD lane: selects the map and computes the lit fraction. Included once per
+// instruction set.
 #if defined(GNOMON_RENDER_SHADOW_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
 #undef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
@@ -27,7 +28,7 @@ HWY_INLINE Ints sliceOf(const ShadingFrame& f, Floats z) {
     return slice;
 }
 
-/// Returns the face partition of `p`, a position relative to the eye.
+/// Returns the index of the face partition that contains `p`, a position relative to the eye, in slice `slice`.
 HWY_INLINE Ints faceOf(const ShadingFrame& f, const Vec3& p, Ints slice) {
     const block::Shadows& shadows = *f.shadows;
     const auto zero = hn::Zero(kFloats);
@@ -56,7 +57,7 @@ HWY_INLINE Ints passOf(const ShadingFrame& f, const Vec3& p, Floats z) {
 }
 
 constexpr int kPartitionFloats = sizeof(block::Partition) / sizeof(float);
-/// Index of the first float of a member of block::Partition.
+/// Returns the index of the first float of a member of block::Partition.
 #define GNOMON_PARTITION_FLOAT(member) (offsetof(block::Partition, member) / sizeof(float))
 constexpr int kOrigin = GNOMON_PARTITION_FLOAT(origin);
 constexpr int kReach = GNOMON_PARTITION_FLOAT(reach);
@@ -73,7 +74,7 @@ constexpr int kLogRows = GNOMON_PARTITION_FLOAT(logRows);
 #undef GNOMON_PARTITION_FLOAT
 static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
-/// The parameters of each lane's partition. With isUniform, all lanes have the same partition.
+/// The parameters of the partition of each SIMD lane. With isUniform, all lanes have the same partition.
 template <bool isUniform>
 class PartitionLanes {
 public:
@@ -93,7 +94,7 @@ private:
     Ints offsets_;
 };
 
-/// Returns component `row` of the clip coordinates at `offset` from the map's origin.
+/// Returns clip-space coordinate `row` of a position. `offset` is the position relative to the map's origin.
 template <class Partition>
 HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& offset) {
     return hn::Add(
@@ -112,13 +113,13 @@ HWY_INLINE Mask hasLogRows(const Partition& part) {
     return hn::Gt(part(kLogRows), hn::Zero(kFloats));
 }
 
-/// The clip coordinate w of a point, and 1 / w.
+/// The clip-space coordinate w of a point, and 1 / w.
 struct ClipW {
     Floats w, inverse;
 };
 
-/// Returns the bias for a flat receiver at `offset`, and for a somewhat steeper neighbour, over half a texel and the
-/// filter kernel.
+/// Returns the depth bias for a receiver at `offset`: the change of depth over half a texel and the filter kernel, for
+/// the receiver's plane and for a neighbouring surface that is steeper by kUnevenSlope.
 template <class Partition>
 HWY_INLINE Floats receiverBias(
     const ShadingFrame& f,
@@ -145,7 +146,7 @@ HWY_INLINE Floats receiverBias(
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
-/// Returns the coordinate along the rows of the map: y / w, or the logarithm of w.
+/// Returns the coordinate from which the row of the map is computed: y / w, or ln w for logarithmic rows.
 template <class Partition>
 HWY_INLINE Floats alongRows(const Partition& part, Floats yOverW, Floats w) {
     const auto isLog = hasLogRows(part);
@@ -158,8 +159,8 @@ HWY_INLINE Floats between(Floats a, Floats b, Floats fraction) {
     return hn::Add(a, hn::Mul(fraction, hn::Sub(b, a)));
 }
 
-/// The input of a lookup: a square of filter texels starting at the floor of `startX` and `startY`, clamped to the
-/// partition, and the depth for the comparison.
+/// The input of a lookup: the filter kernel, a square of texels that starts at the floor of `startX` and `startY` and
+/// is clamped to the partition; and the depth for the comparison.
 struct LookupLanes {
     Floats startX, startY, depth;
 };
@@ -169,7 +170,7 @@ HWY_INLINE LookupLanes
 lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine) {
     const Vec3 offset = subtract(p, {part(kOrigin), part(kOrigin + 1), part(kOrigin + 2)});
     const auto w = clipCoordinate(part, 3, offset);
-    // No receiver should be in the plane w = 0. This guard prevents a NaN.
+    // No receiver should be in the plane w = 0. This test prevents a NaN.
     const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
     const auto texelOf = [&](int row) HWY_ATTR {
@@ -177,7 +178,7 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
         if (row == 1) clip = alongRows(part, clip, w);
         return hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
     };
-    // The depth is clamped to 1. For a receiver beyond the far end of the map, the map already contains all casters.
+    // The depth is clamped to 1. For a receiver beyond the far end of the depth range, all its casters are in the map.
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),
@@ -205,8 +206,8 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     const auto lowY = side(kFirstTexel + 1);
     const auto highX = hn::Sub(side(kEndTexel), one);
     const auto highY = hn::Sub(side(kEndTexel + 1), one);
-    // Interpolates between two squares that are one texel narrower than the kernel. Therefore the outer texels have the
-    // fraction of a texel as weight, and a fully lit result is exactly 1.
+    // The result interpolates between two squares of texels that are one texel narrower than the kernel. The weight of
+    // the outer texels is therefore a fraction, and a fully lit result is exactly 1.
     const int box = std::max(width - 1, 1);
     auto above = hn::Zero(kFloats);
     auto below = hn::Zero(kFloats);
@@ -229,15 +230,15 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     return hn::Div(between(above, below, fractionY), constant(static_cast<float>(box * box)));
 }
 
-/// A surface point per lane.
+/// Surface points, one per SIMD lane.
 struct SurfaceLanes {
     Vec3 position, normal;
-    Floats depth;  // along the view
-    Floats cosine; // cosine of the angle to the light
-    Mask faces;    // true if the cosine is greater than 0
+    Floats depth;  // view depth
+    Floats cosine; // cosine of the angle between normal and light
+    Mask faces;    // true: the cosine is greater than 0
 };
 
-/// Returns the map of the cube face that contains the direction `fromLight`.
+/// Returns the index of the map for the cube face that contains the direction `fromLight`.
 HWY_INLINE Ints passOfCubeFace(const ShadingFrame& f, const Vec3& fromLight) {
     const auto x = hn::Abs(fromLight.x);
     const auto y = hn::Abs(fromLight.y);
@@ -253,14 +254,16 @@ HWY_INLINE Ints passOfCubeFace(const ShadingFrame& f, const Vec3& fromLight) {
     return hn::GatherIndex(kInts, &f.shadows->passOfPartition[0].x, face);
 }
 
-/// Returns the map that each surface looks up, or -1 if there is no map or the surface faces away from the light.
+/// Returns the index of the map that each surface looks up. Returns -1 if there is no map or the surface faces away
+/// from the light.
 HWY_INLINE Ints passOfSurface(const ShadingFrame& f, const SurfaceLanes& surface) {
     const auto pass = isFromPoint(f) ? passOfCubeFace(f, subtract(surface.position, constant(&f.frame->towardsLight.x)))
                                      : passOf(f, subtract(surface.position, constant(&f.frame->eye.x)), surface.depth);
     return hn::IfThenElse(hn::RebindMask(kInts, surface.faces), pass, hn::Set(kInts, -1));
 }
 
-/// Looks up the maps for surfaces that face the light. `pass` is -1 for the other lanes.
+/// Returns the lit fractions of surfaces that face the light, by lookups in the maps. `pass` receives the index of the
+/// map, or -1 for lanes without a lookup.
 HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
     pass = none;
@@ -279,7 +282,8 @@ HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, 
     return hn::IfThenElseZero(surface.faces, lit);
 }
 
-/// The parameters of a later `litByMaps`: texel ranges within the partition, and the depth for the comparison.
+/// The parameters of lookups that follow when the maps are drawn: ranges of texels within the partition, and the depth
+/// for the comparison.
 struct AwaitedLanes {
     Ints firstColumn = hn::Zero(kInts);
     Ints firstRow = hn::Zero(kInts);
@@ -308,8 +312,8 @@ HWY_INLINE AwaitedLanes awaitedAt(const ShadingFrame& f, Ints pass, const Surfac
         depth};
 }
 
-/// Returns the parameters of the later lookups. `pass` is -1 for lanes without a lookup, whose other values are
-/// meaningless.
+/// Returns the parameters of lookups that follow when the maps are drawn. `pass` receives -1 for lanes without a
+/// lookup, whose parameters are meaningless.
 HWY_INLINE AwaitedLanes awaitedLookups(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
     pass = none;

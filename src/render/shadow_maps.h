@@ -8,13 +8,14 @@
 
 namespace gnomon::render {
 
-/// A picture of depths, and the file that it is for.
+/// A picture of depths, and the path of its file.
 struct NamedDepths {
     std::string path;
     FloatPicture depths;
 };
 
-/// Returns each map of `plan`, which `backend` has just drawn. The name of its file is made of its slice and face.
+/// Returns each map of `plan` as a picture. `backend` must have drawn the plan just before. The file name of a map
+/// contains its slice and face.
 std::vector<NamedDepths> shadowMaps(const plan::FramePlan& plan, Backend& backend);
 
 } // namespace gnomon::render

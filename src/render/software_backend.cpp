@@ -80,13 +80,13 @@ private:
     bool shadeDecided(const DrawInputs& frame);
 
     raster::Rasterizer rasterizer_;
-    SoftwarePass mapPass_;             // pass of the map that is drawn
-    SoftwarePass pass_;                // pass of the image
+    SoftwarePass mapPass_;             // clusters of the map that is being drawn
+    SoftwarePass pass_;                // clusters of the image
     std::vector<std::uint64_t> words_; // visibility buffer, rows from bottom to top
-    FloatPicture shadowDepth_;         // the pixel array only grows, so it can be larger than the texture
+    FloatPicture shadowDepth_;         // the pixel array never shrinks, so it can be larger than the texture
     Picture picture_;
     LightPicture light_;           // empty unless a frame requests its light
-    Raster<std::uint8_t> litMask_; // the verdict of exact shadows: 255 where a pixel is lit
+    Raster<std::uint8_t> litMask_; // result of exact shadows: 255 for lit pixels
     Raster<SurfaceSample> surfaces_;
     bool isOnGround(std::size_t wordAt) const;
 
@@ -103,7 +103,7 @@ Cutting castersCutting(const DrawInputs& frame) {
     return frame.plan->view.cutsCasters ? Cutting::BySections : Cutting::Whole;
 }
 
-/// Sets the texels outside all maps to 1. Each map clears its own texels when it is drawn.
+/// Sets the texels of the depth texture outside all maps to 1. The texels of a map are cleared when the map is drawn.
 void SoftwareBackend::clearBetweenMaps(const plan::FramePlan& plan) {
     std::vector<shadow::TexelRectangle> row;
     for (int y = 0; y < shadowDepth_.height; ++y) {
@@ -122,7 +122,7 @@ void SoftwareBackend::clearBetweenMaps(const plan::FramePlan& plan) {
     }
 }
 
-/// Gives the depth texture the size of the plan's. If the size changes, its content is undefined.
+/// Sets the size of the depth texture to the size in the plan. If the size changes, the content is undefined.
 void SoftwareBackend::sizeShadowDepth(const plan::FramePlan& plan) {
     shadowDepth_.width = plan.textureWidth;
     shadowDepth_.height = plan.textureHeight;
@@ -138,8 +138,8 @@ void SoftwareBackend::drawMap(
     *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, depthTarget());
 }
 
-/// Draws a map without texels that no receiver looks up and without casters behind other casters. Returns the counts of
-/// skipped casters.
+/// Draws a map, but skips texels that no receiver looks up, and casters that are hidden from the light by other
+/// casters. Returns the counts of skipped casters.
 raster::OcclusionCounts SoftwareBackend::drawWantedMap(
     const DrawInputs& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
     mapPass_.gather(frame, casters, castersCutting(frame));
@@ -170,7 +170,7 @@ PassStatistics SoftwareBackend::drawShadowMaps(const DrawInputs& frame) {
     return statistics;
 }
 
-/// Draws the parts of each map that receivers look up.
+/// Draws the parts of all maps that receivers look up.
 CulledCasters SoftwareBackend::drawCulledMaps(const DrawInputs& frame, PassStatistics& statistics) {
     CulledCasters culled;
     for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
@@ -194,7 +194,7 @@ DrawStatistics SoftwareBackend::draw(const DrawInputs& frame) {
     DrawStatistics statistics;
     sizeTargets(frame);
     sizeShadowDepth(*frame.plan);
-    GNOMON_CHECK(!frame.wantsLight); // light needs maps that are drawn before the image
+    GNOMON_CHECK(!frame.wantsLight); // stored light needs maps that are drawn before the image
     const ImageBuffers buffers = imageBuffers();
     const auto occlusion = drawVisible(frame, buffers);
     litPixels_ = receivers_.collect(frame, buffers, shadowDepth_);
@@ -232,7 +232,7 @@ void SoftwareBackend::sizeTargets(const DrawInputs& frame) {
         light_ = {};
 }
 
-/// Computes the colours of the image from its words, and the surfaces if requested.
+/// Computes the colours of the image from the visibility buffer, and the surfaces if the frame requests them.
 void SoftwareBackend::shade(const DrawInputs& frame) {
     const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
     litPixels_ = 0;
@@ -253,7 +253,7 @@ PassStatistics SoftwareBackend::drawImage(const DrawInputs& frame) {
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
 }
 
-/// Sets the mask of the lit pixels from the `statuses` of the samples.
+/// Sets the mask of lit pixels from the exact-shadow `statuses` of the samples.
 void SoftwareBackend::keepVerdict(std::span<const std::uint8_t> statuses) {
     const exact::SampleList& samples = exact_.samples();
     litMask_.width = picture_.width;
@@ -272,7 +272,7 @@ void SoftwareBackend::keepVerdict(std::span<const std::uint8_t> statuses) {
     });
 }
 
-/// Shades the image by the mask of the lit pixels. Returns true if it uses the headlight.
+/// Shades the image with the mask of lit pixels. Returns true if it uses the headlight.
 bool SoftwareBackend::shadeDecided(const DrawInputs& frame) {
     const std::uint64_t lit = litPixels_;
     DrawInputs decided = frame;
@@ -280,7 +280,7 @@ bool SoftwareBackend::shadeDecided(const DrawInputs& frame) {
     const bool isHeadlit = lit < frame.minLitPixels.value_or(0);
     if (isHeadlit) decided.shading = plan::Shading::Headlight;
     shade(decided);
-    litPixels_ = lit; // of the samples, whatever the shading counts
+    litPixels_ = lit; // number of lit samples; the count of the shading is not used
     return isHeadlit;
 }
 
@@ -315,15 +315,15 @@ FloatPicture SoftwareBackend::shadowDepth() {
     return result;
 }
 
-/// Returns true if the pixel of this word of the visibility buffer shows the ground.
+/// Returns true if the pixel with index `wordAt` in the visibility buffer shows the ground.
 bool SoftwareBackend::isOnGround(std::size_t wordAt) const {
     const std::uint64_t word = words_[wordAt];
     if (word == 0 || isCapName(raster::visibleTriangle(word))) return false;
     return pass_.drawn()[raster::visibleTriangle(word) >> kTriangleBits].isGround;
 }
 
-/// A transparent ground is drawn as a shadow on white. The shadow determines its coverage, and the colour becomes
-/// black.
+/// Returns the picture of the image. With a transparent background, the ground was drawn as a shadow on white. The
+/// darkness of the shadow determines the coverage, and the colour becomes black.
 Picture SoftwareBackend::picture() {
     Picture result = picture_;
     if (!isTransparent_ || !pass_.hasGround()) return result;

@@ -1,4 +1,4 @@
-// The software backend: a rasteriser for visible triangles, and shading of the visible pixels.
+// The software backend: it rasterises the visible triangles, and then shades the visible pixels.
 #pragma once
 
 #include "render/backend.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::render {
 
-/// Makes a backend that draws the same frames as the GL backend on all CPU cores. The picture does not depend on the
-/// number of cores.
+/// Creates a backend that draws the same frames as the OpenGL backend, on all CPU cores. The picture does not depend on
+/// the number of cores.
 std::unique_ptr<Backend> makeSoftwareBackend();
 
 } // namespace gnomon::render

@@ -12,7 +12,8 @@ namespace gnomon::render {
 
 namespace {
 
-/// Returns the striped colour of surfaces without a map. The stripes are four pixels wide.
+/// Returns the colour of a surface without a shadow map: diagonal stripes that are four pixels wide. `light` scales the
+/// brightness.
 glm::vec3 withoutMap(const PaintedPixel& pixel, float light) {
     return glm::vec3(light) * kWithoutMap[(pixel.x + pixel.y) / 4 % 2 == 0 ? 0 : 1];
 }
@@ -56,7 +57,7 @@ float SoftwareOverlay::aliasing(int pass, const glm::vec3& position, float depth
     const glm::vec4 dz = part.clipFromOffset * glm::vec4(part.axisZ, 0);
     glm::vec2 perX = glm::abs(glm::vec2(dx) * clip.w - glm::vec2(clip) * dx.w) * part.texelScale;
     glm::vec2 perZ = glm::abs(glm::vec2(dz) * clip.w - glm::vec2(clip) * dz.w) * part.texelScale;
-    if (part.logRows != 0) { // with logarithmic rows, a row changes with dw / w
+    if (part.logRows != 0) { // with logarithmic rows, the row changes in proportion to dw / w
         perX.y = std::abs(dx.w) * clip.w * part.texelScale.y;
         perZ.y = std::abs(dz.w) * clip.w * part.texelScale.y;
     }
@@ -72,7 +73,7 @@ glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
 float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
     const block::Partition& part = shadows_->partitions[pixel.pass];
     const auto at = [&](int column, int row) {
-        // Intersection of the pixel's ray and the plane of the triangle.
+        // Intersects the ray of pixel (column, row) with the plane of the triangle.
         const glm::dvec3 origin =
             pixel.rayOrigin + double(column - pixel.x) * pixel.originPerX + double(row - pixel.y) * pixel.originPerY;
         const glm::dvec3 fromOrigin = glm::dvec3(pixel.position) - origin;
@@ -83,7 +84,7 @@ float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
         const glm::dvec3 hit = across == 0 ? fromOrigin : ray * (distance / across);
         return (texelAt(part, clipOf(part, glm::vec3(hit + origin))) - part.firstTexel) / 5.0F;
     };
-    // Differences within blocks of two by two pixels, as in GL.
+    // The differences are computed within blocks of two by two pixels, as in OpenGL.
     const int left = pixel.x & ~1;
     const int low = pixel.y & ~1;
     const glm::vec2 perX = glm::abs(at(left + 1, pixel.y) - at(left, pixel.y));

@@ -1,4 +1,4 @@
-// The CPU version of shaders/image/overlay.glsl, with the same operations and names.
+// The overlays on the CPU: the same operations and names as in shaders/image/overlay.glsl.
 #pragma once
 
 #include "render/software_pass.h"
@@ -8,13 +8,14 @@
 
 namespace gnomon::render {
 
-/// A shaded pixel below an overlay.
+/// A shaded pixel on which an overlay is painted.
 struct PaintedPixel {
     glm::vec3 shaded{0};
-    glm::vec3 position{0};   // camera-relative space
-    float depth = 0;         // along the view
-    int pass = -1;           // index of the looked-up map; -1: none
-    glm::dvec3 rayOrigin{0}; // origin of the ray through the pixel's centre, and its change per pixel
+    glm::vec3 position{0}; // camera-relative space
+    float depth = 0;       // view depth
+    int pass = -1;         // index of the shadow map of the lookup; -1: none
+    // start of the ray through the pixel's centre; originPerX and originPerY are its changes per pixel
+    glm::dvec3 rayOrigin{0};
     glm::dvec3 originPerX{0};
     glm::dvec3 originPerY{0};
     glm::vec3 ray{0}; // direction of this ray, and its change per pixel
@@ -22,14 +23,14 @@ struct PaintedPixel {
     glm::vec3 rayPerY{0};
     glm::vec3 normal{0}; // normal of the triangle
     int x = 0;
-    int y = 0; // from the bottom
+    int y = 0; // row, counted from the bottom
     const DrawnCluster* cluster = nullptr;
 };
 
-/// A painter for the overlay of one frame. All threads can use it.
+/// Paints the overlay of one frame. All threads can use the object.
 class SoftwareOverlay {
 public:
-    /// Prepares the painting. The blocks and `frame` must outlive this object. `clusters` are the clusters of the
+    /// Prepares the painting. The blocks and `frame` must outlive this object. `clusters` are the drawn clusters of the
     /// image.
     SoftwareOverlay(
         const DrawInputs& frame,
@@ -44,7 +45,7 @@ private:
     glm::vec3 residence(const DrawnCluster& cluster) const;
     float texelGrid(const PaintedPixel& pixel) const;
 
-    /// The error (world units) and colour index of a cluster, decoded as in the shaders.
+    /// The error (in world units) and the colour index of a cluster, with the precision that the shaders decode.
     struct ClusterMark {
         float error = 0;
         int tint = 0;
@@ -57,7 +58,7 @@ private:
     const DrawInputs* frame_;
     const block::Frame* block_;
     const block::Shadows* shadows_;
-    // The marks of all clusters, per page. Only overlays of clusters fill them.
+    // The marks of all clusters, per page. Only overlays that show clusters fill this table.
     std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_;
 };
 

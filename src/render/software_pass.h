@@ -1,4 +1,4 @@
-// The input of the software rasteriser for one pass: the clusters of a draw list, and the view of the grid.
+// The input of the software rasteriser for one pass: the clusters of a draw list, and the projection of the grid.
 #pragma once
 
 #include "raster/raster.h"
@@ -7,17 +7,17 @@
 
 namespace gnomon::render {
 
-/// The treatment of section planes in a pass: whole clusters, or clusters cut by the planes.
+/// The treatment of section planes in a pass: clusters stay whole, or the planes cut them.
 enum class Cutting : std::uint8_t { Whole, BySections };
 
-/// The clusters of one draw list. Its memory is reused from pass to pass.
+/// The clusters of one draw list. The object reuses its memory from pass to pass.
 class SoftwarePass {
 public:
     /// Collects the clusters of `list`, whose pages must outlive the pass. With Cutting::BySections, collects only the
-    /// remaining pieces.
+    /// parts that the section planes do not remove.
     void gather(const DrawInputs& frame, const lod::DrawList& list, Cutting cutting);
 
-    /// Adds the clusters of `range`, cut by sections.
+    /// Adds the parts of the clusters of `range` that the section planes do not remove.
     void addCut(const DrawInputs& frame, const lod::ClusterRange& range);
 
     /// Adds the single cluster of the page `ground`.
@@ -27,10 +27,11 @@ public:
 
     bool hasGround() const { return hasGround_; }
 
-    /// Computes and returns the boxes of the clusters.
+    /// Computes the boxes of the clusters and returns them.
     std::span<const raster::CellBox> boxes();
 
-    /// Returns the same clusters in the same order. The ids of their triangles contain this index.
+    /// Returns the clusters with their pages, in the order of `clusters`. Triangle ids contain the index of a cluster
+    /// in this list.
     std::span<const DrawnCluster> drawn() const { return drawn_; }
 
 private:
@@ -42,12 +43,12 @@ private:
     bool hasGround_ = false;
 };
 
-/// Returns the view of a viewport of the target through `clipFromDraw`: the matrix of the shaders, with the grid step
-/// included.
+/// Returns the view of the rasteriser that draws into `viewport` with the matrix `clipFromDraw`. The matrix is that of
+/// the shaders, multiplied by the grid step.
 raster::View rasterView(
     const CameraRelativeSpace& space, const glm::dmat4& clipFromDraw, const raster::PixelBox& viewport);
 
-/// The view of a map's casters, with the row positions that the view refers to.
+/// The view for drawing the casters of a map. The view refers to the row positions in `rows`.
 struct MapView {
     std::vector<float> rows; // empty if the rows are evenly spaced
     raster::View view;

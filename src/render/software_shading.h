@@ -1,5 +1,5 @@
-// From the visibility buffer to the image: collects the visible triangles for the vector kernel, and writes their
-// colours.
+// Computes the image from the visibility buffer: collects the visible triangles for the shading kernel, and writes the
+// colours that the kernel returns.
 #pragma once
 
 #include "exact/lookup_mask.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::render {
 
-/// Unpacks a colour of a PixelBatch to bytes.
+/// Converts a packed colour of a PixelBatch to three bytes.
 constexpr Rgb unpacked(std::uint32_t color) {
     return {
         static_cast<std::uint8_t>(color),
@@ -20,51 +20,54 @@ constexpr Rgb unpacked(std::uint32_t color) {
         static_cast<std::uint8_t>(color >> 16U)};
 }
 
-/// Pixels whose shadow is computed before they are shaded.
+/// The output for pixels whose exact shadow is computed later, before they are shaded.
 struct UnresolvedPixels {
-    exact::SampleList* samples = nullptr; // receives the pixels that face the light
-    std::uint32_t tolerance = 0;          // as in exact::intersect
-    std::vector<float> sliceEnds;         // view depths of the ends of the slices of the sample grids, nearest first
+    exact::SampleList* samples = nullptr; // receives the visible points that face the light
+    std::uint32_t tolerance = 0;          // tolerance of the samples, as in exact::intersect
+    std::vector<float> sliceEnds;         // view depths of the far ends of the sample grids' slices, nearest first
     exact::VisiblePoints* points =
         nullptr; // if not null, receives all pixels instead of `samples`, also those that face away from the light
 };
 
-/// Pixels whose maps are drawn later. `mask` receives the later lookups. With `isLitLater`, the pixels are also listed
-/// in any order. Each entry has the pixel, its texel of the depth texture, the depth for the comparison, the lit colour
-/// in the format of PixelBatch, and whether the pixel counts as lit when light reaches it.
+/// The output for pixels whose shadow maps are drawn later. `mask` receives the lookups that will follow. With
+/// `isLitLater`, the pixels are also listed, in any order. An entry has the pixel, its texel of the depth texture, the
+/// depth for the comparison, the lit colour in the format of PixelBatch, and whether the pixel counts as lit when light
+/// reaches it.
 struct AwaitedPixels {
     exact::LookupMask* mask = nullptr;
     bool isLitLater = false;
-    // The arrays have room for all pixels. Only the first `size` entries are valid.
+    // The arrays have memory for all pixels. Only the first `size` entries are valid.
     std::vector<std::uint32_t> pixels, texels, litColors;
     std::vector<float> depths;
     std::vector<std::uint8_t> counts;
     std::atomic<std::size_t> size{0};
 };
 
-/// The output of shading, with rows from top to bottom. `surfaces` can be null.
+/// The output buffers of shading. Rows are ordered from top to bottom. `surfaces` can be null.
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
-    // If not null, the visible points are only collected here. All other results are then unchanged.
+    // If not null, the visible points are only collected here, and all other outputs stay unchanged.
     UnresolvedPixels* unresolved = nullptr;
-    // If not null, pixels are shaded in shadow, and those whose maps are drawn later are collected here. A pixel that
-    // needs no map gets its final colour immediately.
+    // If not null, pixels are shaded as in shadow, and the pixels whose shadow maps are drawn later are collected here.
+    // A pixel that needs no map receives its final colour immediately.
     AwaitedPixels* awaited = nullptr;
-    std::atomic<std::uint64_t>* litPixels = nullptr; // counts the pixels that are known to be at least partly lit
-    LightPicture* light = nullptr;                   // with `wantsLight`: the light of `picture`
-    const shadow::TileMask* tiles = nullptr;         // the tiles to shade; null: all pixels
+    // receives the number of pixels that are known to be at least partly lit
+    std::atomic<std::uint64_t>* litPixels = nullptr;
+    LightPicture* light = nullptr;           // with `wantsLight`: receives the light of `picture`
+    const shadow::TileMask* tiles = nullptr; // the tiles to shade; null: all pixels
 };
 
-/// The state of the shadow result during shading, apart from the plan and the mask: known, unresolved until exact
-/// shadows are computed, or awaited until the maps are drawn.
+/// Tells when the shadows are computed relative to shading. Known: before it. Unresolved: after it, as exact shadows.
+/// Awaited: after it, when the shadow maps are drawn.
 enum class Verdict : std::uint8_t { Known, Unresolved, Awaited };
 
-/// The shading of one frame. All threads can shade boxes.
+/// Shades one frame. All threads can shade boxes of the image in parallel.
 class Shading {
 public:
-    /// Prepares the shading. All arguments must outlive it. `shadowDepth` is empty without maps, and `clusters` are the
-    /// clusters of the image's pass. A `verdict` other than Known requires targets with `unresolved` or `awaited`.
+    /// Prepares the shading of `frame`. All arguments must outlive this object. `shadowDepth` is the depth texture of
+    /// the maps; it is empty without maps. `clusters` are the drawn clusters of the image, to which triangle ids refer.
+    /// If `verdict` is Unresolved or Awaited, each ShadingTarget must have a non-null `unresolved` or `awaited`.
     Shading(
         const DrawInputs& frame,
         const glm::dmat4& clipFromDraw,
@@ -78,14 +81,14 @@ public:
     Shading& operator=(Shading&&) = delete;
     ~Shading() = default;
 
-    /// Shades each pixel of `box` from the words of the visibility buffer. Rows of `box` count from the bottom of the
-    /// image. The visibility buffer contains the same rows as the target.
+    /// Shades each pixel of `box`. `words` is the visibility buffer, which contains the same rows as the target. The
+    /// rows of `box` are counted from the bottom of the image.
     void shade(const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const;
 
-    /// Returns the rows of the targets.
+    /// Returns the image rows that each target contains.
     ImageRows rows() const { return rows_; }
 
-    /// Returns the constants of the frame for the kernel.
+    /// Returns the constants of the frame for the shading kernel.
     const ShadingFrame& frame() const { return shared_; }
 
 private:
@@ -107,7 +110,7 @@ private:
     std::array<float, 3> lightOfCap(const Rgb& color) const;
     std::array<float, 3> lightOfGround(float lit) const;
 
-    /// Returns the row of a target that contains row `row` of the image.
+    /// Returns the row of a target that contains row `row` of the image, which is counted from the bottom.
     int fromTop(int row) const { return rows_.first + rows_.count - 1 - row; }
 
     bool isGround(const Work& work, std::size_t i) const;
@@ -121,12 +124,12 @@ private:
     block::Frame block_;
     block::Shadows shadows_;
     ShadingFrame shared_;
-    glm::dvec3 rayOrigin_{0}; // camera-relative space; for the image point (0, 0)
+    glm::dvec3 rayOrigin_{0}; // start of the ray through the image point (0, 0); camera-relative space
     glm::dvec3 originPerX_{0};
     glm::dvec3 originPerY_{0};
     SoftwareOverlay overlay_;
-    std::vector<Rgb> background_; // per row, from the top
-    std::vector<Rgb> shadowed_;   // the background in a ground shadow
+    std::vector<Rgb> background_; // colour per row, from the top
+    std::vector<Rgb> shadowed_;   // background in a ground shadow, per row
     glm::vec3 leftInShadow_{1};
 };
 

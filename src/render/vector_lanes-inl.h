@@ -1,4 +1,4 @@
-// Vectors of numbers and of 3D vectors, one per lane. Included once per instruction set.
+// SIMD types and functions for numbers and 3D vectors, with one value per lane. Included once per instruction set.
 #if defined(GNOMON_RENDER_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RENDER_VECTOR_LANES_INL_H
 #undef GNOMON_RENDER_VECTOR_LANES_INL_H
@@ -42,9 +42,9 @@ HWY_INLINE Floats inverse(Floats value) {
     return hn::Div(constant(1), value);
 }
 
-/// Returns the natural logarithm of finite positive values, with an error of at most 2e-7 of the result plus 1e-7. It
-/// is identical on all instruction sets. With value = 2^e m, m between sqrt(1/2) and sqrt 2, and s = (m - 1) / (m + 1),
-/// ln m is 2 artanh s.
+/// Returns the natural logarithm of finite positive values, with an error of at most 2e-7 of the result plus 1e-7. The
+/// result is identical on all instruction sets. The function uses value = 2^e m, with m between sqrt(1/2) and sqrt 2.
+/// With s = (m - 1) / (m + 1), ln m is 2 artanh s.
 HWY_INLINE Floats naturalLog(Floats value) {
     constexpr std::int32_t kRootOfHalf = 0x3F3504F3;
     const auto bits = hn::Sub(hn::BitCast(kInts, value), hn::Set(kInts, kRootOfHalf));
@@ -97,7 +97,7 @@ HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
         hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// Returns `a` or its opposite, whichever points to the side of `towards`.
+/// Returns `a` or its opposite: the vector whose dot product with `towards` is not negative.
 HWY_INLINE Vec3 turned(const Vec3& a, const Vec3& towards) {
     const auto isAway = hn::Lt(dot(a, towards), hn::Zero(kFloats));
     return choose(isAway, {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)}, a);

@@ -1,4 +1,4 @@
-// First-fit allocation of ranges from a fixed span of units.
+// First-fit allocation of ranges of units from a buffer of fixed size.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace gnomon::render {
 
-/// An allocator that keeps free ranges by offset. Released ranges are merged with their neighbours.
+/// An allocator that stores the free ranges, sorted by offset. A released range is merged with adjacent free ranges.
 class FreeList {
 public:
     FreeList() = default;
@@ -23,7 +23,7 @@ public:
     void release(std::size_t offset, std::size_t units);
 
 private:
-    std::map<std::size_t, std::size_t> free_; // offset -> units
+    std::map<std::size_t, std::size_t> free_; // from the offset of a free range to its number of units
 };
 
 } // namespace gnomon::render

@@ -1,5 +1,5 @@
-// A cache of pages in GL buffers: positions, attributes and indices of all pages in a few large buffers, with a limit
-// in bytes.
+// A cache of pages in GL memory. The positions, attributes and indices of all pages are in a few large buffers, whose
+// total size is limited.
 #pragma once
 
 #include "core/units.h"
@@ -18,30 +18,30 @@
 
 namespace gnomon::render {
 
-/// The place of a page in the pool.
+/// The place of a page in the pool. A chunk is one GL buffer of the pool.
 struct PagePlace {
     std::size_t chunk = 0;
     GLint baseVertex = 0;
-    GLuint firstIndex = 0; // in indices from the start of the chunk's buffer
+    GLuint firstIndex = 0; // number of indices from the start of the chunk's buffer
 };
 
-/// Returns the vertex of the page that is index 0 for `cluster`. It is the last multiple of 2^15 up to the cluster's
-/// first vertex. With this base, 16-bit indices are sufficient for pages of any size.
+/// Returns the base vertex for the indices of `cluster`: the last multiple of 2^15 that is not above the cluster's
+/// first vertex. Relative to it, 16-bit indices are sufficient for pages of any size.
 constexpr std::uint32_t indexBase(const hierarchy::Cluster& cluster) {
     constexpr std::uint32_t kBlock = 1U << 15U;
     return cluster.firstVertex / kBlock * kBlock;
 }
 
-/// A cache of pages in GL buffers with eviction of the least recently used page. A chunk is one buffer: first the
-/// positions of all vertices, which are sufficient for shadow maps, then their attributes, then indices.
+/// A cache of pages in GL memory that evicts the least recently used page. A chunk is one GL buffer. It contains first
+/// the positions of all vertices, which are sufficient for shadow maps, then their attributes, and then indices.
 class GeometryPool {
 public:
-    /// Makes a pool whose buffers never exceed `cap`. Buffers are made on demand. A new buffer is as large as all
-    /// earlier ones together, within limits. Pages are uploaded through `staging`.
+    /// Creates a pool whose buffers never exceed `cap`. Buffers are created on demand. Within limits, a new buffer is
+    /// as large as all earlier buffers together. Pages are uploaded through the ring buffer `staging`.
     GeometryPool(const gl::Api& api, gl::MappedRing& staging, Bytes cap);
 
-    /// Changes the limit, and immediately evicts the pages that exceed it. Draws with these pages must have been
-    /// issued.
+    /// Changes the limit of the pool, and immediately evicts pages until the limit is met. The caller must have issued
+    /// all draws with these pages.
     void keepUnder(Bytes cap);
 
     /// Returns the place of `page` if it is in the pool, and marks it as used.
@@ -53,26 +53,26 @@ public:
         const hierarchy::Page* page = nullptr;
     };
 
-    /// Inserts as many of `pages` as fit without eviction. The pages must be distinct and not in the pool. All worker
-    /// threads write to the staging memory, one segment at a time.
+    /// Inserts pages of `pages` in order, as far as they fit without eviction. The pages must be distinct and not in
+    /// the pool. All worker threads write to the staging memory, one segment at a time.
     void insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid);
 
-    /// Inserts `page`. Returns nullopt if there is no room before a call of `evictOldest`. Throws Error if the page
-    /// alone exceeds the limit.
+    /// Inserts `page`. Returns nullopt if the pool has no free memory for the page; the caller then calls
+    /// `evictOldest`. Throws Error if the page alone exceeds the limit.
     std::optional<PagePlace> insert(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
 
-    /// Evicts the least recently used page. Returns false if the pool is empty. Draws with this page must have been
-    /// issued.
+    /// Evicts the least recently used page. Returns false if the pool is empty. The caller must have issued all draws
+    /// with this page.
     bool evictOldest();
 
-    /// Returns the vertex array of a chunk: positions with attributes, or positions only.
+    /// Returns the vertex array object of a chunk, with positions and attributes, or with positions only.
     GLuint vertexArray(std::size_t chunk, bool withAttributes) const {
         return (withAttributes ? chunks_[chunk].surfaces : chunks_[chunk].positions).id();
     }
 
     std::size_t chunkCount() const { return chunks_.size(); }
 
-    /// Returns the size of all buffers.
+    /// Returns the total size of all buffers.
     Bytes size() const;
 
 private:
@@ -81,7 +81,7 @@ private:
         std::size_t indices = 0;
     };
 
-    /// Offsets in bytes of the parts of a page in its chunk's buffer.
+    /// The byte offsets of the parts of a page in the buffer of its chunk.
     struct PageOffsets {
         std::size_t positions = 0;
         std::size_t attributes = 0;
@@ -105,7 +105,7 @@ private:
         PageSize size;
     };
 
-    /// A page with its place in the pool and its pieces of staging memory.
+    /// A page with its place in the pool and its ranges of staging memory.
     struct Staged {
         NewPage page;
         PagePlace place;
@@ -129,20 +129,20 @@ private:
     std::unordered_map<std::uint32_t, std::list<Entry>::iterator> entries_;
 };
 
-/// A vertex in the layout of the shaders, equal to that of the page except for two fields. The top bits of the position
-/// store three bits of a colour index of the cluster. The alpha of the colour stores the cluster's stored error,
+/// A vertex in the layout of the shaders. Two fields differ from the vertex of the page. The top bits of the position
+/// store the three bits of the cluster's colour index. The alpha of the colour stores the cluster's stored error,
 /// rounded up.
 using PackedVertex = hierarchy::Vertex;
 
 /// Returns the vertices of `page` for the GPU. `page` must be valid.
 std::vector<PackedVertex> packedVertices(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
 
-/// Returns the indices of `page` for the GPU, three per triangle. Indices are relative to the `indexBase` of their
-/// cluster.
+/// Returns the indices of `page` for the GPU, three per triangle. Indices are relative to the result of `indexBase` for
+/// their cluster.
 std::vector<std::uint16_t> packedIndices(const hierarchy::Page& page);
 
-/// Returns the error of drawing a cluster instead of the source, in world units: the error of its refinement, or the
-/// snap error at level 0.
+/// Returns the error of a cluster compared with the source, in world units: the stored error of its refinement, or on
+/// level 0 the error by snapping to the grid.
 double storedError(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const hierarchy::Grid& grid);
 
 } // namespace gnomon::render

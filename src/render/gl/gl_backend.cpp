@@ -26,10 +26,11 @@ namespace {
 constexpr GLuint kShadowDepthUnit = 0;
 constexpr GLuint kLitMaskUnit = 1;
 
-/// Segment size of the ring of uniform blocks: several frames' blocks for the partitions and for each pass.
+/// Segment size in bytes of the ring of uniform blocks. A segment contains the blocks of several frames, for the
+/// partitions and for each pass.
 constexpr std::size_t kBlockSegment = std::size_t{128} << 10U;
 
-/// Returns the segment size of another ring: a share of the memory, within limits.
+/// Returns the segment size in bytes of any other ring: memory / share, within limits.
 std::size_t ringSegment(Bytes memory, std::uint64_t share, std::size_t minBytes, std::size_t maxBytes) {
     return std::clamp<std::size_t>(memory.count / share, minBytes, maxBytes);
 }
@@ -38,7 +39,7 @@ constexpr std::size_t kKibibyte = 1024;
 
 class GlBackend final : public Backend {
 public:
-    /// Makes a backend. `own` is the context if only this backend uses it, otherwise null.
+    /// Creates a backend. `own` is the context if only this backend uses the context, otherwise null.
     GlBackend(
         std::unique_ptr<const gl::Context> own,
         const gl::Context& context,
@@ -88,7 +89,7 @@ public:
 private:
     const gl::Api& api() const { return context_->api(); }
 
-    /// Makes this backend's context current and returns its targets for reading.
+    /// Makes the context of this backend current, and returns the render targets for reading.
     const GlTargets& targets() const {
         context_->makeCurrent();
         return targets_;
@@ -108,13 +109,13 @@ private:
 
     std::uint64_t ringBytes() const { return blocks_.size() + commands_.size() + staging_.size(); }
 
-    std::unique_ptr<const gl::Context> own_; // null in a window
+    std::unique_ptr<const gl::Context> own_; // null if a window owns the context
     const gl::Context* context_;
     std::string name_;
     gl::ShaderLibrary shaders_;
-    Bytes memory_; // limit of targets, rings and geometry together
+    Bytes memory_; // limit for the sum of render targets, rings and geometry
     GlSubmission submission_;
-    std::optional<gl::GpuTimer> shadowTimer_; // both timers are empty if each pass waits
+    std::optional<gl::GpuTimer> shadowTimer_; // both timers are empty if the program waits after each pass
     std::optional<gl::GpuTimer> imageTimer_;
     gl::MappedRing blocks_;
     gl::MappedRing commands_;
@@ -124,13 +125,13 @@ private:
     std::optional<gl::Program> skyProgram_;
     gl::VertexArray vertexless_;
     std::optional<LitCount> litCount_;
-    plan::Shading shading_{};                            // of the last frame
-    std::map<std::string, gl::Program> surfacePrograms_; // per list of defines
+    plan::Shading shading_{};                            // shading of the last frame
+    std::map<std::string, gl::Program> surfacePrograms_; // one program per list of defines
     GlTargets targets_;
     gl::Texture litMask_;
     Bytes targetMemory_;
     ImageDepth depth_;
-    std::uint64_t drawCalls_ = 0; // draws of the current pass
+    std::uint64_t drawCalls_ = 0; // number of draws in the current pass
     gl::CurrentAtDestruction deletesInItsContext_{*context_};
 };
 
@@ -160,8 +161,8 @@ PassStatistics GlBackend::drawImage(const DrawInputs& frame) {
     return {time, drawCalls_, std::nullopt};
 }
 
-/// Draws a frame and measures it with the GPU's clock if available. The times belong to this frame if the program waits
-/// for each frame, otherwise to the last finished frame.
+/// Draws a frame and measures its time, with the clock of the GPU if available. If the program waits for each frame,
+/// the times belong to this frame, otherwise to the last finished frame.
 DrawStatistics GlBackend::draw(const DrawInputs& frame) {
     DrawStatistics statistics = Backend::draw(frame);
     if (submission_ == GlSubmission::WaitsForEachFrame) {
@@ -174,7 +175,7 @@ DrawStatistics GlBackend::draw(const DrawInputs& frame) {
     return statistics;
 }
 
-/// Makes the targets. The remaining memory is the limit of the geometry pool.
+/// Creates the render targets. The rest of the memory limit becomes the limit of the geometry pool.
 void GlBackend::prepareTargets(const DrawInputs& frame) {
     context_->makeCurrent();
     targetMemory_ = targets_.bytes(frame);
@@ -197,7 +198,7 @@ void GlBackend::bindFrameBlock(const block::Frame& values) {
         GL_UNIFORM_BUFFER, 0, blocks_.id(), static_cast<GLintptr>(piece.offset), GLsizeiptr{sizeof values});
 }
 
-/// Binds the struct as three uniform blocks, because OpenGL guarantees only 16 KiB per block.
+/// Binds the struct block::Shadows as three uniform blocks, because OpenGL guarantees only 16 KiB per block.
 void GlBackend::bindShadowsBlock(const DrawInputs& frame) {
     constexpr std::size_t kFirst = offsetof(block::Shadows, partitions);
     constexpr std::size_t kOthers = kFirst + GNOMON_FIRST_PARTITIONS * sizeof(block::Partition);
@@ -228,7 +229,7 @@ void GlBackend::drawMaps(const DrawInputs& frame) {
     if (!keepsSome) clear();
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_LESS);
-    // Rounding can let clipped fragments leave the viewport; the scissor test prevents this.
+    // Rounding can move clipped fragments out of the viewport; the scissor test removes them.
     gl.enable(GL_SCISSOR_TEST);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         if (plan.passes[p].isReused) continue;
@@ -236,7 +237,7 @@ void GlBackend::drawMaps(const DrawInputs& frame) {
         gl.viewport(r.x, r.y, r.width, r.height);
         gl.scissor(r.x, r.y, r.width, r.height);
         if (keepsSome) clear();
-        // Depth clamping keeps casters that are nearer to the light than the frustum.
+        // Depth clamping preserves casters that are nearer to the light than the depth range of the map.
         (plan.passes[p].clampsDepth ? gl.enable : gl.disable)(GL_DEPTH_CLAMP);
         const MapDrawing map = mapDrawing(frame, plan.passes[p].map);
         bindFrameBlock(frameBlock(frame, map.space, map.clipFromDraw()));
@@ -298,7 +299,7 @@ void GlBackend::drawSurfaces(const DrawInputs& frame) {
     gl.bindFramebuffer(GL_FRAMEBUFFER, targets_.imageFramebuffer());
     gl.viewport(0, 0, view.width, view.height);
     const std::array<float, 4> nothing{};
-    const float farthest = 0; // depth is reversed
+    const float farthest = 0; // depth is reversed, so 0 is the farthest
     drawBackground(frame);
     gl.useProgram(surfaceProgram(frame).id());
     if (frame.wantsSurfaces)
@@ -349,8 +350,8 @@ PagePlace GlBackend::placed(const DrawInputs& frame, std::uint32_t id, GlBatch& 
     const hierarchy::Page& page = frame.pages(id);
     for (;;) {
         if (const auto place = pool_.insert(id, page, frame.grid)) return *place;
-        // The pool is smaller than the pass. The collected clusters are drawn first, so that their pages can be
-        // evicted.
+        // The pool is too small for all pages of the pass. The collected clusters are drawn now, so that their pages
+        // can be evicted.
         drawCalls_ += batch.flush(pool_, waitsForDraws());
         pool_.evictOldest();
     }
@@ -364,8 +365,9 @@ void GlBackend::drawGeometry(const DrawInputs& frame, const lod::DrawList& list,
     drawCalls_ += batch.flush(pool_, waitsForDraws());
 }
 
-/// Mesa's software renderer stores the binned triangles of all unfinished draws, about 200 MiB outside the memory
-/// limit. Waiting limits this memory and costs a sixth more time.
+/// Returns true if the program waits for each draw call. Mesa's software renderer stores the binned triangles of all
+/// unfinished draws, about 200 MiB outside the memory limit. Waiting limits this memory, but increases the time by a
+/// sixth.
 bool GlBackend::waitsForDraws() const {
     return submission_ == GlSubmission::WaitsForEachPass;
 }

@@ -1,4 +1,4 @@
-// The OpenGL backend.
+// The backend that draws with OpenGL.
 #pragma once
 
 #include "core/units.h"
@@ -10,26 +10,29 @@
 
 namespace gnomon::render {
 
-/// The points at which the program waits for OpenGL.
+/// The points at which the program waits until OpenGL has finished.
 enum class GlSubmission {
-    WaitsForEachPass,  // Mesa's software renderers: their clocks are wrong, and queued work uses memory
-    WaitsForEachFrame, // a GPU without a window: each frame has its own times
-    Queues,            // a GPU with a window: times belong to the last frame that is finished
+    WaitsForEachPass,  // for Mesa's software renderers, whose clocks are wrong and whose queued work uses memory
+    WaitsForEachFrame, // for a GPU without a window: measured times belong to the current frame
+    Queues,            // for a GPU with a window: measured times belong to the last finished frame
 };
 
-/// Makes a backend with its own context of `platform`. Image, maps and geometry stay below `gpuMemory`. Calls `warn`,
-/// if given, for each GPU that cannot be used. Throws Error if there is no context.
+/// Creates a backend with its own context on `platform`. The memory of image, maps and geometry stays below
+/// `gpuMemory`. If `warn` is given, it is called for each GPU that cannot be used. Throws Error if no context can be
+/// created.
 std::unique_ptr<Backend> makeGlBackend(
     gl::Platform platform,
     const gl::ShaderLibrary& shaders,
     Bytes gpuMemory,
     const std::function<void(const std::string&)>& warn = {});
 
-/// Makes an backend that draws in a window's context. The context must outlive it and be current at every call.
+/// Creates a backend that draws in the context of a window. The context must outlive the backend and be current at
+/// every call.
 std::unique_ptr<Backend> makeWindowBackend(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory);
 
-/// The same, waiting as `submission` says whatever the context is.
+/// Creates a backend that draws in the context of a window, and waits as `submission` specifies, independent of the
+/// context.
 std::unique_ptr<Backend> makeWindowBackend(
     const gl::Context& context, const gl::ShaderLibrary& shaders, Bytes gpuMemory, GlSubmission submission);
 

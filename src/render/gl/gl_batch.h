@@ -1,4 +1,4 @@
-// The draws of one OpenGL pass, collected per chunk of the pool and issued together.
+// The draws of one OpenGL pass, collected per chunk (GL buffer) of the geometry pool and issued together.
 #pragma once
 
 #include "gl/api.h"
@@ -19,8 +19,8 @@ struct DrawCommand {
     GLuint baseInstance = 0;
 };
 
-/// Appends the draws of a range of clusters of `page`, which is at `place`. Each base vertex of the indices gets its
-/// own draw.
+/// Appends the draws of a range of clusters of `page` to `commands`. The page is at `place` in the geometry pool.
+/// Clusters with different base vertices (`indexBase`) need separate draws.
 void appendCommands(
     std::vector<DrawCommand>& commands,
     const PagePlace& place,
@@ -29,16 +29,16 @@ void appendCommands(
 
 class GlBatch {
 public:
-    /// Makes an empty batch. `withAttributes` is true for surfaces and false for depth only. The draw commands go to
-    /// the ring `commands`.
+    /// Creates an empty batch. `withAttributes` is true for drawing surfaces, and false for drawing only depth. The
+    /// draw commands are written to the ring `commands`.
     GlBatch(const gl::Api& api, gl::MappedRing& commands, bool withAttributes)
         : api_(&api), commands_(&commands), withAttributes_(withAttributes) {}
 
-    /// Adds a range of clusters of `page`, which is at `place` in the pool.
+    /// Adds a range of clusters of `page`, which is at `place` in the geometry pool.
     void add(const PagePlace& place, const hierarchy::Page& page, const lod::ClusterRange& range);
 
-    /// Issues all draws with one indirect call per chunk, or more if the ring is too small. Returns the number of
-    /// draws. `waits` makes it wait for each call before the next one.
+    /// Issues all draws with one indirect call per chunk, or with more calls if the ring is too small. Returns the
+    /// number of draws. If `waits`, the function waits for each call before it issues the next call.
     std::uint64_t flush(const GeometryPool& pool, bool waits);
 
 private:

@@ -1,4 +1,4 @@
-// The textures that OpenGL draws into: made on demand, and read back as pictures.
+// The textures that OpenGL draws into. They are created on demand, and can be read back as pictures.
 #pragma once
 
 #include "core/units.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::render {
 
-/// Flips `raster` vertically, because OpenGL's first row is at the bottom.
+/// Flips `raster` vertically, because the first row of OpenGL is the bottom row.
 template <class Pixel>
 void flipRows(Raster<Pixel>& raster) {
     const auto width = static_cast<std::ptrdiff_t>(raster.width);
@@ -22,21 +22,22 @@ void flipRows(Raster<Pixel>& raster) {
     }
 }
 
-/// The render targets of a frame. All functions except `bytes` and `prepare` require a prepared frame. The texture of
-/// the maps can be larger than the plan requires, so that it can stay when plans change. The maps are in its first
-/// columns and rows.
+/// The render targets of a frame. All functions except `bytes` and `prepare` require a frame for which `prepare` was
+/// called. The texture of the maps can be larger than the plan requires, so that it need not be created again when
+/// plans change. The maps are in its first columns and rows.
 class GlTargets {
 public:
-    /// Returns the size of the textures that `prepare` would make or keep for `frame`.
+    /// Returns the memory of the textures that exist after `prepare` for `frame`.
     Bytes bytes(const DrawInputs& frame) const;
 
-    /// Makes the missing textures for `frame`. Throws Error if a texture exceeds the max size of OpenGL.
+    /// Creates the missing textures for `frame`. Throws Error if a texture exceeds the max size of OpenGL.
     void prepare(const gl::Context& context, const DrawInputs& frame);
 
     /// Returns the colour texture of the image.
     const gl::Texture& color() const { return image_->color; }
 
-    /// Returns the framebuffer of colour and reversed depth. If requested, it also has normals and positions.
+    /// Returns the framebuffer with colour and reversed depth, and with normals and positions if surfaces are
+    /// requested.
     GLuint imageFramebuffer() const { return image_->framebuffer.id(); }
 
     bool hasShadowMaps() const { return shadow_.has_value(); }
@@ -48,14 +49,14 @@ public:
 
     Picture picture() const;
 
-    /// Returns the light of a frame with `wantsLight`.
+    /// Returns the light of the image, of a frame with `wantsLight`.
     LightPicture light() const;
 
-    /// Returns depths along the view for an image with the given `meaning` of depth. The depth is infinite if nothing
-    /// was drawn.
+    /// Returns the view depths of the image. `meaning` converts its stored depths. Pixels where nothing was drawn have
+    /// infinite depth.
     FloatPicture viewDepth(const ImageDepth& meaning) const;
 
-    /// Returns the depths of the maps, lowest row first. The result is empty without shadow maps.
+    /// Returns the depths of the shadow maps, lowest row first. The result is empty without shadow maps.
     FloatPicture shadowDepth() const;
 
     Raster<SurfaceSample> surfaces() const;
@@ -63,7 +64,7 @@ public:
 private:
     struct Image {
         gl::Texture color;
-        gl::Texture normals; // this and the next are empty unless surfaces are requested
+        gl::Texture normals; // empty, like `positions`, unless surfaces are requested
         gl::Texture positions;
         gl::Texture light; // empty unless light is requested
         gl::Texture depth;
@@ -73,7 +74,7 @@ private:
     struct Shadow {
         gl::Texture depth;
         gl::Framebuffer framebuffer;
-        int width = 0; // size that the plan requires
+        int width = 0; // size that the plan requires, in texels
         int height = 0;
     };
 

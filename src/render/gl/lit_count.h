@@ -1,4 +1,4 @@
-// Counting of the lit pixels of an image on the GPU.
+// Counts the lit pixels of an image on the GPU.
 #pragma once
 
 #include "gl/objects.h"
@@ -11,16 +11,17 @@
 
 namespace gnomon::render {
 
-/// A counter for pixels that the image's shader marked as lit. It uses an occlusion query.
+/// A counter of the pixels that the image's shader marked as lit. It uses an occlusion query.
 class LitCount {
 public:
     LitCount(const gl::Api& api, const gl::ShaderLibrary& shaders);
 
-    /// Returns the number of lit pixels of `image`, whose commands must have been issued. Waits for the GPU.
+    /// Returns the number of lit pixels of `image`. The draw commands of the image must have been issued. Waits for the
+    /// GPU.
     std::uint64_t of(const gl::Texture& image);
 
-    /// Counts the lit pixels of some images without waiting, and returns a count some frames later. Returns nullopt
-    /// without a new count, or if the counted image had other `shading` than `image`.
+    /// Counts the lit pixels of some images without waiting for the GPU. The count is returned in the call for a later
+    /// image. Returns nullopt if no new count is available, or if the counted image had other `shading` than `image`.
     std::optional<std::uint64_t> nowAndThen(const gl::Texture& image, plan::Shading shading);
 
 private:
@@ -33,9 +34,9 @@ private:
     gl::VertexArray vertexless_;
     gl::Object framebuffer_; // a framebuffer without textures
     gl::Object query_;
-    bool isCounting_ = false; // true while a count has not been returned
+    bool isCounting_ = false; // true: a count has begun and has not been returned
     plan::Shading counted_{}; // shading of the counted image
-    int uncountedImages_ = 0; // images since the last count began
+    int uncountedImages_ = 0; // number of images since the last count began
 };
 
 } // namespace gnomon::render

@@ -13,7 +13,7 @@ namespace {
 constexpr glm::vec3 kZenith{0.26F, 0.42F, 0.66F};
 constexpr glm::vec3 kHorizon{0.76F, 0.82F, 0.88F};
 constexpr glm::vec3 kBelow{0.36F, 0.38F, 0.41F};
-constexpr float kHaze = 0.2F; // sine of the elevation over which the horizon fades to the colour below
+constexpr float kHaze = 0.2F; // sine of the elevation below the horizon at which the colour has faded to kBelow
 
 /// Returns the smoothstep of x in [0, 1].
 float smooth(float x) {
@@ -65,7 +65,7 @@ bool isTransparent(const DrawInputs& frame) {
 
 namespace {
 
-/// Returns the ambient light of `block` on level ground.
+/// Returns the ambient light of `block` that horizontal ground receives.
 glm::vec3 ambientOf(const block::Frame& block, const glm::vec3& up) {
     return block.ambientMean + block.ambientTilt * glm::dot(up, block.skyAxis);
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kStrength = 24;
 constexpr float kDarkest = 0.3F;
-/// One of each pair of opposite neighbours, at the distances for lines of two pixels.
+/// Offsets in pixels to one of each pair of opposite neighbours. At these distances, outlines are two pixels wide.
 constexpr std::array<std::array<int, 2>, 4> kAround = {{{2, 0}, {0, 2}, {1, 1}, {1, -1}}};
 
 void darken(Rgb& pixel, float light) {
@@ -30,7 +30,7 @@ void applyEyeDome(Picture& picture, const FloatPicture& depth, double parallelDi
     const int width = picture.width;
     const int height = picture.height;
     // A measure of nearness that is linear over a plane: 1/depth in perspective, or minus depth with parallel rays.
-    // 1/depth is 0 without a surface.
+    // 1/depth is 0 for a pixel without a surface.
     const bool isParallel = parallelDistance > 0;
     const auto perDepth = static_cast<float>(isParallel ? -1 / parallelDistance : 0);
     const auto nearness = [&](int x, int y) {

@@ -1,5 +1,5 @@
-// The light of a surface and its displayed colour: linear light, tone mapping and the transfer function of sRGB. All
-// functions use only sums, products, quotients and square roots, so each compiler gives the same result.
+// Computes the light of a surface and its displayed colour: linear light, tone mapping and the transfer function of
+// sRGB. All functions use only sums, products, quotients and square roots, so all compilers give the same result.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -10,9 +10,9 @@
 namespace gnomon::render {
 
 /// Polynomial approximations of the sRGB transfer function (IEC 61966-2-1). The error is less than a third of a level
-/// of 255, so a byte survives the conversion to linear and back. `kFromDisplay` are coefficients of the displayed
-/// value, `kToDisplay` of the square root of the linear value, lowest order first. Below the limits both functions are
-/// linear.
+/// of 255, so a byte is unchanged after conversion to linear and back. `kFromDisplay` contains coefficients for powers
+/// of the displayed value, and `kToDisplay` for powers of the square root of the linear value, lowest order first.
+/// Below the limits both functions are linear.
 namespace srgb {
 constexpr float kLinearSlope = 12.92F;
 constexpr float kDisplayLimit = 0.04045F;
@@ -27,20 +27,20 @@ float displayFromLinear(float linear);
 /// Converts a displayed value in [0, 1] to a linear value in [0, 1].
 float linearFromDisplay(float display);
 
-/// Returns the tone-mapped value of linear `light`, in [0, 1], by Reinhard's operator (Reinhard et al. 2002, Eq 3). It
-/// keeps dark values almost unchanged and preserves differences between bright values. With `--shading unlit` there is
-/// no tone mapping.
+/// Returns the tone-mapped value, in [0, 1], of the linear light `light`, by Reinhard's operator (Reinhard et al. 2002,
+/// Eq 3). The operator keeps dark values almost unchanged, and keeps differences between bright values visible. With
+/// `--shading unlit`, there is no tone mapping.
 float toneMapped(const block::Frame& block, float light);
 
-/// Fills the light parameters of `block`. `shading` is never Auto.
+/// Sets the light parameters of the uniform block `block`. `shading` must not be Auto.
 void setLight(const plan::View& view, const plan::ShadingSettings& look, plan::Shading shading, block::Frame& block);
 
-/// Removes the sky light from the values of setLight, so that it can be added direction by direction.
+/// Removes the sky light from the parameters in `block`, so that frames with single sky directions can add it.
 void removeSkyLight(const plan::ShadingSettings& look, block::Frame& block);
 
-/// Replaces the light in `block` by the sky light from the direction of the frame's light. The whole sky light is the
-/// mean of many such directions over the hemisphere around up. `weight` is twice the relative brightness of this
-/// direction, because the mean of twice the cosine over the hemisphere is 1.
+/// Replaces the light in `block` by the sky light from one direction, the direction of the frame's light. The whole sky
+/// light is the mean of many such directions over the hemisphere around up. `weight` is twice the relative brightness
+/// of this direction, because the mean of twice the cosine over the hemisphere is 1.
 void keepOnlySkyDirection(const plan::ShadingSettings& look, double weight, block::Frame& block);
 
 } // namespace gnomon::render

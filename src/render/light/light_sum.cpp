@@ -14,7 +14,7 @@ namespace gnomon::render {
 
 namespace {
 
-constexpr double kLightSteps = 1 << 20; // per full scale
+constexpr double kLightSteps = 1 << 20; // units of the sums per full scale
 constexpr float kBrightest = 4096;
 constexpr std::size_t kGrain = 16384;
 
@@ -32,7 +32,7 @@ std::uint64_t lightSteps(float light) {
     return static_cast<std::uint64_t>(std::llround(static_cast<double>(bounded) * kLightSteps));
 }
 
-/// Returns the nearest level of a screen, rounded as in single frames.
+/// Converts linear light to the nearest level of an 8-bit screen. The rounding is the same as for single frames.
 std::uint8_t screenLevel(float linear) {
     return static_cast<std::uint8_t>(
         (static_cast<int>(510 * std::clamp(displayFromLinear(linear), 0.0F, 1.0F)) + 1) / 2);
@@ -62,7 +62,8 @@ void addLight(LightPicture& light, const LightPicture& other) {
 Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
     constexpr std::uint64_t kLight = sizeof(LightPicture::pixels[0]);
     constexpr std::uint64_t kHeld = sizeof(Sums) + sizeof(std::uint16_t) + kLight;
-    constexpr std::uint64_t kShown = kLight + sizeof(Rgb); // at least the size of the copy of a frame's light
+    // size of the results, which is at least the size of the copy of a frame's light
+    constexpr std::uint64_t kShown = kLight + sizeof(Rgb);
     const std::uint64_t ofGround = hasGround ? sizeof(Sums) : 0;
     const std::uint64_t ofSky = hasSky ? kLight : 0;
     return {pixels * (kHeld + kShown + ofGround + ofSky)};
@@ -115,7 +116,7 @@ void LightSum::add(const LightPicture& light, const shadow::TileMask* tiles) {
     ++count_;
 }
 
-/// Returns the number of frames that contain pixel `i`.
+/// Returns the number of frames that drew pixel `i`.
 int LightSum::framesOf(std::size_t i) const {
     if (!tiles_) return count_;
     const auto width = static_cast<std::size_t>(sums_.width);
@@ -134,8 +135,8 @@ LightPicture LightSum::mean() const {
     return mean;
 }
 
-/// Returns the mean share of the background's light that remains, over the frames that show the background. Returns 1
-/// if no frame shows it.
+/// Returns the mean fraction of the background's light that shadows on pixel `i` leave, over the frames in which the
+/// pixel shows the background. Returns 1 if no frame shows it.
 std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
     std::array<float, 3> left = {1, 1, 1};
     const int open = framesOf(i) - covered_.pixels[i];
@@ -146,7 +147,7 @@ std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
     return left;
 }
 
-/// Returns the coverage of a ground shadow: the displayed darkness of white in this shadow.
+/// Returns the coverage of a ground shadow at pixel `i`: 1 minus the displayed value of white in this shadow.
 float LightSum::groundCoverage(std::size_t i) const {
     return 1 - displayFromLinear(leftOfBackground(i)[0]);
 }
@@ -155,7 +156,8 @@ Picture LightSum::picture(const ToneMapping& shown) const {
     GNOMON_CHECK(count_ > 0);
     const auto lastRow = static_cast<std::size_t>(firstRow_) + static_cast<std::size_t>(sums_.height);
     GNOMON_CHECK(shown.backgroundRows.size() >= lastRow);
-    const std::size_t above = shown.backgroundRows.size() - lastRow; // rows of the image above this part
+    // number of rows of the image above the summed rows
+    const std::size_t above = shown.backgroundRows.size() - lastRow;
     block::Frame curve{};
     curve.isToneMapped = shown.isToneMapped ? 1 : 0;
     const LightPicture mean = this->mean();

@@ -1,4 +1,5 @@
-// Sums of frames in linear light, and the picture of their mean. Antialiasing, penumbrae and sky light are such means.
+// Sums the light of frames, and computes the picture of their mean. Antialiasing, penumbrae and sky light are such
+// means.
 #pragma once
 
 #include "render/backend.h"
@@ -10,56 +11,58 @@
 
 namespace gnomon::render {
 
-/// Parameters for the conversion of mean light to a picture.
+/// Parameters for the conversion of mean linear light to a picture.
 struct ToneMapping {
-    bool isToneMapped = true; // applies tone mapping, as in block::Frame
-    // The background is transparent, so a partly covered pixel has the colour of its surface only.
+    bool isToneMapped = true; // true: tone mapping is applied, as in block::Frame
+    // true: the background is transparent, so a partly covered pixel has the colour of its surface only
     bool isTransparent = false;
-    std::vector<Rgb> backgroundRows; // from top to bottom
-    bool hasGround = false;          // the background can show shadows
+    std::vector<Rgb> backgroundRows; // colour per row, from top to bottom
+    bool hasGround = false;          // true: shadows on the ground can darken the background
 };
 
 /// Returns the parameters for pictures of `frame`.
 ToneMapping toneMappingOf(const DrawInputs& frame);
 
-/// Adds the light `other` of the same surfaces to `light` at pixels where both have a surface. Also adds the shares
-/// that ground shadows remove.
+/// Adds the light of `other` to `light`, for pixels where both have a surface. For pixels where neither has a surface,
+/// adds the fractions that ground shadows remove.
 void addLight(LightPicture& light, const LightPicture& other);
 
-/// A sum of the light of frames of one size, before tone mapping. Light is counted in units of 2^-20 of full scale, and
-/// clamped to 4096 times full scale. Sums are therefore integers below 2^48, and independent of order and number of
-/// threads. Only the displayed mean is rounded to the levels of a screen.
-/// The background is not part of the light. The surfaces of a pixel have the mean over the frames in which they cover
-/// it. This share of the frames then blends surface and background in displayed linear light, so a very bright
-/// background does not eat into edges. A shadow on the ground removes its mean share of the background's light. On a
-/// transparent background, a ground shadow is black and its darkness is the coverage.
+/// A sum of the light of frames of equal size, before tone mapping. Light is stored in units of 2^-20 of full scale,
+/// and clamped to 4096 times full scale. The sums are therefore integers below 2^48, and do not depend on the order of
+/// frames or the number of threads. Only the displayed mean is rounded to 8-bit levels.
+///
+/// The sum does not contain the light of the background. The surface light of a pixel is the mean over the frames in
+/// which a surface covers the pixel. The fraction of these frames blends surface and background. The blending uses
+/// displayed linear light, so a very bright background does not make edges thinner. A shadow on the ground removes its
+/// mean fraction of the background's light. On a transparent background, a ground shadow is black, and its darkness is
+/// the coverage.
 class LightSum {
 public:
     static constexpr int kMaxPictures = 65535;
 
-    /// Returns the peak memory for an image with `pixels` pixels: the sums, the light of a frame, and copies. Ground
-    /// and sky need more.
+    /// Returns the peak memory for an image with `pixels` pixels: the sums, the light of a frame, and copies. A ground
+    /// and sky light need additional memory.
     static Bytes bytes(std::uint64_t pixels, bool hasGround, bool hasSky);
 
-    /// Clears the sum and frees its memory. With `hasGround`, also sums ground shadows. The frames contain the rows of
-    /// the image from `firstRow` on, counted from the bottom.
+    /// Clears the sum and frees its memory. With `hasGround`, the light that ground shadows remove is also summed. The
+    /// frames contain the rows of the image from `firstRow` on, counted from the bottom.
     void reset(bool hasGround = false, int firstRow = 0);
 
-    /// Adds a frame of the same size as the first; at most kMaxPictures frames. With `tiles`, adds only the pixels of
-    /// these tiles. All later frames must then have the same tiles.
+    /// Adds a frame. All frames must have the same size, and at most kMaxPictures frames can be added. With `tiles`,
+    /// adds only the pixels in these tiles. All later frames must then have the same tiles.
     void add(const LightPicture& light, const shadow::TileMask* tiles = nullptr);
 
-    /// Returns the number of frames, including frames of tiles.
+    /// Returns the number of added frames, including frames with tiles.
     int count() const { return count_; }
 
-    /// Returns the mean light over the frames that cover a pixel.
+    /// Returns the mean light of each pixel, over the frames in which a surface covers the pixel.
     LightPicture mean() const;
 
-    /// Returns the picture of the mean. Requires at least one frame. The background rows are those of the whole image.
-    /// The mean of equal frames is the picture of each of them.
+    /// Returns the picture of the mean. At least one frame must have been added. `shown` has the background of all rows
+    /// of the whole image. If all frames are equal, the picture is the picture of each frame.
     Picture picture(const ToneMapping& shown) const;
 
-    /// Returns the share of the frames that cover each pixel.
+    /// Returns the coverage of each pixel: the fraction of the frames in which a surface covers the pixel.
     Coverage coverage() const;
 
 private:
@@ -72,12 +75,12 @@ private:
 
     int firstRow_ = 0;
     int count_ = 0;
-    int whole_ = 0;                         // frames before the first frame of tiles
+    int whole_ = 0;                         // number of frames before the first frame with tiles
     std::optional<shadow::TileMask> tiles_; // tiles of all later frames
     Raster<Sums> sums_;
     Raster<std::uint16_t> covered_; // number of frames that cover the pixel
     bool hasGround_ = false;
-    Raster<Sums> shadows_; // removed light of the visible background; empty without a ground
+    Raster<Sums> shadows_; // light that ground shadows remove from the visible background; empty without a ground
 };
 
 } // namespace gnomon::render

@@ -6,7 +6,8 @@ namespace gnomon::render {
 
 namespace {
 
-/// A letter as nine rows of five dots, with the left dot in the highest bit. The last two rows are below the baseline.
+/// The glyph of a letter: nine rows of five dots, with the left dot in the highest bit. The last two rows are below the
+/// baseline.
 struct Glyph {
     char letter;
     std::array<std::uint8_t, 9> rows;

@@ -7,7 +7,7 @@
 
 namespace gnomon::render {
 
-/// Height of a line of text in dots, including descenders, and width of a letter with its gap.
+/// Height of a line of text, including descenders, and width of a letter with the gap after it, both in dots.
 inline constexpr int kLineDots = 11;
 inline constexpr int kLetterDots = 6;
 
@@ -17,7 +17,8 @@ bool hasGlyph(char c);
 /// Fills a rectangle, clipped to `picture`.
 void fillRectangle(Picture& picture, int x, int y, int width, int height, const Rgb& color);
 
-/// Draws `text` with its upper left corner at (x, y) and `dot` pixels per dot. A missing letter becomes a gap.
+/// Draws `text` with its upper left corner at (x, y). A dot of the font has `dot` x `dot` pixels. A letter without a
+/// glyph becomes a gap.
 void drawText(Picture& picture, int x, int y, int dot, std::string_view text, const Rgb& color);
 
 } // namespace gnomon::render

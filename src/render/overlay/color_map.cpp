@@ -9,7 +9,7 @@ namespace gnomon::render {
 namespace {
 
 constexpr std::size_t kMapColors = 10;
-using MapColors = std::array<std::uint32_t, kMapColors>; // 0xRRGGBB, evenly spaced
+using MapColors = std::array<std::uint32_t, kMapColors>; // colours as 0xRRGGBB, evenly spaced over the colour map
 
 constexpr MapColors kViridis = {
     0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6dcd59, 0xb4de2c, 0xfde725};

@@ -18,7 +18,7 @@ constexpr int kMargin = 5; // all sizes are in dots
 constexpr int kSwatch = 12;
 constexpr int kBarWidth = 192;
 constexpr int kBarHeight = 8;
-constexpr double kLowest = -2; // log2 of the factors at the ends of the scale
+constexpr double kLowest = -2; // log2 of the smallest factor on the scale
 constexpr double kHighest = 4;
 
 Rgb bytes(const glm::vec3& color) {
@@ -27,7 +27,7 @@ Rgb bytes(const glm::vec3& color) {
         static_cast<std::uint8_t>(scaled.r), static_cast<std::uint8_t>(scaled.g), static_cast<std::uint8_t>(scaled.b)};
 }
 
-/// Adds one line per map, up to the number of colours.
+/// Adds one line per shadow map of `plan`, up to the number of colours.
 void addMaps(const plan::FramePlan& plan, Legend& legend) {
     for (std::size_t i = 0; i < plan.passes.size() && i < kIndexColors; ++i) {
         const shadow::ShadowMap& map = plan.passes[i].map;
@@ -69,7 +69,7 @@ Size sizeInDots(const Legend& legend) {
     return {width + 2 * kMargin, static_cast<int>(lines) * kLineDots + scale + 2 * kMargin};
 }
 
-/// A painter with dots as unit and its origin at the legend's upper left corner.
+/// Draws into a picture in units of dots. The origin is the upper left corner of the legend.
 class Pen {
 public:
     Pen(Picture& picture, int top, int dot) : picture_(&picture), top_(top), dot_(dot) {}
@@ -88,7 +88,7 @@ private:
     int dot_;
 };
 
-/// Returns the position of a value in [0, 1] on the scale, in dots from the left end.
+/// Converts a position on the scale, in [0, 1], to dots from the left end of the colour bar.
 int barPlace(double place) {
     return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0) * (kBarWidth - 1)));
 }
@@ -115,7 +115,7 @@ void drawSwatch(const Pen& pen, int y, const LegendEntry& entry) {
             pen.fill(kMargin + x, y + row, 1, 1, bytes(entry.color * kWithoutMap[(x + row) / 4 % 2 == 0 ? 0 : 1]));
 }
 
-/// Returns the smallest step of 1, 2 or 5 times a power of ten that divides `span` into at most `max` steps.
+/// Returns the smallest step of the form 1, 2 or 5 times a power of ten that divides `span` into at most `max` steps.
 double roundStep(double span, int max) {
     const double min = span / max;
     const double power = std::pow(10.0, std::floor(std::log10(min)));
@@ -149,7 +149,7 @@ glm::vec3 ValueScale::color(double value) const {
 
 namespace {
 
-/// Returns true if the numbers below a bar do not overlap.
+/// Returns true if the numbers below a colour bar do not overlap.
 bool areClear(const std::vector<ColorScale::Tick>& ticks) {
     const auto reach = [](const ColorScale::Tick& tick) {
         return 0.5 * static_cast<double>(kLetterDots) * static_cast<double>(tick.text.size() + 1);

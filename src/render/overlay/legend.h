@@ -1,4 +1,4 @@
-// The legend of an overlay and its drawing into a picture.
+// The legend of an overlay, and the function that draws the legend into a picture.
 #pragma once
 
 #include "plan/color_map.h"
@@ -11,14 +11,14 @@
 
 namespace gnomon::render {
 
-/// A colour and its meaning.
+/// A colour of the overlay and its meaning.
 struct LegendEntry {
     glm::vec3 color{0};
     std::string text;
-    bool isStriped = false; // striped, as surfaces without a map
+    bool isStriped = false; // true: drawn with stripes, like surfaces without a map
 };
 
-/// A bar of colours with numbers below it. Positions range from 0 at the left end to 1.
+/// A colour bar with numbers below it. Positions on the bar range from 0 at the left end to 1 at the right end.
 struct ColorScale {
     struct Tick {
         double place = 0;
@@ -27,29 +27,30 @@ struct ColorScale {
 
     std::function<glm::vec3(float place)> color;
     std::vector<Tick> ticks;
-    std::optional<double> mark; // a position with a marker
+    std::optional<double> mark; // position of a marker on the bar
 };
 
-/// Returns the scale of heatColor, the factors from 1/4 to 16, with an optional marker at one factor.
+/// Returns the colour bar of heatColor for factors from 1/4 to 16. If `markedFactor` is given, the bar has a marker at
+/// this factor.
 ColorScale heatScale(std::optional<double> markedFactor = std::nullopt);
 
-/// A mapping of values to colours from `min` to `max`. Both are finite, and min < max. A logarithmic scale also
-/// requires least > 0.
+/// A mapping of values from `min` to `max` to colours. Both ends are finite, and min < max. A logarithmic scale also
+/// requires min > 0.
 struct ValueScale {
     plan::ColorMap map = plan::ColorMap::Viridis;
     double min = 0;
     double max = 1;
     bool isLogarithmic = false;
 
-    /// Returns the position of `value` on the scale, from 0 to 1 within the range. Returns a negative position if the
-    /// value has no logarithm.
+    /// Returns the position of `value` on the scale; 0 is `min` and 1 is `max`. Returns a negative position if the
+    /// scale is logarithmic and the value has no logarithm.
     float place(double value) const;
 
     glm::vec3 color(double value) const;
 };
 
-/// Usual ratio of most to least on a logarithmic scale. At this ratio, each factor of two remains distinguishable in
-/// all colour maps.
+/// Usual ratio max / min of a logarithmic scale. With this ratio, values that differ by a factor of two have
+/// distinguishable colours in all colour maps.
 inline constexpr double kScaleSpan = 64;
 
 /// Returns the colour bar of `values`, with ticks at round numbers.
@@ -62,12 +63,12 @@ struct Legend {
     std::vector<LegendEntry> entries;
 };
 
-/// Returns the legend of `overlay` for a frame of `plan`, or an empty legend for Overlay::None. Depths are along the
-/// view, in the model's units.
+/// Returns the legend of `overlay` for a frame of `plan`, or an empty legend for Overlay::None. The legend gives view
+/// depths in the units of the model.
 Legend legendOf(Overlay overlay, const plan::FramePlan& plan);
 
-/// Draws `legend` into the lower left corner, with two pixels or one pixel per dot, as it fits. Does nothing if the
-/// legend is empty or the picture is too small.
+/// Draws `legend` into the lower left corner of `picture`. A dot has two pixels, or one pixel if the picture is too
+/// small for two. If the legend is empty or the picture is too small, the function does nothing.
 void drawLegend(Picture& picture, const Legend& legend);
 
 } // namespace gnomon::render

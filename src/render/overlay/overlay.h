@@ -7,9 +7,9 @@
 namespace gnomon::render {
 
 /// A visualisation that is painted over the image.
-/// - Aliasing shows the perspective aliasing, which a plan bounds.
-/// - Projection shows the other factor of aliasing. It depends on the angles of the surface to light and eye, and has
-///   no bound.
+/// - Aliasing shows the perspective aliasing, for which a plan has a bound.
+/// - Projection shows the projection aliasing. It depends on the angles of the surface to light and eye, and has no
+/// bound.
 /// - Residency shows clusters that are coarser than requested, because finer pages are not in memory.
 enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
 

@@ -1,4 +1,4 @@
-// The colours of overlays, which are distinguishable with colour blindness (deuteranopia) and in a grey print.
+// The colours of overlays. They are distinguishable with colour blindness (deuteranopia) and in a grey print.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,19 +7,19 @@
 
 namespace gnomon::render {
 
-/// Indices that differ by a multiple of this number have the same colour.
+/// Number of different index colours. Indices that differ by a multiple of this number have the same colour.
 inline constexpr int kIndexColors = 8;
 
 /// Returns the colour of a factor: dark blue up to 1/4, neutral grey at 1, orange at 4 and pale yellow from 16. Between
-/// these the colour is linear in the logarithm. The hue changes at 1 and the lightness always grows, so factors below
-/// and above 1 differ also in grey.
+/// these factors, the colour is linear in the logarithm of the factor. The hue changes at 1, and the lightness always
+/// increases with the factor. Factors below and above 1 therefore also differ in grey.
 glm::vec3 heatColor(float value);
 
 /// Returns a colour that differs strongly from the colours of neighbouring indices, also in lightness. `index` is at
 /// least 0.
 glm::vec3 indexColor(int index);
 
-/// Brightness of the stripes on surfaces that look up no shadow map.
+/// The two brightness values of the stripes on surfaces that look up no shadow map.
 inline constexpr std::array kWithoutMap = {0.35F, 0.55F};
 
 /// Colours per Residence: Final, Pending and Damaged.

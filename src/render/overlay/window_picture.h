@@ -7,10 +7,10 @@
 
 namespace gnomon::render {
 
-/// One word per pixel with 255, red, green and blue from the highest to the lowest byte, as in window systems.
+/// One 32-bit word per pixel: 255, red, green and blue from the highest to the lowest byte, as window systems require.
 using WindowPicture = Raster<std::uint32_t>;
 
-/// Converts `picture` to `words`, and reuses the memory of `words`.
+/// Converts `picture` to the pixel format of windows. The result overwrites `words` and reuses its memory.
 void takePicture(const Picture& picture, WindowPicture& words);
 
 } // namespace gnomon::render

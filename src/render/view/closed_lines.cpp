@@ -16,8 +16,8 @@ namespace gnomon::render {
 
 namespace {
 
-constexpr double kWeld = 2;   // max distance of ends that are merged, in cells
-constexpr double kBridge = 8; // max distance of ends that an additional line can connect, in cells
+constexpr double kWeld = 2;   // max distance in cells between end points that are merged
+constexpr double kBridge = 8; // max distance in cells between end points that an additional line can connect
 
 /// A union-find structure.
 class Joined {
@@ -45,13 +45,14 @@ std::uint64_t hashOfPoint(const glm::dvec3& p) {
     return hashOfThree(bits(p.x), bits(p.y), bits(p.z));
 }
 
-/// The end points of lines, by place. Each line has two entries, its start first.
+/// The distinct positions ("places") of the end points of lines. Each line has two entries in `ofEnds`, its start
+/// first.
 struct Places {
     std::vector<std::uint32_t> ofEnds;
     std::vector<glm::dvec3> points; // position per place
 };
 
-/// Returns the places of all ends. Ends with bit-identical positions have the same place.
+/// Finds the places of all end points. End points with bit-identical positions have the same place.
 Places samePlaces(const std::vector<SectionLine>& lines) {
     Places places;
     places.ofEnds.reserve(2 * lines.size());
@@ -80,10 +81,11 @@ void forAllKeys(const PointKey& low, const PointKey& high, const Use& use) {
                 use(key);
 }
 
-/// Calls `use` for each pair of `points` with a distance of at most `reach`. The later point comes first.
+/// Calls `use` for each pair of `points` whose distance is at most `reach`. The first argument is the later point of
+/// the pair.
 template <class Use>
 void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use& use) {
-    const double perCell = 1 / (16 * reach); // large cells, so that few points are near a border
+    const double perCell = 1 / (16 * reach); // cells are large, so that few points are near a border of a cell
     const auto keyOf = [&](const glm::dvec3& p) {
         constexpr double kCellOffset = 0x1p40; // makes all coordinates positive, so that truncation rounds down
         return PointKey{
@@ -100,7 +102,7 @@ void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use&
     std::vector<std::uint32_t> next(points.size()); // next point in the same cell
     std::vector<PointKey> keys(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        // The cells that a point within reach can be in; usually one.
+        // The range of cells that can contain a point within `reach`; usually one cell.
         const PointKey low = keyOf(points[i] - reach);
         const PointKey high = keyOf(points[i] + reach);
         keys[i] = low == high ? low : keyOf(points[i]);
@@ -116,7 +118,7 @@ void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use&
     }
 }
 
-/// Returns the number of outgoing minus incoming lines per place.
+/// Returns the surplus of each place: the number of outgoing minus incoming lines.
 std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t placeCount) {
     std::vector<int> surplus(placeCount);
     for (std::size_t i = 0; i < ends.size(); i += 2) {
@@ -126,7 +128,7 @@ std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t p
     return surplus;
 }
 
-/// Marks the connected components of lines in which each place has as many outgoing as incoming lines.
+/// Marks the lines of each connected component in which all places have as many outgoing as incoming lines.
 void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
     const std::vector<int> surplus = surplusOf(places.ofEnds, places.points.size());
     Joined joined(places.points.size());
@@ -139,7 +141,7 @@ void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
         lines[i].isClosed = !isOpen[joined.find(places.ofEnds[2 * i])];
 }
 
-/// The unmarked lines of `lines`, by index, and their places.
+/// The lines that are not marked as closed: their indices, and their places.
 struct OpenLines {
     std::vector<std::uint32_t> numbers;
     Places places;
@@ -163,15 +165,16 @@ OpenLines openLines(const std::vector<SectionLine>& lines, const Places& places)
     return open;
 }
 
-/// A graph of lines between places. The lines from onceCount on can be removed any number of times.
+/// A directed graph whose nodes are places and whose edges are lines. Lines before `onceCount` can be removed once.
+/// Lines from `onceCount` on can be removed any number of times.
 struct LineGraph {
     std::vector<std::uint32_t> ends;   // two places per line
     std::vector<std::int64_t> lengths; // per line
     std::vector<int> surplus;          // per place: outgoing minus incoming lines
-    std::size_t onceCount = 0;         // number of lines that can be removed once
+    std::size_t onceCount = 0;         // number of lines that can be removed at most once
 };
 
-/// An algorithm that removes lines with the min total length, so that the surplus of each place becomes 0.
+/// Removes lines with the min total length from the graph, so that the surplus of each place becomes 0.
 class MinOpening {
 public:
     explicit MinOpening(LineGraph graph)
@@ -198,7 +201,7 @@ public:
                 dropFrom(place);
     }
 
-    /// Returns how many times a line is removed.
+    /// Returns the number of times that a line was removed.
     int dropped(std::size_t line) const { return dropped_[line]; }
 
 private:
@@ -207,20 +210,20 @@ private:
 
     struct Reached {
         std::int64_t length = kFar;
-        std::uint32_t byEnd = kNoEnd; // end of the last line of the path, at its previous place
+        std::uint32_t byEnd = kNoEnd; // end of the path's last line, at the previous place of the path
     };
 
     struct Waiting {
         std::int64_t length;
         std::uint32_t place;
 
-        bool operator<(const Waiting& other) const { // reversed, because the heap has its max at the top
+        bool operator<(const Waiting& other) const { // reversed, because the heap has its max element at the top
             return length != other.length ? length > other.length : place > other.place;
         }
     };
 
-    /// Relaxes the lines at a place with known distance: forward along existing lines, and backward along removed
-    /// lines, which restores them.
+    /// Relaxes the lines at the place `from`, whose distance is known. The search follows existing lines forward. It
+    /// follows removed lines backward, which restores them.
     void spread(const Waiting& from) {
         for (std::uint32_t k = firstAt_[from.place]; k < firstAt_[from.place + 1]; ++k) {
             const std::uint32_t end = linesAt_[k];
@@ -244,8 +247,8 @@ private:
         touched_.assign(1, start);
         waiting_.assign(1, {0, start});
         reached_[start] = {0, kNoEnd};
-        // A place with more outgoing than incoming lines has a path to a place with more incoming lines, because
-        // existing lines lead on until then.
+        // A place with more outgoing than incoming lines has a path to a place with more incoming lines, because each
+        // place before has an existing outgoing line.
         Waiting nearest = waiting_.front();
         while (true) {
             std::pop_heap(waiting_.begin(), waiting_.end());
@@ -273,8 +276,8 @@ private:
     std::vector<int> surplus_;
     std::size_t onceCount_;
     std::vector<int> dropped_;
-    std::vector<std::uint32_t> firstAt_; // index in linesAt_ per place
-    std::vector<std::uint32_t> linesAt_; // ends of lines at each place
+    std::vector<std::uint32_t> firstAt_; // per place: index of its first entry in linesAt_
+    std::vector<std::uint32_t> linesAt_; // the ends of lines at each place
     std::vector<std::int64_t> potentials_;
     std::vector<Reached> reached_;
     std::vector<Waiting> waiting_;
@@ -285,8 +288,8 @@ std::int64_t lengthOf(const glm::dvec3& a, const glm::dvec3& b) {
     return 1 + std::llround(glm::length(b - a));
 }
 
-/// Adds bridges to `graph` between nearby places with opposite surplus. To remove a bridge from the graph means to add
-/// a line between its ends.
+/// Adds bridges to `graph`: possible lines between nearby places with surplus of opposite sign. If the algorithm
+/// removes a bridge from the graph, a line between its ends is added to the section.
 void addBridges(const std::vector<glm::dvec3>& points, LineGraph& graph) {
     std::vector<std::uint32_t> places;
     std::vector<glm::dvec3> positions;
@@ -323,7 +326,8 @@ void markClosed(std::vector<SectionLine>& lines) {
     opening.run();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (opening.dropped(i) != 0) continue;
-        // Merged ends get identical positions, because a gap between them would leak a row of pixels.
+        // Merged end points receive identical positions, because a gap between them would make the winding numbers of a
+        // row wrong.
         lines[numbers[i]] = {places.points[ends[2 * i]], places.points[ends[2 * i + 1]], true};
     }
     for (std::size_t i = numbers.size(); i < ends.size() / 2; ++i)

@@ -1,4 +1,4 @@
-// The triangle ids of the visibility buffer: a triangle of a cluster of a pass.
+// The triangle ids in a visibility buffer. An id identifies a cluster of a pass and a triangle in this cluster.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -10,7 +10,7 @@ namespace gnomon::render {
 constexpr unsigned kTriangleBits = 8;
 static_assert(raster::kMaxClusterTriangles == 1U << kTriangleBits);
 
-/// A cluster of a pass, as shading needs it.
+/// A cluster of a pass, with the data that shading needs.
 struct DrawnCluster {
     const hierarchy::Vertex* vertices = nullptr;
     const hierarchy::Triangle* triangles = nullptr;
@@ -18,10 +18,11 @@ struct DrawnCluster {
     std::uint32_t pageId = 0;
     std::uint32_t cluster = 0; // index in the page
     bool isGround = false;
-    bool isPiece = false; // if true, `triangles` has one entry per piece: the triangle that the piece belongs to
+    // true: the cluster consists of pieces of cut triangles; `triangles` then has the original triangle of each piece
+    bool isPiece = false;
 };
 
-/// Returns a whole cluster of a page.
+/// Returns the entry for a whole cluster of a page.
 inline DrawnCluster drawnCluster(const hierarchy::Page& page, std::uint32_t id, std::uint32_t index) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     return {

@@ -1,4 +1,4 @@
-// Clipping of a model's triangles by planes, with corners on the grid.
+// Clips a model's triangles by planes. The corners of the results are on the grid.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -23,8 +23,8 @@ struct GridPolygon {
     void add(const glm::dvec3& corner) { corners.at(size++) = corner; }
 };
 
-/// Returns the part of `polygon` with a distance of at least 0 to `plane`, in cells. New corners are rounded to the
-/// grid, equally for both triangles at an edge.
+/// Returns the part of `polygon` whose distance to `plane`, in cells, is at least 0. New corners are rounded to the
+/// grid. Both triangles of a common edge compute the same corner.
 GridPolygon clipped(const GridPolygon& polygon, const Plane& plane);
 
 } // namespace gnomon::render

@@ -20,9 +20,9 @@ namespace gnomon::render {
 
 namespace {
 
-constexpr glm::vec3 kSolid{0.71F, 0.36F, 0.24F};    // displayed values
-constexpr glm::vec3 kOutline{0.22F, 0.10F, 0.07F};  // displayed values
-constexpr glm::vec3 kOpenEdge{0.83F, 0.21F, 0.13F}; // displayed values
+constexpr glm::vec3 kSolid{0.71F, 0.36F, 0.24F};    // displayed colour
+constexpr glm::vec3 kOutline{0.22F, 0.10F, 0.07F};  // displayed colour
+constexpr glm::vec3 kOpenEdge{0.83F, 0.21F, 0.13F}; // displayed colour
 
 Rgb byteColor(const glm::vec3& color, float light) {
     Rgb rgb{};
@@ -31,7 +31,8 @@ Rgb byteColor(const glm::vec3& color, float light) {
     return rgb;
 }
 
-/// An image of section lines: the pixels that the lines cross, and the winding number of closed lines per pixel.
+/// The intersection lines of a section plane, drawn into an image: the pixels that lines cross, and the winding number
+/// of the closed lines at each pixel.
 class LineImage {
 public:
     LineImage(const DrawInputs& frame, const glm::dmat4& clipFromCell)
@@ -47,14 +48,14 @@ public:
     }
 
     void add(const SectionLine& line) {
-        if (line.from == line.to) return; // markClosed has merged both ends, so the line encloses nothing
+        if (line.from == line.to) return; // markClosed has merged both ends of the line, so it encloses no area
         const End a = seen(line.from);
         const End b = seen(line.to);
         if (line.isClosed) wind(a, b);
         draw(a, b, line.isClosed ? CapKind::Outline : CapKind::OpenEdge);
     }
 
-    /// Calls `use` for each pixel of row `y` with a line or a non-zero winding number. Clears the row.
+    /// Calls `use` for each pixel of row `y` that has a line or a non-zero winding number. Then clears the row.
     template <class Use>
     void forRow(int y, const Use& use) {
         int* changes = &windings_->at(0, y);
@@ -66,7 +67,7 @@ public:
             if (x == width_) break;
             winding += std::exchange(changes[x], 0);
             const CapKind line = std::exchange(lines[x], CapKind::None);
-            // An open line inside a solid part does not end the solid part.
+            // An open line inside a solid does not end the solid.
             const CapKind inside = line == CapKind::None ? CapKind::Solid : CapKind::Outline;
             const CapKind kind = winding != 0 ? inside : line;
             if (kind != CapKind::None) use(x, kind);
@@ -84,14 +85,16 @@ private:
         return std::memcmp(values, kNothing.data(), sizeof(kNothing)) == 0;
     }
 
-    /// An end of a line: clip coordinates and image position. The position is also defined behind the eye.
+    /// An end point of a line in clip coordinates, and its image position in pixels. The position is also defined
+    /// behind the eye.
     struct End {
         glm::dvec4 clip{0};
         glm::dvec2 pixel{0};
 
         bool isBehind() const { return clip.w < 0; }
 
-        /// Returns true if the end is above `row`, the middle of a row of pixels, which is a line in the section plane.
+        /// Returns true if the end point is above `row`, which is the middle of a row of pixels. Such a row corresponds
+        /// to a straight line in the section plane.
         bool isAbove(double row) const { return isBehind() ? pixel.y <= row : pixel.y > row; }
     };
 
@@ -103,16 +106,16 @@ private:
         return end;
     }
 
-    /// Adds a crossing of row `y` at `column` to the winding numbers.
+    /// Adds a line's crossing of row `y` at column `column` to the winding numbers.
     void windAt(double column, int y, bool isBehind, int sign) {
         const int firstColumn = static_cast<int>(std::clamp(std::ceil(column - 0.5), 0.0, static_cast<double>(width_)));
         windings_->at(firstColumn, y) += isBehind ? -sign : sign;
         if (isBehind) windings_->at(0, y) += sign;
     }
 
-    /// Adds a line to the winding numbers of all pixels on one side of its crossing with their row. A row is a line of
-    /// the section plane, and a part of this line can be behind the eye. Crossings behind the eye count on the other
-    /// side.
+    /// Adds a line to the winding numbers of all pixels that are to one side of the line. A row of pixels corresponds
+    /// to a straight line in the section plane, and a part of this line can be behind the eye. Crossings behind the eye
+    /// count for the pixels on the other side.
     void wind(const End& a, const End& b) {
         if (a.isBehind() != b.isBehind()) return windThroughEyePlane(a, b);
         const auto [low, high] = std::minmax(a.pixel.y, b.pixel.y);
@@ -125,7 +128,7 @@ private:
             windAt(a.pixel.x + (y + 0.5 - a.pixel.y) * slope, y, a.isBehind(), sign);
     }
 
-    /// Adds a line that is partly behind the eye.
+    /// Adds a line of which only one end point is behind the eye to the winding numbers.
     void windThroughEyePlane(const End& a, const End& b) {
         for (int y = 0; y < height_; ++y) {
             const bool isAbove = a.isAbove(y + 0.5);
@@ -142,7 +145,7 @@ private:
         constexpr double kMinW = 1e-9;
         const double nearest = kMinW * std::max(std::abs(a.clip.w), std::abs(b.clip.w));
         if (a.clip.w <= nearest && b.clip.w <= nearest) return;
-        // Clips an end of the line to the half-space in front of the eye.
+        // Clips one end of the line to the half-space in front of the eye.
         const auto before = [&](const End& end, const End& other) {
             if (end.clip.w > nearest) return end.pixel;
             const double way = (nearest - end.clip.w) / (other.clip.w - end.clip.w);
@@ -184,8 +187,8 @@ private:
     Raster<CapKind>* kinds_;
 };
 
-/// Returns the depth at which a primary ray enters the plane with index `plane`. Returns nullopt if other planes remove
-/// this point.
+/// Returns the depth at which a primary ray intersects the section plane with index `plane`. Returns nullopt if other
+/// section planes remove this point.
 std::optional<double> capDepth(
     const ImageProjection& projection, const std::vector<Plane>& planes, std::size_t plane, const glm::dvec2& at) {
     const glm::dvec3 start = projection.visiblePoint(at, 0);

@@ -1,5 +1,5 @@
-// Clipping of clusters by section planes: a cluster stays whole, disappears, or is replaced by triangles and pieces of
-// triangles.
+// Clips clusters by section planes. A cluster stays whole, disappears, or is replaced by its remaining triangles and
+// pieces of triangles.
 #pragma once
 
 #include "render/backend.h"
@@ -10,35 +10,37 @@
 
 namespace gnomon::render {
 
-/// A cache of clusters clipped by section planes. Each cluster is clipped once, as long as the planes do not move. New
-/// corners are rounded to the grid equally on both sides of an edge, so no cracks appear. A piece has the shading of
-/// its original triangle; only its position on the screen is clipped.
+/// A cache of clusters clipped by section planes. While the planes do not move, each cluster is clipped only once. New
+/// corners are rounded to the grid, equally in both triangles of an edge, so no cracks appear. A piece is shaded like
+/// its original triangle; the clipping affects only its outline.
 class SectionCut {
 public:
-    /// Clears the cache if the planes of `frame` have changed or the cache exceeds 32 MiB.
+    /// Begins a frame. Clears the cache if the section planes of `frame` have changed or if the cache exceeds 32 MiB.
     void begin(const DrawInputs& frame);
 
-    /// Classifies a box of the grid against the planes.
+    /// Returns whether a box of grid positions is inside, outside or intersected by the section planes.
     Containment place(const hierarchy::GridBox& box) const;
 
-    /// Clips the clusters of `ranges` that intersect a plane, in parallel.
+    /// Clips the clusters of `ranges` that a plane intersects, in parallel, and stores them in the cache.
     void cut(const DrawInputs& frame, std::span<const lod::ClusterRange> ranges);
 
-    /// Appends the remaining parts of a cluster that intersects a plane. First come the triangles that no plane
-    /// intersects, with the vertices of the cluster. Then come as many clusters as the pieces need. Their ids start at
-    /// `clusters.size()`. They stay valid until the next `begin`.
+    /// Appends the remaining parts of the cluster `whole`, which a plane intersects. First come the triangles that no
+    /// plane intersects, with the vertices of the cluster. Then come as many clusters as the pieces need. Triangle ids
+    /// contain the index in `clusters`, so they start at `clusters.size()`. The appended clusters stay valid until the
+    /// next `begin`.
     void addPieces(const DrawnCluster& whole, std::vector<raster::Cluster>& clusters, std::vector<DrawnCluster>& drawn);
 
 private:
-    /// The remaining parts of a cluster.
+    /// The parts of a cluster that the section planes do not remove.
     struct CutCluster {
-        std::vector<raster::Triangle> untouched;             // refer to the cluster's vertices
+        // triangles that no plane intersects; they refer to the cluster's vertices
+        std::vector<raster::Triangle> untouched;
         std::vector<std::array<std::uint32_t, 3>> positions; // corners of the pieces
-        // Triangles of the pieces. Their indices are relative to the first corner of their part.
+        // Triangles of the pieces. Their vertex indices are relative to the first position of their Part.
         std::vector<raster::Triangle> triangles;
-        std::vector<hierarchy::Triangle> wholes; // original triangle per piece
+        std::vector<hierarchy::Triangle> wholes; // original triangle of each piece
 
-        /// A part with at most as many pieces as a cluster may have.
+        /// A range of pieces that fit into one cluster of the rasteriser.
         struct Part {
             std::size_t firstPosition = 0;
             std::size_t firstTriangle = 0;
@@ -53,17 +55,17 @@ private:
     void cutTriangle(
         const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned outside, CutCluster& cut) const;
 
-    // Planes in cells of the grid. The remaining side has a distance of at least 0.
+    // Section planes in grid cells. Points that are not removed have a distance of at least 0.
     std::vector<Plane> planes_;
-    std::size_t bytes_ = 0;                              // size of the cache
-    std::unordered_map<std::uint64_t, CutCluster> cuts_; // per page and cluster
+    std::size_t bytes_ = 0;                              // size of the cache in bytes
+    std::unordered_map<std::uint64_t, CutCluster> cuts_; // keyed by page and cluster
 };
 
-/// Returns the section planes of `frame` in cells from the origin of camera-relative space. The kept side of each plane
-/// has a distance of at least 0.
+/// Returns the section planes of `frame`, in cells from the origin of camera-relative space. Points that are not
+/// removed have a distance of at least 0.
 std::vector<Plane> sectionPlanes(const DrawInputs& frame);
 
-/// Returns the section planes of `frame` in cells of the grid.
+/// Returns the section planes of `frame`, in cells from the origin of the grid.
 std::vector<Plane> sectionPlanesOfGrid(const DrawInputs& frame);
 
 } // namespace gnomon::render

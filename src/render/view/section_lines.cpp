@@ -12,8 +12,8 @@ namespace gnomon::render {
 
 namespace {
 
-/// Returns the intersection of the edge from `a` to `b` with a plane. The result is the same for both directions of the
-/// edge.
+/// Returns the intersection of the edge from `a` to `b` with a plane. `atA` and `atB` are the distances of the ends
+/// from the plane. The result is the same for both directions of the edge.
 glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     const bool isTurned = std::array{b.x, b.y, b.z} < std::array{a.x, a.y, a.z};
     if (isTurned) {
@@ -23,13 +23,13 @@ glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     return a + (b - a) * (atA / (atA - atB));
 }
 
-/// Returns true if the plane intersects or touches the box, with a tolerance of one cell.
+/// Returns true if the plane is within one cell of the box.
 bool isHit(const hierarchy::GridBox& box, const Plane& plane) {
     const glm::dvec3 half = (gridCellOf(box.max) - gridCellOf(box.min)) * 0.5;
     return std::abs(plane.signedDistance(gridCellOf(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
 }
 
-/// Returns the intersection lines of `plane` with a cluster's triangles.
+/// Returns the intersection lines of `plane` with the triangles of a cluster.
 std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const Plane& plane) {
     const auto placeOf = [&](std::size_t v) { return gridCellOf(page.vertices[cluster.firstVertex + v].position); };
     std::array<double, raster::kMaxClusterVertices> sides{};
@@ -46,8 +46,8 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
             const std::size_t a = corners[i];
             const std::size_t b = corners[(i + 1) % 3];
             if ((sides.at(a) >= 0) == (sides.at(b) >= 0)) continue;
-            // Seen from outside, the corners are counter-clockwise. The outline of a triangle enters the plane once and
-            // leaves it once.
+            // Seen from outside the solid, the corners are counter-clockwise. The outline of a triangle crosses the
+            // plane twice, once in each direction.
             (sides.at(a) >= 0 ? line.from : line.to) = meeting(placeOf(a), sides.at(a), placeOf(b), sides.at(b));
         }
     }
@@ -56,7 +56,7 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
 
 } // namespace
 
-/// Computes the lines of clusters that are not in the cache, and concatenates all lines.
+/// Computes the lines of the clusters that are not in the cache `held`, and concatenates the lines of all clusters.
 void SectionLines::gather(const DrawInputs& frame, Held& held) {
     std::vector<const std::vector<SectionLine>*> parts;
     std::vector<std::pair<ClusterName, std::vector<SectionLine>*>> missing;
@@ -82,7 +82,7 @@ void SectionLines::gather(const DrawInputs& frame, Held& held) {
         held.lines.insert(held.lines.end(), part->begin(), part->end());
     for (const auto& [name, lines] : missing)
         held.known += lines->size();
-    constexpr std::size_t kMaxKnownLines = std::size_t{1} << 18U; // 14 MiB
+    constexpr std::size_t kMaxKnownLines = std::size_t{1} << 18U; // max number of cached lines; they need 14 MiB
     if (held.known <= kMaxKnownLines) return;
     held.ofClusters.clear();
     held.known = 0;

@@ -1,4 +1,4 @@
-// The intersection lines of section planes with a model, cached from frame to frame.
+// The intersection lines of section planes and a model, cached from frame to frame.
 #pragma once
 
 #include "render/backend.h"
@@ -9,14 +9,14 @@
 
 namespace gnomon::render {
 
-/// A cache of the intersection lines per section plane. Lines stay valid as long as the plane and the clusters near it
-/// do not change.
+/// A cache of the intersection lines of each section plane. The lines stay valid until the plane or the clusters near
+/// the plane change.
 class SectionLines {
 public:
-    /// Computes the lines of `frame`, in cells of the grid, and marks the closed ones.
+    /// Computes the intersection lines of all section planes of `frame`, in grid cells, and marks the closed lines.
     void find(const DrawInputs& frame);
 
-    /// Returns the lines of a plane of the last frame.
+    /// Returns the lines of section plane `plane` for the last frame.
     const std::vector<SectionLine>& of(std::size_t plane) const { return held_[plane].lines; }
 
 private:
@@ -24,8 +24,9 @@ private:
         Plane plane;
         std::vector<lod::ClusterRange> ranges;
         std::vector<SectionLine> lines;
-        std::unordered_map<std::uint64_t, std::vector<SectionLine>> ofClusters; // per page and cluster
-        std::size_t known = 0;                                                  // number of lines in ofClusters
+        // lines of each cluster, keyed by page and cluster
+        std::unordered_map<std::uint64_t, std::vector<SectionLine>> ofClusters;
+        std::size_t known = 0; // total number of lines in ofClusters
     };
 
     struct ClusterName {

@@ -1,4 +1,4 @@
-// The cached sections of a model.
+// The cached section cuts and section lines of a model.
 #pragma once
 
 #include "render/view/cap_buffers.h"
@@ -7,7 +7,8 @@
 
 namespace gnomon::render {
 
-/// The cached sections of one model. The owner passes it with each frame that has sections.
+/// The cached section cuts and section lines of one model. The owner passes this object with each frame that has
+/// sections.
 struct SectionMemory {
     SectionCut cut;
     SectionLines lines;

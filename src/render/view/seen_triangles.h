@@ -1,4 +1,4 @@
-// The visible triangle of the model per pixel of a visibility buffer.
+// Finds the triangle of the model that each pixel of a visibility buffer shows.
 #pragma once
 
 #include "render/backend.h"
@@ -10,8 +10,8 @@
 
 namespace gnomon::render {
 
-/// Of an image of `width` by `height` pixels whose visibility buffer, rows from bottom to top, names triangles of
-/// `drawn`. Rows of the result go from top to bottom.
+/// Returns the visible triangle of each pixel, with rows from top to bottom. The image has `width` x `height` pixels.
+/// `words` is its visibility buffer, with rows from bottom to top. Its triangle ids refer to the clusters in `drawn`.
 Raster<SeenTriangle> seenTriangles(
     int width, int height, std::span<const std::uint64_t> words, std::span<const DrawnCluster> drawn);
 

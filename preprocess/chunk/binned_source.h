@@ -5,7 +5,7 @@
 
 namespace gnomon::chunk {
 
-/// A binned source: the streams of its chunks, the grid and the record format.
+/// A binned source: the streams of its chunks, the grid, and the format of the vertex records.
 struct BinnedSource {
     const scratch::StreamStore& bins;
     const hierarchy::Grid& grid;

@@ -16,13 +16,13 @@ namespace {
 
 using Corners = read::TriangleCorners;
 
-/// Returns the max number of heavy points that a table of vertex numbers distinguishes. The limit preserves 16-bit
-/// numbers if the chunk numbers alone need only 16 bits.
+/// Returns the max number of heavy points that a VertexNumbers table can distinguish. With this limit the table needs
+/// 16 bits per vertex if the chunk numbers alone need at most 16 bits.
 std::size_t maxHeavyPoints(std::uint32_t chunks) {
     return chunks <= kNarrowChunks ? (kNarrowChunks - chunks) / 2 : kNarrowChunks / 2;
 }
 
-/// Writes the records of a source into the streams of its chunks. Without a store it only counts them.
+/// Writes the vertices and triangles of a source into the streams of their chunks. Without a store it only counts them.
 class Binner {
 public:
     Binner(
@@ -51,7 +51,7 @@ public:
         if (heavy_.size() > 0) isNeeded_.resize(source.summary().vertexCount);
     }
 
-    /// Writes the used vertices, except the vertices at heavy points.
+    /// Writes the vertices that triangles use, except the vertices at heavy points.
     void binVertices(const SourceSurvey& survey) {
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
         const GridSnap snap(survey.grid);
@@ -80,7 +80,7 @@ public:
         flush();
     }
 
-    /// Writes the vertices at heavy points that triangles need. All triangles must already be in chunks.
+    /// Writes the vertices at heavy points that triangles use. All triangles must already be in chunks.
     void binHeavyVertices() {
         if (heavy_.size() == 0) return;
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
@@ -92,7 +92,7 @@ public:
         flush();
     }
 
-    /// Triangulates the polygons whose corners lie in several chunks. `binTriangles` then reads the results.
+    /// Triangulates the polygons whose corners lie in several chunks. `binTriangles` later reads these triangles.
     void refinePolygons() {
         progress_.stage("polygons", "faces", source_.summary().faceCount);
         source_.readTriangles([&](const read::TriangleBlock& block) {
@@ -153,7 +153,7 @@ private:
         return place < tree_.chunkCount() ? place : heavyChunks_[(place - tree_.chunkCount()) / 2];
     }
 
-    /// Returns the place of vertices that are outside the range of the grid.
+    /// Returns the number in `placeOf_` for vertices that are outside the range of the grid.
     std::uint32_t outsideGrid() const { return tree_.chunkCount() + static_cast<std::uint32_t>(2 * heavy_.size()); }
 
     template <class T>
@@ -165,8 +165,8 @@ private:
         if (bins_ != nullptr) bins_->flush();
     }
 
-    /// Returns true if all corners lie at heavy points and the triangle repeats an earlier one there. Such a triangle
-    /// is dropped.
+    /// Returns true if all corners lie at heavy points and the triangle repeats an earlier triangle. `binTriangles`
+    /// drops such a triangle.
     bool isDropped(const Corners& corners) {
         std::array<std::uint32_t, 3> found{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -184,7 +184,7 @@ private:
                 isNeeded_[corner] = true;
     }
 
-    /// Triangulates as many polygons as fit in memory, with one pass over the vertices.
+    /// Triangulates the next polygons of `reader`, as many as fit in memory. It makes one pass over the vertices.
     void refineSome(scratch::StreamStore::Reader& reader) {
         std::vector<read::TriangleCorners> fans;
         std::vector<std::uint32_t> sizes;
@@ -213,7 +213,7 @@ private:
         return refined.take<Corners>();
     }
 
-    /// Throws Error because two passes over the source found different polygons.
+    /// Throws Error because two passes over the source returned different polygons.
     [[noreturn]] void throwOtherPolygons() const {
         source_.requireUnchanged();
         throw Error(source_.summary().path, "the input changed while it was read");
@@ -229,8 +229,8 @@ private:
             markNeeded(t);
     }
 
-    /// Counts a polygon that is not triangulated correctly yet in each of its chunks. The size is an upper bound,
-    /// because a chunk receives at most all triangles of the polygon.
+    /// Counts a polygon in each chunk that contains one of its corners, before its final triangulation is known. The
+    /// size is an upper bound, because a chunk receives at most all triangles of the polygon.
     void countInAllItsChunks(std::span<const read::TriangleCorners> fan) {
         std::vector<std::uint32_t> chunks;
         for (const read::TriangleCorners& t : fan) {
@@ -251,21 +251,22 @@ private:
     }
 
     read::MeshSource& source_;
-    scratch::StreamStore* bins_; // null if the object only counts
+    scratch::StreamStore* bins_; // the output; null if the object only counts
     ChunkWriter writer_;
     std::size_t polygonCorners_;
     Progress& progress_;
     const ChunkTree& tree_;
     HeavyPoints heavy_;
     std::vector<std::uint32_t> heavyChunks_; // chunk of each heavy point; the last entry is kOutsideGrid
-    std::vector<bool> isHeavy_;              // whether a chunk has a heavy point
-    // Place of each vertex. Values below chunkCount() are a chunk. Then follow the results of HeavyPoints::find, and
-    // then outsideGrid().
+    std::vector<bool> isHeavy_;              // per chunk: whether it contains a heavy point
+    // The place of each vertex. Numbers below chunkCount() are chunks. The next numbers are chunkCount() plus a result
+    // of HeavyPoints::find. The last number is outsideGrid().
     VertexNumbers placeOf_;
-    std::vector<bool> isNeeded_; // the vertices at heavy points that must be written; empty without heavy points
+    // per vertex: whether it is at a heavy point and must be written; empty without heavy points
+    std::vector<bool> isNeeded_;
     DroppedTriangles dropped_;
     Box strays_;
-    std::uint32_t polygons_; // stream of the whole source
+    std::uint32_t polygons_; // number of the stream SourceStream::Polygons
     std::uint32_t triangles_;
 };
 

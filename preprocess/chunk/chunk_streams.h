@@ -1,4 +1,5 @@
-// The records that the binning writes and the chunks read, one stream per chunk and kind.
+// The records of vertices and triangles that the binning writes and the chunks read. Each chunk has one stream per kind
+// of record.
 #pragma once
 
 #include "core/box.h"
@@ -13,16 +14,16 @@
 
 namespace gnomon::chunk {
 
-/// The max number of vertices for which 4-byte vertex numbers are sufficient. One additional number marks polygons.
+/// The max number of source vertices for 4-byte vertex numbers. The number 0xFFFFFFFF marks polygons.
 constexpr std::uint64_t kMaxNarrowIndex = 0xFFFFFFFF;
 
 /// The format of a vertex record: the attributes that it stores.
 struct VertexFormat {
-    bool isDouble = false; // positions need more precision than a float
+    bool isDouble = false; // whether positions are doubles, because floats would lose precision
     bool hasNormals = false;
     bool hasColors = false;
     hierarchy::FieldLayout fields{};
-    // Vertex numbers have 8 bytes instead of 4, because the source has more than kMaxNarrowIndex vertices.
+    // Whether vertex numbers have 8 bytes instead of 4, because the source has more than kMaxNarrowIndex vertices.
     bool isWide = false;
 
     bool hasFields() const { return fields.count() > 0; }
@@ -33,35 +34,37 @@ struct VertexFormat {
     }
 };
 
-/// A source vertex as a chunk reads it.
+/// A vertex of the source, as decoded from the stream of a chunk.
 struct ChunkVertex {
-    std::uint64_t index = 0; // index in the source
+    std::uint64_t index = 0; // index of the vertex in the source
     std::uint32_t fields = 0;
-    glm::dvec3 position{0}; // position in the source
+    glm::dvec3 position{0}; // position in the axes and unit of the source
     std::uint32_t normal = hierarchy::kNoNormal;
     std::uint32_t color = 0xFFFFFFFFU;
 };
 
-/// A buffer for the largest vertex record.
+/// A buffer that is large enough for each vertex record.
 using VertexBytes = std::array<std::byte, 8 + 3 * sizeof(double) + 12>;
 
-/// Encodes `vertex` into `storage` and returns the used bytes.
+/// Encodes `vertex` into `storage` and returns the bytes of the record.
 std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage);
 
-/// Decodes records of encodeVertex and appends the vertices to `vertices`.
+/// Decodes the records of encodeVertex in `records` and appends the vertices to `vertices`.
 void decodeVertices(std::span<const std::byte> records, const VertexFormat& format, std::vector<ChunkVertex>& vertices);
 
-/// Appends the vertices of a stream to `vertices`. The vector grows exactly to the size that it needs.
+/// Decodes the vertex records of a stream and appends the vertices to `vertices`. The vector reserves exactly the
+/// memory that it needs.
 void appendVertices(
     const scratch::StreamStore& store,
     std::uint32_t stream,
     const VertexFormat& format,
     std::vector<ChunkVertex>& vertices);
 
-/// Marks a polygon in a stream of triangles. The next `count` triangles are the fan of one polygon.
-constexpr std::uint64_t kPolygonMark = ~std::uint64_t{0}; // then count, then 0
+/// The first number of a mark in a stream of triangles. The second number is a count, and the third is 0. The next
+/// `count` triangles are the fan of one polygon.
+constexpr std::uint64_t kPolygonMark = ~std::uint64_t{0};
 
-/// A request: `chunk` needs the vertex `vertex`, which lies in another chunk.
+/// A request of `chunk` for the vertex `vertex` of another chunk.
 struct VertexRequest {
     std::uint32_t chunk = 0;
     std::uint32_t isOwner = 0; // 1: a triangle of `chunk` uses the vertex; 0: only normals of `chunk` need it
@@ -74,8 +77,8 @@ struct VertexRequest {
     }
 };
 
-/// The normal of a vertex that a chunk sends to another chunk which uses the vertex. Only sources without normals need
-/// it.
+/// The normal of a vertex. The chunk of the vertex sends it to another chunk that uses the vertex. Only sources without
+/// normals need such records.
 struct SharedNormal {
     std::uint64_t vertex = 0;
     std::uint32_t normal = hierarchy::kNoNormal;
@@ -99,7 +102,8 @@ inline void putTriangle(
 /// Returns the number of triangles and polygon marks in a stream.
 std::uint64_t triangleRecords(const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
-/// Calls `take(corners)` for each triangle or polygon mark of a stream, in order. One block at a time is in memory.
+/// Calls `take(corners)` for each triangle or polygon mark of a stream, in order. It holds one block of the stream in
+/// memory.
 template <class Take>
 void forEachTriangle(
     const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format, const Take& take) {
@@ -118,7 +122,7 @@ void putRequest(
 std::vector<VertexRequest> readRequests(
     const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
-/// Appends the record of `normal` to `bytes`.
+/// Encodes `normal` and appends its record to `bytes`.
 void appendNormal(std::vector<std::byte>& bytes, const SharedNormal& normal, const VertexFormat& format);
 
 /// Reads the records of appendNormal from a stream.
@@ -132,13 +136,13 @@ struct DroppedTriangles {
     std::uint64_t doubled = 0;         // the same three positions as an earlier triangle
 };
 
-/// The triangles with a corner outside the range of the grid, and the bounds of these corners.
+/// The triangles with a corner outside the range of the grid, and the bounds of all such corners.
 struct Strayed {
     std::uint64_t triangles = 0;
     Box corners;
 };
 
-/// The size of a part of the model, including the triangles and vertices of other parts that it needs.
+/// The numbers of triangles and vertices of a part of the model, including those of other parts that this part needs.
 struct PartSize {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
@@ -149,23 +153,23 @@ struct PartSize {
     }
 };
 
-/// The streams of each chunk that the binning writes.
+/// The streams that the binning writes for each chunk.
 enum class BinStream : std::uint32_t {
-    Vertices,  // the used vertices in the chunk, by source index
-    Triangles, // triangles with most corners in the chunk, in source order
+    Vertices,  // the vertices in the chunk that triangles use, by source index
+    Triangles, // the triangles that belong to the chunk, in source order
     Ghosts, // triangles of other chunks with a corner in this chunk, in source order; only for sources without normals
-    Requests, // requests for vertices of this chunk
+    Requests, // VertexRequest records of other chunks for vertices of this chunk
     Count
 };
 
-/// The streams of the whole source. They follow the streams of the chunks and exist only during the binning.
+/// The streams that exist once per source, and only during the binning. Their numbers follow the streams of the chunks.
 enum class SourceStream : std::uint32_t {
-    Polygons,  // polygons in several chunks: the number of triangles, then the triangles of the fan
-    Triangles, // the triangulation of these polygons
+    Polygons,  // polygons with corners in several chunks: the number of triangles, then the triangles of the fan
+    Triangles, // the final triangulation of these polygons
     Count
 };
 
-/// The streams of each chunk that other chunks write.
+/// The streams of each chunk that receive data from other chunks.
 enum class BorderStream : std::uint32_t {
     Vertices, // vertices of other chunks that this chunk requested
     Normals,  // SharedNormal of vertices that triangles of this chunk use; only for sources without normals

@@ -12,7 +12,7 @@ namespace {
 constexpr int kRootBits = CellCounts::kMaxRootBits;
 constexpr int kFinerBits = 3;
 
-/// Returns the low bits of `value` with two zero bits after each bit, for a Morton code.
+/// Returns the low bits of `value` with two zero bits between neighbouring bits, as one coordinate of a Morton code.
 constexpr std::uint32_t spread(std::uint32_t value) {
     std::uint32_t result = 0;
     for (std::uint32_t bit = 0; bit < kRootBits; ++bit)
@@ -33,7 +33,7 @@ std::uint32_t mortonCell(const hierarchy::GridPoint& point, int bits, int shift)
            kSpread[point.z >> shift & mask] << 2U;
 }
 
-/// Returns the bits of one axis of a cell's Morton code.
+/// Returns the coordinate of a cell on one axis, from the cell's Morton code.
 std::uint32_t gathered(std::uint32_t cell, std::uint32_t axis) {
     std::uint32_t result = 0;
     for (std::uint32_t bit = 0; bit < kRootBits; ++bit)
@@ -81,7 +81,7 @@ void CellCounts::cut(const Parent& parent) {
     if (table.finer.empty()) table.finer.assign(table.weights.size(), -1);
     table.finer[parent.cell] = static_cast<std::int32_t>(tables_.size());
     const int bits = std::min(kFinerBits, table.shift);
-    tables_.push_back(makeTable(bits, table.shift - bits)); // this invalidates `table`
+    tables_.push_back(makeTable(bits, table.shift - bits)); // the reference `table` is invalid after this line
     parents_.push_back(parent);
 }
 

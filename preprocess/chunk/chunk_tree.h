@@ -1,4 +1,5 @@
-// The assignment of grid points to chunks: an adaptive octree of weights that is cut along its Morton order.
+// The assignment of grid points to chunks: an adaptive octree with a weight per cell. Chunks are runs of cells in
+// Morton order.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -9,7 +10,8 @@
 
 namespace gnomon::chunk {
 
-/// The max number of chunks of a model. Stream numbers have 32 bits, and each chunk has several streams.
+/// The max number of chunks of a model. The limit exists because stream numbers have 32 bits and each chunk has several
+/// streams.
 constexpr std::uint32_t kMaxChunks = (1U << 29U) - 1;
 
 /// The max number of chunks for which 16-bit chunk numbers are sufficient.
@@ -18,53 +20,56 @@ constexpr std::uint32_t kNarrowChunks = 0xFFFF;
 /// The chunk number of vertices outside the range of the grid. No chunk contains them. As a 16-bit number it is 0xFFFF.
 constexpr std::uint32_t kOutsideGrid = 0xFFFFFFFF;
 
-/// Returns the `rootBits` of CellCounts for a source with `vertices` vertices. A small source gets few root cells,
-/// because each thread has its own CellCounts.
+/// Returns the argument `rootBits` of CellCounts for a source with `vertices` vertices. A small source receives few
+/// root cells, because each thread has its own CellCounts.
 int rootBitsFor(std::uint64_t vertices);
 
-/// Weights per cell of the grid. The class divides cells that are too heavy, and the caller counts their points again.
+/// Counts weights per octree cell of the grid. The class divides cells that are too heavy, and the caller then adds the
+/// points again:
 ///
-/// CellCounts counts(furthest);
-/// do { for each vertex: counts.add(point, weight); } while (counts.refine(limit));
+///     CellCounts counts(furthest);
+///     do { for each vertex: counts.add(point, weight); } while (counts.refine(limit));
 class CellCounts {
 public:
     static constexpr int kMaxRootBits = 7;
 
-    /// Creates cells for points up to `furthest` on each axis. The root cells form a grid of 2^`rootBits` cells per
-    /// axis, `rootBits` at most 7. This number affects only the number of counting passes, not the result.
+    /// Creates cells for points with coordinates up to those of `furthest`. The root cells form a grid of 2^`rootBits`
+    /// cells per axis. `rootBits` is at most 7. It affects only the number of counting passes, not the result.
     explicit CellCounts(const hierarchy::GridPoint& furthest, int rootBits = kMaxRootBits);
 
-    /// Adds `weight` at `point` if its cell is open, which means that the last `refine` created it.
+    /// Adds `weight` to the cell that contains `point` if this cell is open. Cells are open if the last `refine`
+    /// created them.
     void add(const hierarchy::GridPoint& point, std::uint32_t weight);
 
-    /// Divides cells heavier than `limit` that are larger than a point. Returns true if there were any. The caller must
-    /// then add all points again.
+    /// Divides the cells that are heavier than `limit`, except cells of a single grid point. Returns true if it divided
+    /// a cell. The caller must then add all points again.
     bool refine(std::uint64_t limit);
 
-    /// Encodes the division into cells for another process that counts into the same cells.
+    /// Returns the division into cells as bytes. Another process can then count into the same cells.
     std::vector<std::byte> shape() const;
 
-    /// Restores the cells of `shape` with zero weights. `furthest` and `rootBits` must be the same as in the other
-    /// process. Throws hierarchy::Damage if the bytes are malformed.
+    /// Creates the cells that `shape` encodes, with zero weights. `furthest` and `rootBits` must be the same as in the
+    /// process that called `shape()`. Throws hierarchy::Damage if the bytes are malformed.
     CellCounts(const hierarchy::GridPoint& furthest, std::span<const std::byte> shape, int rootBits = kMaxRootBits);
 
-    /// Returns the weights of the open cells. `addOpenWeights` adds them to the same cells of another object and throws
-    /// hierarchy::Damage if the bytes are malformed.
+    /// Returns the weights of the open cells as bytes. `addOpenWeights` adds such weights to the same cells of another
+    /// object. It throws hierarchy::Damage if the bytes are malformed.
     std::vector<std::byte> openWeights() const;
     void addOpenWeights(std::span<const std::byte> weights);
 
-    /// Returns the points heavier than `limit`. The last `refine(limit)` must have returned false.
+    /// Returns the grid points that are heavier than `limit`. The last call of `refine(limit)` must have returned
+    /// false.
     std::vector<hierarchy::GridPoint> pointsAbove(std::uint64_t limit) const;
 
 private:
     friend class ChunkTree;
 
-    /// The cells of one size inside one parent cell, in Morton order (first bit x, then y, then z).
+    /// The cells of one size inside one parent cell, in Morton order (lowest bit x, then y, then z).
     struct Table {
-        int bits = 0;  // bits per coordinate that select the cell
-        int shift = 0; // bits per coordinate below these bits
+        int bits = 0;  // bits per coordinate that select a cell of this table
+        int shift = 0; // bits per coordinate below the selecting bits
         std::vector<std::uint64_t> weights;
-        std::vector<std::int32_t> finer; // table of the cells inside each cell, or -1; empty if no cell is divided
+        std::vector<std::int32_t> finer; // per cell: the table of its finer cells, or -1; empty if no cell is divided
     };
 
     /// The parent cell of a table. The root table has no parent.
@@ -91,30 +96,32 @@ private:
     std::size_t firstOpen_ = 0;
 };
 
-/// A finished tree that maps grid points to chunks.
+/// The finished octree. It returns the chunk of each grid point.
 class ChunkTree {
 public:
-    /// Cuts the cells, in Morton order, into chunks of at most `limit` weight each. A cell is not divided if its weight
-    /// is at most `limit` / 8. Only a chunk of a single grid point can exceed `limit`.
+    /// Creates chunks from runs of cells in Morton order, with at most `limit` weight each. A cell is not divided if
+    /// its weight is at most `limit` / 8. Only a chunk of a single grid point can exceed `limit`.
     ChunkTree(const CellCounts& counts, std::uint64_t limit);
 
-    /// Decodes a tree from `encoded`, without its heavy points. Throws hierarchy::Damage if the bytes are malformed.
+    /// Decodes a tree from the bytes of `encoded`, which do not contain its heavy points. Throws hierarchy::Damage if
+    /// the bytes are malformed.
     explicit ChunkTree(std::span<const std::byte> bytes);
     std::vector<std::byte> encoded() const;
 
     std::uint32_t chunkCount() const { return static_cast<std::uint32_t>(weights_.size()); }
 
-    /// Returns the grid points that are heavier than an eighth of a chunk.
+    /// Returns the grid points that are heavier than an eighth of the weight limit of a chunk.
     const std::vector<hierarchy::GridPoint>& heavyPoints() const { return heavyPoints_; }
 
-    /// Returns the chunk of a point that was counted.
+    /// Returns the chunk of a grid point. The point must have been counted when the tree was built.
     std::uint32_t chunkOf(const hierarchy::GridPoint& point) const;
 
 private:
     struct Table {
         int bits = 0;
         int shift = 0;
-        std::vector<std::uint32_t> chunks; // chunk per cell; a value from kFiner on refers to a table
+        // chunk per cell; values from kFiner on are kFiner plus the number of a finer table
+        std::vector<std::uint32_t> chunks;
     };
 
     static constexpr std::uint32_t kFiner = 0x80000000U;

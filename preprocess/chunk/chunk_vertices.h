@@ -5,8 +5,8 @@
 
 namespace gnomon::chunk {
 
-/// The vertices of a chunk with their places. A place is a welded position. Places are numbered from 0 in the order of
-/// the vertices, so that places in the chunk come first.
+/// The vertices of a chunk with their places. A place is the number of a welded position. Places are numbered from 0 in
+/// the order of the vertices. Places in the chunk therefore come before places of other chunks.
 class ChunkVertices {
 public:
     ChunkVertices(IndexedVertices vertices, const hierarchy::Grid& grid);
@@ -17,7 +17,7 @@ public:
 
     const IndexedVertices& indexed() const { return vertices_; }
 
-    /// Returns the place of the vertex with this index in the source. A check fails if the chunk does not contain the
+    /// Returns the place of the vertex with this source index. A check fails if the chunk neither contains nor uses the
     /// vertex.
     std::uint32_t placeOfSource(std::uint64_t sourceIndex) const { return placeOf_[vertices_.find(sourceIndex)]; }
 
@@ -29,7 +29,7 @@ public:
 
     const std::vector<hierarchy::GridPoint>& places() const { return places_; }
 
-    /// Returns the number of places that lie in the chunk.
+    /// Returns the number of places that lie in the chunk itself.
     std::uint32_t ownPlaces() const { return ownPlaces_; }
 
 private:
@@ -39,13 +39,13 @@ private:
     std::uint32_t ownPlaces_ = 0;
 };
 
-/// Returns the distinct triangles with three different places, in order. `dropped` counts the removed triangles. The
-/// triangles are vertex indices of `vertices`.
+/// Removes triangles with two equal places and repeated triangles, and returns the other triangles in order. Their
+/// corners are vertex indices of `vertices`. `dropped` counts the removed triangles.
 std::vector<simplify::Triangle> keptTriangles(
     const ChunkVertices& vertices, const std::vector<simplify::Triangle>& triangles, DroppedTriangles& dropped);
 
-/// Returns for each place whether other chunks may have triangles there. All places outside the chunk are shared. A
-/// place in the chunk is shared if `requests` names it.
+/// Returns one flag per place: 1 if other chunks may have triangles at the place. All places outside the chunk are
+/// shared. A place in the chunk is shared if another chunk requests a vertex there (`requests`).
 std::vector<std::uint8_t> sharedPlaces(const ChunkVertices& vertices, std::span<const VertexRequest> requests);
 
 } // namespace gnomon::chunk

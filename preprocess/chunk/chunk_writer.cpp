@@ -36,7 +36,8 @@ void ChunkWriter::putTriangle(const read::TriangleCorners& corners, const std::a
         return;
     }
     const std::uint32_t owner =
-        std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2])); // the median
+        // the median of the three chunks
+        std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2]));
     if (bins_ != nullptr) chunk::putTriangle(*bins_, streamOf(BinStream::Triangles, owner), corners, format_);
     ++sizes_[owner].triangles;
     if (lies[0] == lies[1] && lies[1] == lies[2]) return;
@@ -65,7 +66,7 @@ void ChunkWriter::putFan(std::span<const read::TriangleCorners> fan, std::uint32
         chunk::putTriangle(*bins_, stream, t, format_);
 }
 
-/// Requests the corners that lie outside `chunk`.
+/// Requests the corners of a triangle of `chunk` that lie in other chunks.
 void ChunkWriter::request(
     const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies, std::uint32_t chunk, bool isOwner) {
     for (std::size_t i = 0; i < 3; ++i) {

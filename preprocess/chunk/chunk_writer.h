@@ -12,11 +12,11 @@
 
 namespace gnomon::chunk {
 
-/// Returns the record format of a source's vertices.
+/// Returns the format of the records for the vertices of a source.
 VertexFormat formatOf(const read::MeshSummary& source);
 
-/// Returns whether all corners of a polygon, given as its fan, lie in one chunk. `chunkOf(vertex)` returns the chunk of
-/// a vertex.
+/// Returns true if all corners of a polygon lie in one chunk. `fan` contains the triangles of the polygon.
+/// `chunkOf(vertex)` returns the chunk of a vertex.
 template <class ChunkOf>
 bool isInOneChunk(std::span<const read::TriangleCorners> fan, ChunkOf chunkOf) {
     const std::uint32_t chunk = chunkOf(fan.front()[0]);
@@ -25,7 +25,7 @@ bool isInOneChunk(std::span<const read::TriangleCorners> fan, ChunkOf chunkOf) {
     });
 }
 
-/// Writes and counts the records of each chunk. Without a store it only counts.
+/// Writes vertices and triangles to the streams of their chunks, and counts them. Without a store it only counts.
 class ChunkWriter {
 public:
     /// Creates a writer. `fields` and `bins` must outlive it.
@@ -36,17 +36,17 @@ public:
         std::uint32_t chunkCount)
         : format_(format), fields_(fields), bins_(bins), sizes_(chunkCount) {}
 
-    /// Writes vertex `i` of a block to `chunk`.
+    /// Writes vertex `i` of a block to the stream of `chunk`.
     void putVertex(const read::VertexBlock& block, std::size_t i, std::uint32_t chunk);
 
-    /// Writes a triangle whose corners lie in the chunks `lies`. If one of them is kOutsideGrid, it only counts the
-    /// triangle.
+    /// Writes a triangle. `lies` contains the chunks of its three corners. If one of them is kOutsideGrid, the function
+    /// only counts the triangle.
     void putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies);
 
-    /// Writes a polygon, as a fan, to `chunk`. If `chunk` is kOutsideGrid, it only counts the triangles.
+    /// Writes the triangles of one polygon to `chunk`. If `chunk` is kOutsideGrid, the function only counts them.
     void putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk);
 
-    /// Adds `more` to the size of `chunk`.
+    /// Adds the triangles and vertices of `more` to the size of `chunk`.
     void count(std::uint32_t chunk, const PartSize& more) {
         sizes_[chunk].triangles += more.triangles;
         sizes_[chunk].vertices += more.vertices;
@@ -55,7 +55,7 @@ public:
     /// Returns the size of each chunk.
     const std::vector<PartSize>& sizes() const { return sizes_; }
 
-    /// Returns the number of triangles with a corner outside the range of the grid. No chunk receives them.
+    /// Returns the number of triangles with a corner outside the range of the grid. No chunk contains these triangles.
     std::uint64_t outsideGrid() const { return outsideGrid_; }
 
 private:
@@ -67,7 +67,7 @@ private:
 
     VertexFormat format_;
     std::span<const hierarchy::Field> fields_;
-    scratch::StreamStore* bins_; // null if the object only counts
+    scratch::StreamStore* bins_; // the output; null if the object only counts
     std::vector<PartSize> sizes_;
     std::uint64_t outsideGrid_ = 0;
 };

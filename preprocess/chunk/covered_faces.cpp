@@ -17,15 +17,15 @@ namespace gnomon::chunk {
 
 namespace {
 
-// Grid steps; max distance between coplanar tilted faces after rounding to the grid.
+// Max distance in grid steps between coplanar tilted faces. Rounding to the grid causes this distance.
 constexpr double kPlaneTolerance = 1.5;
-constexpr double kMinWidth = 0.5;           // grid steps; min width of a relevant part
+constexpr double kMinWidth = 0.5;           // grid steps; narrower remaining parts are invisible and removed
 constexpr double kParallel = 0.99;          // min cosine between the normals of coplanar faces
-constexpr std::size_t kMaxCovering = 256;   // max covering triangles per triangle
-constexpr std::uint32_t kMaxTested = 16384; // max tested boxes per triangle
-constexpr std::size_t kMaxParts = 128;      // max parts of a triangle
+constexpr std::size_t kMaxCovering = 256;   // max number of covering triangles of a triangle
+constexpr std::uint32_t kMaxTested = 16384; // max number of bounding boxes that are tested per triangle
+constexpr std::size_t kMaxParts = 128;      // max number of remaining parts of a triangle
 
-using Polygon = std::vector<glm::dvec3>; // convex
+using Polygon = std::vector<glm::dvec3>; // corners of a convex polygon
 
 struct Face {
     std::array<glm::dvec3, 3> corners{};
@@ -51,8 +51,8 @@ std::uint32_t colorOf(const simplify::Mesh& mesh, std::uint32_t triangle) {
     return mesh.vertices[mesh.triangles[triangle][0]].color;
 }
 
-/// Returns the triangles whose three vertices have the same colour, in order. Returns an empty list if all of them have
-/// one colour.
+/// Returns the triangles whose three corners have the same colour, in order. Returns an empty list if all these
+/// triangles have the same colour.
 std::vector<std::uint32_t> plainTriangles(const simplify::Mesh& mesh) {
     std::vector<std::uint32_t> plain;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -65,20 +65,21 @@ std::vector<std::uint32_t> plainTriangles(const simplify::Mesh& mesh) {
     return plain;
 }
 
-/// Returns the outward normal of the edge from corner `i`, in the plane of `face`.
+/// Returns the outward normal of the edge that starts at corner `i`, in the plane of `face`.
 glm::dvec3 outwards(const Face& face, std::size_t i) {
     return glm::normalize(glm::cross(face.corners[(i + 1) % 3] - face.corners[i], face.normal));
 }
 
 bool isInPlaneOf(const Face& small, const Face& large) {
     const glm::dvec3 sides = glm::abs(large.normal);
-    const bool isUpright = std::max({sides.x, sides.y, sides.z}) > 1 - 1e-12; // such planes lie at whole grid steps
+    // axis-aligned planes have whole grid coordinates
+    const bool isUpright = std::max({sides.x, sides.y, sides.z}) > 1 - 1e-12;
     return std::ranges::all_of(small.corners, [&](const glm::dvec3& p) {
         return std::abs(glm::dot(p - large.corners[0], large.normal)) <= (isUpright ? 0.5 : kPlaneTolerance);
     });
 }
 
-/// Returns true if an edge of `face` has all corners of `other` on its outer side, with a tolerance of kMinWidth.
+/// Returns true if an edge of `face` has all corners of `other` on its outer side. The tolerance is kMinWidth.
 bool separates(const Face& face, const Face& other) {
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 away = outwards(face, i);
@@ -88,8 +89,8 @@ bool separates(const Face& face, const Face& other) {
     return false;
 }
 
-/// Returns true if `face` and triangle `t` are coplanar and overlap. The first test rejects most triangles without a
-/// square root.
+/// Returns true if `face` and triangle `t` are coplanar and overlap. The first test is cheap: it rejects most triangles
+/// without a square root.
 bool overlap(const simplify::Mesh& mesh, const Face& face, const simplify::Triangle& t) {
     const glm::dvec3 a = vectorOf(mesh.vertices[t[0]].position);
     const glm::dvec3 b = vectorOf(mesh.vertices[t[1]].position) - a;
@@ -129,8 +130,8 @@ public:
           colors_(colorsOf(mesh, triangles)),
           tree_(boxes_, colors_) {}
 
-    /// Returns the triangles that cover triangle `place`, in ascending order. Returns an empty list if there are too
-    /// many.
+    /// Returns the triangles that cover the triangle with index `place`, in ascending order. Returns an empty list if
+    /// there are too many.
     std::vector<std::uint32_t> of(std::uint32_t place) const {
         proximity::TreeBox box = boxes_[place];
         box.low -= kPlaneTolerance;
@@ -175,7 +176,7 @@ private:
     proximity::BoxTree tree_;
 };
 
-/// Classifies connected surfaces as open or closed.
+/// Classifies the connected surfaces of the mesh as open or closed.
 class OpenSurfaces {
 public:
     explicit OpenSurfaces(const simplify::Mesh& mesh)
@@ -183,7 +184,7 @@ public:
           adjacency_(mesh.positionCount, corners_),
           state_(mesh.triangles.size(), State::Unknown) {}
 
-    /// Returns true if the connected surface of `triangle` has an edge with only one triangle.
+    /// Returns true if the connected surface of `triangle` has a boundary edge (an edge of only one triangle).
     bool isOpen(std::uint32_t triangle) {
         if (state_[triangle] == State::Unknown) explore(triangle);
         return state_[triangle] == State::Open;
@@ -229,8 +230,8 @@ private:
     std::vector<State> state_;
 };
 
-/// Cuts `polygon` by the plane through `point` with the normal `away`. Returns the part on the side of the normal and
-/// the part on the other side.
+/// Cuts `polygon` by the plane through `point` with the normal `away`. The first result is on the side of the normal,
+/// the second on the other side.
 std::array<Polygon, 2> cut(const Polygon& polygon, const glm::dvec3& point, const glm::dvec3& away) {
     std::array<Polygon, 2> parts;
     auto& [out, in] = parts;
@@ -250,7 +251,7 @@ std::array<Polygon, 2> cut(const Polygon& polygon, const glm::dvec3& point, cons
     return parts;
 }
 
-/// Returns true if a polygon is wide enough to be visible.
+/// Returns true if `polygon` is wider than kMinWidth, so that it is visible.
 bool counts(const Polygon& polygon) {
     if (polygon.size() < 3) return false;
     glm::dvec3 area(0);
@@ -262,7 +263,7 @@ bool counts(const Polygon& polygon) {
     return glm::length(area) > 2 * kMinWidth * longest;
 }
 
-/// Returns the parts of `parts` that `covering` does not cover.
+/// Returns the pieces of the polygons `parts` that the face `covering` does not cover.
 std::vector<Polygon> uncovered(const std::vector<Polygon>& parts, const Face& covering) {
     std::vector<Polygon> left;
     for (Polygon part : parts) {
@@ -291,7 +292,7 @@ public:
         }
     }
 
-    /// Returns a vertex of `triangle` at the point `p` of the triangle. Creates the vertex if needed.
+    /// Returns a mesh vertex at the point `p` of `triangle`. Creates the vertex if there is none.
     std::uint32_t vertexAt(const simplify::Triangle& triangle, const glm::dvec3& p) {
         const auto rounded = [](double x) { return static_cast<std::uint32_t>(std::llround(std::max(x, 0.0))); };
         const hierarchy::GridPoint point{rounded(p.x), rounded(p.y), rounded(p.z)};
@@ -348,7 +349,7 @@ private:
     std::map<std::pair<hierarchy::Vertex, std::uint32_t>, std::uint32_t> made_;
 };
 
-/// Appends a fan of triangles for each remaining part of a face.
+/// Appends the triangles of each remaining part of a face to the mesh.
 void appendParts(
     CornerMaker& maker,
     const simplify::Triangle& triangle,
@@ -373,8 +374,8 @@ bool isAtBorder(const simplify::Mesh& mesh, const simplify::Triangle& t) {
     return std::ranges::count_if(t, [&](std::uint32_t v) { return mesh.isBorder[mesh.positionOf[v]] != 0; }) > 1;
 }
 
-/// Returns the parts of `triangle` that earlier triangles do not cover. Returns nothing if the triangle does not
-/// change.
+/// Returns the parts of `triangle` that the earlier triangles `covering` do not cover. Returns nullopt if the triangle
+/// does not change.
 std::optional<std::vector<Polygon>> partsOf(
     const simplify::Mesh& mesh,
     std::uint32_t triangle,
@@ -382,8 +383,10 @@ std::optional<std::vector<Polygon>> partsOf(
     OpenSurfaces& surfaces) {
     const Face face = faceOf(mesh, mesh.triangles[triangle]);
     const std::vector<Polygon> whole{{face.corners.begin(), face.corners.end()}};
-    std::vector<Polygon> parts = whole;       // without parts that open surfaces or faces of the same orientation cover
-    std::vector<Polygon> unseenParts = whole; // also without parts that face a solid
+    // parts that faces of the same orientation, and faces between two open surfaces, do not cover
+    std::vector<Polygon> parts = whole;
+    // like `parts`, but faces of the opposite orientation also cover if one surface is open
+    std::vector<Polygon> unseenParts = whole;
     for (const std::uint32_t other : covering) {
         const Face cover = faceOf(mesh, mesh.triangles[other]);
         const bool facesIt = glm::dot(face.normal, cover.normal) < 0;

@@ -9,7 +9,7 @@ namespace gnomon::chunk {
 
 namespace {
 
-/// Extends the ranges of the fields by the values of a vertex.
+/// Extends the ranges of the fields by the values of one vertex.
 void add(
     read::MeshSource& source,
     std::uint64_t vertex,
@@ -53,7 +53,7 @@ void addUsed(
 
 void endRanges(const std::string& path, std::vector<hierarchy::Field>& fields) {
     for (hierarchy::Field& field : fields) {
-        if (field.min > field.max) field.min = field.max = 0; // no triangle uses any vertex
+        if (field.min > field.max) field.min = field.max = 0; // no vertex is used, so the range is empty
         if (!std::isfinite(field.max - field.min))
             throw Error(
                 path,

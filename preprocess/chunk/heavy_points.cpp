@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kRemembered = std::size_t{1} << 16U;
 
-/// Returns the reason for dropping a triangle between heavy points if it is not the first one there. Returns null if
-/// the reason depends on unknown positions.
+/// Returns the counter for a dropped triangle between heavy points that repeats an earlier triangle. Returns null if
+/// the reason of the drop depends on positions that are not stored.
 std::uint64_t DroppedTriangles::*reasonOf(
     const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found) {
     bool isCollapsed = false;
@@ -22,7 +22,7 @@ std::uint64_t DroppedTriangles::*reasonOf(
         const bool isFirst = found[i] % 2 == 0 && found[k] % 2 == 0;
         if (isFirst || corners[i] == corners[k]) return &DroppedTriangles::degenerate;
         isCollapsed = true;
-        // Both corners differ from the first position, so that they may be equal.
+        // Two corners that both differ from the first position may be equal or different.
         isUnknown = isUnknown || found[i] == found[k];
     }
     if (isUnknown) return nullptr;
@@ -52,7 +52,8 @@ bool HeavyPoints::isRepeated(
     if (reason == nullptr) return false;
     std::array<std::uint64_t, 3> points{found[0] / 2, found[1] / 2, found[2] / 2};
     std::sort(points.begin(), points.end());
-    const std::uint64_t key = 1 + (points[0] << 32U | points[1] << 16U | points[2]); // each number is below 2^16
+    // each number of a point is below 2^16
+    const std::uint64_t key = 1 + (points[0] << 32U | points[1] << 16U | points[2]);
     std::uint64_t& earlier = earlier_[mix64(key) % kRemembered];
     if (earlier != key) {
         earlier = key;

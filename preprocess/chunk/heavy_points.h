@@ -1,4 +1,5 @@
-// Grid points with too many corners for one chunk, and the detection of repeated triangles between them.
+// Heavy points: grid points with too many triangle corners for one chunk. The class finds repeated triangles between
+// them.
 #pragma once
 
 #include "preprocess/chunk/chunk_streams.h"
@@ -8,32 +9,33 @@
 
 namespace gnomon::chunk {
 
-/// The heavy points of a source. A grid point cannot be divided, so repeated triangles between heavy points must be
-/// dropped before the binning. The class knows only two facts per corner: its heavy point, and whether it has the
-/// position of the first vertex there.
+/// The heavy points of a source. A grid point cannot be divided into chunks, so repeated triangles between heavy points
+/// must be dropped before the binning. The class stores only two facts per corner: the heavy point, and whether the
+/// corner has the same position as the first vertex at this point.
 class HeavyPoints {
 public:
-    /// Uses the first `maxPoints` points of `points`.
+    /// Creates the object with the first `maxPoints` points of `points`.
     HeavyPoints(std::vector<hierarchy::GridPoint> points, std::size_t maxPoints);
 
     std::size_t size() const { return points_.size(); }
 
     const hierarchy::GridPoint& operator[](std::size_t which) const { return points_[which]; }
 
-    /// Returns the place of a vertex that snaps to `point`: twice the number of the heavy point, plus one if its
-    /// position differs from the first vertex there. Returns nothing if `point` is not heavy.
+    /// Returns a code for a vertex that snaps to the heavy point `point`: twice the number of the point. If the
+    /// position of the vertex differs from the first vertex at this point, the code is one higher. Returns nullopt if
+    /// `point` is not heavy.
     std::optional<std::uint32_t> find(const hierarchy::GridPoint& point, const glm::dvec3& position);
 
     /// Returns true if the triangle certainly repeats an earlier one, and counts it in `dropped`. `found` contains the
-    /// results of `find` for its corners. The reason for the drop must be known without positions. The memory is
-    /// bounded, so the function misses some repeats.
+    /// results of `find` for its corners. The function misses some repeated triangles for two reasons: its memory is
+    /// bounded, and it cannot always determine the reason of the drop without positions.
     bool isRepeated(
         const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found, DroppedTriangles& dropped);
 
 private:
     std::vector<hierarchy::GridPoint> points_; // ascending
     std::vector<std::optional<glm::dvec3>> first_;
-    // Hash table of triangles of three heavy points; a new entry replaces an old one.
+    // Hash table of triangles between three heavy points. A new entry replaces an old entry with the same hash.
     std::vector<std::uint64_t> earlier_;
 };
 

@@ -1,4 +1,4 @@
-// Runs many pieces of work in parallel and consumes their results in order.
+// Computes many results in parallel and consumes them in order.
 #pragma once
 
 #include <tbb/parallel_pipeline.h>
@@ -9,8 +9,8 @@
 
 namespace gnomon::chunk {
 
-/// Calls `make(i)` in parallel for each i in [first, end), and `take(i, result)` in order, one at a time. At most
-/// `atOnce` results exist at once.
+/// Calls `make(i)` in parallel for each i in [first, end). Calls `take(i, result)` in ascending order of i, one call at
+/// a time. At most `atOnce` results are in memory.
 template <class Make, class Take>
 void makeInOrder(std::size_t first, std::size_t end, std::size_t atOnce, const Make& make, const Take& take) {
     using Result = decltype(make(first));

@@ -45,7 +45,7 @@ void IndexedVertices::findRuns() {
     std::sort(foreign.begin(), foreign.end(), [&](std::uint32_t a, std::uint32_t b) {
         return vertices_[a].index < vertices_[b].index;
     });
-    // Counts the runs first, because there can be as many runs as vertices.
+    // The runs are counted first to reserve exactly their memory, because there can be as many runs as vertices.
     std::size_t count = 0;
     forEachRun(
         foreign, [&](std::uint64_t, std::uint32_t) { ++count; }, [] {});

@@ -8,25 +8,26 @@ namespace gnomon::chunk {
 /// A list of vertices: first the vertices in the chunk, then the vertices of other chunks.
 class IndexedVertices {
 public:
-    /// Takes `vertices`. The first `ownCount` must have ascending indices. The rest may have any order. Indices are
-    /// unique.
+    /// Moves `vertices` into the object. The first `ownCount` vertices are in the chunk and must have ascending source
+    /// indices. The other vertices may have any order. Source indices are unique.
     IndexedVertices(std::vector<ChunkVertex> vertices, std::size_t ownCount);
 
     std::size_t size() const { return vertices_.size(); }
 
-    /// Returns the number of vertices in the chunk.
+    /// Returns the number of vertices that are in the chunk.
     std::size_t ownCount() const { return ownCount_; }
 
     const ChunkVertex& operator[](std::uint32_t vertex) const { return vertices_[vertex]; }
 
-    /// Moves the vertices out, in their current order.
+    /// Moves the vertices out of the object, in the same order.
     std::vector<ChunkVertex> take() && {
         runs_ = {};
         firstRun_ = {};
         return std::move(vertices_);
     }
 
-    /// Returns the position of a source vertex in this list. A check fails if the list does not contain it.
+    /// Returns the index in this list of the vertex with the source index `sourceIndex`. A check fails if the list does
+    /// not contain it.
     std::uint32_t find(std::uint64_t sourceIndex) const;
 
     simplify::Triangle find(const read::TriangleCorners& corners) const {
@@ -34,15 +35,16 @@ public:
     }
 
 private:
-    /// A run of vertices that are consecutive both in the source and in this list. A scan has few long runs.
+    /// A run of vertices that are consecutive both in the source and in this list. The mesh of a 3D scan has few long
+    /// runs.
     struct Run {
         std::uint64_t index = 0;
         std::uint32_t vertex = 0;
         std::uint32_t count = 0;
     };
 
-    /// Calls `begin(index, vertex)` at the start of each run and `extend()` for each of its vertices, by ascending
-    /// index.
+    /// Calls `begin(index, vertex)` for the first vertex of each run and `extend()` for each vertex of the run, by
+    /// ascending source index.
     template <class Begin, class Extend>
     void forEachRun(const std::vector<std::uint32_t>& foreign, const Begin& begin, const Extend& extend) const;
 
@@ -51,9 +53,10 @@ private:
 
     std::vector<ChunkVertex> vertices_;
     std::size_t ownCount_;
-    std::vector<Run> runs_; // by ascending index
+    std::vector<Run> runs_; // by ascending source index
     std::uint32_t bucketShift_ = 0;
-    std::vector<std::uint32_t> firstRun_; // the first run that starts in or after each bucket of 2^bucketShift_ indices
+    // per bucket of 2^bucketShift_ source indices: the first run that starts in or after it
+    std::vector<std::uint32_t> firstRun_;
 };
 
 } // namespace gnomon::chunk

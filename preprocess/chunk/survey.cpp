@@ -17,12 +17,13 @@ namespace {
 constexpr std::size_t kMaxSampled = std::size_t{1} << 19U;
 constexpr int kExponentBias = 1200;
 constexpr int kBinsPerOctave = 16;
-constexpr std::size_t kMaxStrayShare = 1000; // max share of strays: 1 of 1000 triangles
-constexpr std::size_t kMaxFewStrays = 16;    // max number of strays in a small source
-constexpr std::size_t kMaxFewStrayShare = 8; // max share of these strays: 1 of 8 triangles
-constexpr double kFewStraysDistance = 1000;  // min distance of these strays, in widths of the rest
-constexpr double kUnsampled = 1.0 / 64;      // share of the width by which unsampled vertices may exceed the sample
-constexpr int kRangeBits = 30;               // bits of a grid coordinate if the whole source is within the grid's range
+constexpr std::size_t kMaxStrayShare = 1000; // strays are at most 1 of this many triangles
+constexpr std::size_t kMaxFewStrays = 16;    // max number of strays in the second case of mainPart
+constexpr std::size_t kMaxFewStrayShare = 8; // strays in the second case are at most 1 of this many triangles
+// min distance of strays in the second case, in widths of the other triangles
+constexpr double kFewStraysDistance = 1000;
+constexpr double kUnsampled = 1.0 / 64; // share of the width by which unsampled vertices may exceed the sample
+constexpr int kRangeBits = 30;          // bits of a grid coordinate if the whole source is within the grid's range
 
 double maxAbs(const glm::dvec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -33,7 +34,7 @@ double maxExtent(const Box& box) {
     return std::max({extent.x, extent.y, extent.z});
 }
 
-/// Returns `box` extended on each side by its width times `widths`.
+/// Returns `box` extended on each side by `widths` times its width.
 Box grown(const Box& box, double widths) {
     const glm::dvec3 by(widths * maxExtent(box));
     return {box.min - by, box.max + by};
@@ -43,7 +44,8 @@ bool contains(const Box& outer, const Box& inner) {
     return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::greaterThanEqual(outer.max, inner.max));
 }
 
-/// Returns the median of each coordinate over at most 65,536 evenly chosen positions. `positions` must not be empty.
+/// Returns the median of each coordinate, over at most 65,536 positions at regular intervals of the list. `positions`
+/// must not be empty.
 glm::dvec3 medianOf(std::span<const glm::dvec3> positions) {
     glm::dvec3 median(0);
     std::vector<double> values(std::min<std::size_t>(positions.size(), 1U << 16U));
@@ -82,7 +84,7 @@ void countTriangles(read::MeshSource& source, SourceSurvey& survey, EdgeSample& 
     });
 }
 
-/// Throws Error if a coordinate is too large for computations.
+/// Throws Error if a coordinate of `box` is too large for the computations.
 void requireReach(const std::string& path, const Box& box) {
     constexpr double kMaxCoordinate = 1e100; // larger values would overflow squared distances
     const double largest = box.isEmpty() ? 0 : std::max(maxAbs(box.min), maxAbs(box.max));
@@ -92,7 +94,7 @@ void requireReach(const std::string& path, const Box& box) {
     throw Error(path, "a coordinate is too large", "at most 1e100", found.data());
 }
 
-/// Returns the box of the vertices that triangles use, and counts the bad normals of all vertices.
+/// Returns the bounds of the vertices that triangles use. Counts the invalid normals of all vertices in `survey`.
 Box boundsOf(read::MeshSource& source, SourceSurvey& survey, Progress& progress) {
     progress.stage("measure", "vertices", source.summary().vertexCount);
     Box box;
@@ -116,9 +118,9 @@ void addUsed(
     }
 }
 
-// The final threshold is the largest power of two that leaves at most kMaxSampled entries. It does not depend on the
-// order of the triangles. This constructor starts at a threshold that is never lower than the final one in practice.
-// The margin of 1/50 is 14 standard deviations for random hashes.
+// The final threshold is the largest power of two that leaves at most kMaxSampled entries, so it does not depend on the
+// order of the triangles. To save memory, this constructor starts at a lower threshold than the max. In practice the
+// final threshold is never higher than this start: the margin of 1/50 is 14 standard deviations for random hashes.
 EdgeSample::EdgeSample(std::uint64_t triangles) {
     for (; triangles > kMaxSampled + kMaxSampled / 50; triangles /= 2)
         threshold_ /= 2;
@@ -140,7 +142,7 @@ void EdgeSample::Lengths::add(double length) {
     if (!(length > 0)) return;
     if (counts_.empty()) counts_.resize(std::size_t{2 * kExponentBias + 1} * kBinsPerOctave);
     const int exponent = std::clamp(floorExponent(length), -kExponentBias, kExponentBias);
-    const double scaled = std::ldexp(length, -exponent); // from 1 to 2, except for infinity
+    const double scaled = std::ldexp(length, -exponent); // from 1 to 2; an infinite length stays infinite
     const int part = static_cast<int>(std::min((scaled - 1) * kBinsPerOctave, kBinsPerOctave - 1.0));
     ++counts_[static_cast<std::size_t>(exponent + kExponentBias) * kBinsPerOctave + static_cast<std::size_t>(part)];
     ++total_;
@@ -223,7 +225,7 @@ hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample
     const int coarsest = exponent;
     if (const double shortest = lengths.quantile(2e-5); shortest > 0)
         exponent = std::min(exponent, floorExponent(shortest / 2));
-    // A step smaller than the spacing of doubles at these coordinates would only store noise.
+    // A step smaller than the spacing of doubles at these coordinates would only store rounding noise.
     const double largest = std::max(glm::length(mainPart.min), glm::length(mainPart.max));
     exponent = std::max(exponent, floorExponent(largest) - 52);
     const int ofAll = floorExponent(maxExtent(box)) + 1 - kRangeBits;

@@ -1,4 +1,4 @@
-// The survey of a source mesh: counts, grid, and the number of triangles per vertex.
+// The survey of a source mesh before the binning: counts, grid, and the number of triangle corners per vertex.
 #pragma once
 
 #include "core/progress.h"
@@ -12,31 +12,34 @@
 
 namespace gnomon::chunk {
 
-/// The treatment of triangles far outside the main part of a source: exclude them or include them.
+/// The treatment of strays, which are triangles far outside the main part of a source. Leave excludes them, and Keep
+/// includes them.
 enum class Strays : std::uint8_t { Leave, Keep };
 
-/// The facts about a source that the binning needs.
+/// The properties of a source that the binning needs.
 struct SourceSurvey {
     hierarchy::Grid grid;
-    hierarchy::GridPoint furthest; // max coordinates of snapped vertices of triangles
-    Box mainPart;                  // contains all vertices of triangles if the source has no strays
-    double medianEdge = 0;         // median length of the sampled edges; 0 without edges
+    hierarchy::GridPoint furthest; // max coordinates of the snapped vertices that triangles use
+    // bounds without strays; without strays in the source it contains all vertices of triangles
+    Box mainPart;
+    double medianEdge = 0; // median length of the sampled edges; 0 without edges
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
     std::uint64_t badNormals = 0;      // normals that are not finite, if the source's summary does not count them
-    bool hasPolygons = false;          // faces of more than three corners
-    VertexTable<std::uint8_t> valence; // corners at each vertex, at most 255
+    bool hasPolygons = false;          // whether there are faces with more than three corners
+    VertexTable<std::uint8_t> valence; // per vertex: number of triangle corners, at most 255
     std::vector<hierarchy::Field> fields;
 };
 
-/// Surveys `source` in one pass over the triangles and two passes over the vertices, or three if there are fields. Uses
-/// one byte per vertex and about 60 MiB. Throws Error if the source throws it.
+/// Surveys `source` in one pass over the triangles and two passes over the vertices. If the source has fields, the
+/// function makes a third pass over the vertices. It uses one byte per vertex and about 60 MiB. Errors of the source
+/// are thrown to the caller.
 SourceSurvey surveySource(read::MeshSource& source, Progress& progress, Strays strays = Strays::Leave);
 
-/// A sample of triangles whose edges determine the grid step. It contains all triangles of a source of up to 512 Ki
-/// triangles, and at least 256 Ki triangles of a larger source. The hash of the triangle index selects them, so that
-/// the sample is deterministic.
+/// A sample of triangles whose edge lengths determine the grid step. For a source of up to 512 Ki triangles the sample
+/// contains all triangles. For a larger source it contains at least 256 Ki triangles. The hash of the triangle index
+/// selects them, so that the sample is deterministic.
 class EdgeSample {
 public:
     struct Entry {
@@ -46,14 +49,14 @@ public:
 
     EdgeSample() = default;
 
-    /// Creates a sample for one part of a source that has `triangles` triangles in total. The samples of all parts
-    /// together contain the sample of the source, and only few more triangles.
+    /// Creates a sample for one part of a source. `triangles` is the number of triangles of the whole source. The
+    /// samples of all parts together contain the sample of the source, and only few more triangles.
     explicit EdgeSample(std::uint64_t triangles);
 
-    /// Adds the triangle `index` if its hash is small enough.
+    /// Adds the triangle `index` if its hash is below the threshold of the sample.
     void offer(std::uint64_t index, const read::TriangleCorners& corners);
 
-    /// Adds an entry of another sample if its hash is small enough.
+    /// Adds an entry of another sample if its hash is below the threshold.
     void take(const Entry& entry);
 
     const std::vector<Entry>& entries() const { return entries_; }
@@ -61,13 +64,13 @@ public:
     /// Returns the vertices of all sampled triangles.
     std::vector<std::uint64_t> vertices() const;
 
-    /// A histogram of edge lengths with 16 bins per power of two. It does not depend on the order of the edges.
+    /// A histogram of edge lengths with 16 bins per power of two. The result does not depend on the order of the edges.
     class Lengths {
     public:
         void add(double length);
 
-        /// Returns the lower end of the bin that contains the quantile: at most the quantile, and more than 16/17 of
-        /// it. Returns 0 without edges.
+        /// Returns the lower end of the bin that contains the quantile `fraction`. The result is at most the quantile
+        /// and more than 16/17 of it. Returns 0 without edges.
         double quantile(double fraction) const;
 
     private:
@@ -79,12 +82,13 @@ public:
     Lengths measure(const VertexLookup& positions) const;
 
     /// Returns the part of `box` that contains the sampled triangles without strays. Triangles are strays in two cases:
-    /// - up to 0.1% of the triangles, if their distance from the bounds of the rest is larger than the width of these
-    /// bounds;
-    /// - up to 16 triangles, at most an eighth, if they are 1000 times as far outside.
-    /// Only the triangles farthest from the median vertex can be strays. Without strays the result is `box`. With
-    /// strays, the result is the box of all sampled vertices at most one width outside the rest, extended by 1/64 of
-    /// the width.
+    /// - up to 0.1% of the triangles, if their distance from the bounds of the other triangles is larger than the width
+    /// of these bounds;
+    /// - up to 16 triangles, and at most an eighth of all triangles, if their distance is larger than 1000 of these
+    /// widths.
+    /// Only the triangles farthest from the median vertex can be strays. If there are no strays, the result is `box`.
+    /// If there are strays, the result is the bounds of all sampled vertices that are at most one width outside the
+    /// other triangles, extended by 1/64 of the width.
     Box mainPart(const VertexLookup& positions, const Box& box) const;
 
 private:
@@ -92,13 +96,13 @@ private:
     std::uint64_t threshold_ = ~std::uint64_t{0};
 };
 
-/// Extends `box` by the used vertices of a block. Unused vertices do not count, because they would influence the grid
-/// step. Throws Error for a position that is not finite.
+/// Extends `box` by the vertices of a block that triangles use (`valence` above 0). Unused vertices must not influence
+/// the grid step. Throws Error if a position is not finite.
 void addUsed(
     read::MeshSource& source, const read::VertexBlock& block, const VertexTable<std::uint8_t>& valence, Box& box);
 
-/// Sets the grid, the main part and the median edge of a survey. `box` contains the used vertices. `positions` contains
-/// the positions of the sample's vertices. Throws Error for coordinates that are too large.
+/// Computes the grid, the main part and the median edge of a survey. `box` contains the vertices that triangles use.
+/// `positions` contains the positions of the sample's vertices. Throws Error if coordinates are too large.
 void setGrid(
     SourceSurvey& survey,
     const std::string& path,
@@ -107,12 +111,13 @@ void setGrid(
     const VertexLookup& positions,
     Strays strays);
 
-/// Returns the grid for positions within `box` with edges of these `lengths`. The grid step is at most
+/// Returns the grid for positions within `box` and edges of these `lengths`. The grid step is at most
 /// - 2^-20 of the extent of `mainPart`,
-/// - 1/64 of the median and of the 10% quantile of the edges.
-/// If `box` fits into 2^30 steps, the step is also at most half of the 2e-5 quantile of the edges. The step is never
-/// smaller than the spacing of doubles at these coordinates. The step is larger only if `mainPart` needs more than 2^30
-/// steps. If `box` needs more, the grid's range is centred on `mainPart`, and the rest of `box` is outside the range.
+/// - 1/64 of the median edge length and 1/64 of the 10% quantile,
+/// - half of the 2e-5 quantile of the edge lengths, if `box` fits into 2^30 steps.
+/// The step is larger only if `mainPart` would need more than 2^30 steps. The step is never smaller than the spacing of
+/// doubles at these coordinates. If `box` needs more than 2^30 steps, the grid's range is centred on `mainPart`, and a
+/// part of `box` is outside the range.
 hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample::Lengths& lengths);
 
 /// Snaps positions to the nearest grid points.
@@ -125,7 +130,7 @@ public:
         return {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
     }
 
-    /// Returns true if the grid has a point at most half a step away on each axis.
+    /// Returns true if a grid point exists at most half a step from `position` on each axis.
     bool isInRange(const glm::dvec3& position) const {
         const glm::dvec3 p = (position - origin_) * stepsPerUnit_;
         return isInRange(p.x) && isInRange(p.y) && isInRange(p.z);

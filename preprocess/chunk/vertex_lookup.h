@@ -1,4 +1,5 @@
-// Reads chosen vertices of a source by index in one pass. The memory is proportional to the number of chosen vertices.
+// Reads the positions of chosen vertices of a source in one pass. The memory is proportional to the number of chosen
+// vertices.
 #pragma once
 
 #include "core/check.h"
@@ -10,7 +11,7 @@
 
 namespace gnomon::chunk {
 
-/// The positions of chosen vertices.
+/// The positions of chosen vertices, found by source index.
 class VertexLookup {
 public:
     /// Reads the positions of `vertices` in one pass over the source. The list may be unsorted and contain repeats.
@@ -22,9 +23,11 @@ public:
         GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
     }
 
-    /// Reads the positions of `vertices` from a source with indexed rows. It skips long gaps between the vertices.
+    /// Reads the positions of `vertices` from a source with indexed rows. The function does not read long gaps between
+    /// the vertices.
     static VertexLookup byRanges(read::MeshSource& source, std::vector<std::uint64_t> vertices) {
-        constexpr std::uint64_t kLittle = read::RowIndex::kRows; // about the size of one read of the file
+        // rows; a gap of this length is about as long as one read of the file
+        constexpr std::uint64_t kLittle = read::RowIndex::kRows;
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
         std::vector<glm::dvec3> positions;
@@ -41,7 +44,7 @@ public:
         return {std::move(vertices), std::move(positions)};
     }
 
-    /// Takes ascending `vertices` with their positions.
+    /// Creates a lookup from ascending `vertices` and their positions.
     VertexLookup(std::vector<std::uint64_t> vertices, std::vector<glm::dvec3> positions)
         : vertices_(std::move(vertices)), positions_(std::move(positions)) {
         GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
@@ -52,10 +55,10 @@ public:
         return positions_[static_cast<std::size_t>(found - vertices_.begin())];
     }
 
-    /// Returns the positions in the order of the ascending vertices.
+    /// Returns the positions in ascending order of the vertices.
     std::span<const glm::dvec3> positions() const { return positions_; }
 
-    /// Appends the positions of the next vertices of `vertices` (ascending) that are in the block.
+    /// Appends the positions of those next vertices of `vertices` (ascending) that the block contains.
     static void take(
         const read::VertexBlock& block,
         const std::vector<std::uint64_t>& vertices,

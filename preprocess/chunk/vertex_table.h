@@ -1,4 +1,4 @@
-// A table with one number per vertex of a source, in pages. Pages without any written number need no memory.
+// A table with one number per source vertex, in pages. A page is allocated when a number in it is first written.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ public:
         return page != nullptr ? page[vertex % kPageVertices] : T{};
     }
 
-    /// Returns a writable reference and allocates its page.
+    /// Returns a writable reference to the number of a vertex. Allocates its page.
     T& at(std::uint64_t vertex) {
         std::unique_ptr<T[]>& page = pages_[vertex >> kPageBits];
         if (page == nullptr) {
@@ -37,18 +37,18 @@ public:
 
     std::size_t pageCount() const { return pages_.size(); }
 
-    /// Returns the numbers of `kPageVertices` vertices, or an empty span if the page is not allocated.
+    /// Returns the numbers of the kPageVertices vertices of a page, or an empty span if the page is not allocated.
     std::span<const T> page(std::size_t page) const {
         return pages_[page] == nullptr ? std::span<const T>() : std::span<const T>(pages_[page].get(), kPageVertices);
     }
 
-    /// Returns a writable page and allocates it.
+    /// Returns the writable numbers of a page, and allocates the page if needed.
     std::span<T> pageAt(std::size_t page) {
         at(page << kPageBits);
         return {pages_[page].get(), kPageVertices};
     }
 
-    /// Frees all pages, so that all numbers are zero.
+    /// Frees all pages. All numbers are then zero.
     void clear() {
         for (std::unique_ptr<T[]>& page : pages_)
             page.reset();
@@ -66,7 +66,7 @@ private:
 /// A paged table of vertex numbers with 16 bits, or with 32 bits if the largest number needs them.
 class VertexNumbers {
 public:
-    /// Creates a table of `vertices` numbers from 0 to `largest`.
+    /// Creates a table for `vertices` vertices whose numbers are from 0 to `largest`.
     VertexNumbers(std::uint64_t vertices, std::uint64_t largest)
         : isWide_(largest > 0xFFFF), narrow_(isWide_ ? 0 : vertices), wide_(isWide_ ? vertices : 0) {}
 

@@ -18,7 +18,7 @@ namespace gnomon::distributed {
 
 namespace {
 
-/// A progress sink of a helper. It counts the progress of tasks and interrupts them after `stop`.
+/// A progress sink for the tasks of a helper. It counts their progress, and interrupts them after `stop`.
 class CountedProgress final : public Progress {
 public:
     void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}

@@ -11,24 +11,24 @@ class Helper {
 public:
     explicit Helper(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-    /// Reports this process to the leader and runs tasks of `source` until the leader sends Stop. The function polls
-    /// `progress` for interruptions. The helper sends errors to the leader, and the leader reports them to the user.
+    /// Reports this process to the leader and runs tasks on `source` until the leader sends Stop. The function polls
+    /// `progress` for interruptions. It sends errors to the leader, and the leader reports them to the user.
     void serve(read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress);
 
     /// Sends the leader the reason why this process cannot continue. Only the first call has an effect.
     void fail(const std::string& why);
 
-    /// Records that another receiver of this process received Stop.
+    /// Records that other code of this process received the message Stop, so that `leave` does not wait for it.
     void noteStop() { isStopped_ = true; }
 
-    /// Waits for Stop if it has not arrived, and sends Bye.
+    /// Waits for Stop if it has not arrived yet, and then sends Bye to the leader.
     void leave();
 
 private:
     class Work;
 
-    /// Processes one message or the result of one task. Returns false if there was none. Throws the error of a failed
-    /// task.
+    /// Processes one message of the leader or the result of one finished task. Returns false if there was neither.
+    /// Throws the error of a failed task.
     bool isBusy(Work& work);
 
     Mailbox& mailbox_;

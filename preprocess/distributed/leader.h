@@ -1,4 +1,5 @@
-// The leader of a distributed build: the process of rank 0, which stores the state of the build and assigns tasks.
+// The leader of a distributed build: the process of rank 0. It stores the state of the build and assigns tasks to all
+// processes.
 #pragma once
 
 #include "preprocess/distributed/mailbox.h"
@@ -10,7 +11,8 @@
 
 namespace gnomon::distributed {
 
-/// A team that assigns each task to a process with a free thread, the largest task first. The leader also runs tasks.
+/// A team of processes. It assigns each task to a process with a free thread, the largest task first. The leader also
+/// runs tasks.
 class Leader final : public pipeline::ProcessTeam {
 public:
     explicit Leader(Mailbox& mailbox);
@@ -23,12 +25,12 @@ public:
     void run(const pipeline::TaskPhase& phase, const pipeline::Perform& perform) override;
     pipeline::TeamShare endPhase() override;
 
-    /// Stops all other processes and waits up to one minute for them. After this minute it ends all processes of the
-    /// job.
+    /// Sends Stop to all other processes and waits up to one minute for their last messages. After this minute it ends
+    /// all processes of the job.
     void dismiss();
 
-    /// Returns one report per process. The reports are complete after `dismiss`, except for the bytes that the leader
-    /// itself read and wrote.
+    /// Returns one report per process. Call it after `dismiss`, because the reports are incomplete before. They do not
+    /// contain the bytes that the leader itself read and wrote.
     std::vector<pipeline::ProcessReport> reports() const;
 
 private:
@@ -38,22 +40,23 @@ private:
         bool isReady = false;
         bool isGone = false;
         std::size_t running = 0;
-        double busySeconds = 0; // in this phase
+        double busySeconds = 0; // seconds of its tasks in this phase
     };
 
-    /// Assigns tasks of `queue` to free threads. Returns true if it assigned at least one task.
+    /// Assigns tasks from `queue` to free threads. Returns true if it assigned at least one task.
     bool handOut(std::deque<std::uint32_t>& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
 
     Member* freeMember(std::size_t atOnce);
 
     void count(Member& member, double seconds);
 
-    /// Receives messages until one contains a result or no message is left. Throws the error of a failed helper.
+    /// Receives messages until one of them contains the result of a task or no message is left. Throws the error of a
+    /// failed helper.
     std::optional<Outcome> receiveOutcome();
 
     void take(const Letter& letter);
 
-    /// Waits until `isDone` is true for all members.
+    /// Waits until `isDone(member)` is true for all members of the team.
     template <class IsDone>
     void waitForAll(const IsDone& isDone, Progress& progress);
 
@@ -64,7 +67,7 @@ private:
     std::optional<TaskPool> pool_;
     Progress* progress_ = nullptr;
     std::string key_;
-    double phaseSeconds_ = 0; // time of all runs since the last endPhase
+    double phaseSeconds_ = 0; // seconds of all runs since the last endPhase
     pipeline::TeamShare share_;
 };
 

@@ -18,7 +18,7 @@ struct Mailbox::Sending {
     MPI_Request request = MPI_REQUEST_NULL;
 };
 
-// A failed MPI call ends the job. This is the default error handler of MPI.
+// A failed MPI call ends the whole job, because the constructor does not change the default error handler of MPI.
 Mailbox::Mailbox(int* argc, char*** argv) {
     int provided = MPI_THREAD_SINGLE;
     MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
@@ -41,7 +41,7 @@ Mailbox::~Mailbox() {
 void Mailbox::send(std::uint32_t to, Subject subject, std::vector<std::byte> bytes) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw Error("MPI", "a message between processes is too large", "at most 2 GiB", std::to_string(bytes.size()));
-    hasSentAll(); // frees the buffers of sent messages
+    hasSentAll(); // frees the buffers of messages that MPI has sent
     auto sending = std::make_unique<Sending>();
     sending->bytes = std::move(bytes);
     bytesSent_ += sending->bytes.size();

@@ -10,7 +10,7 @@
 
 namespace gnomon::distributed {
 
-/// The subject of a message: its MPI tag and the type of its content.
+/// The subject of a message. It is the MPI tag and determines the type of the content.
 enum class Subject : std::uint8_t {
     Hello,  // helper to leader; content: Hello
     Begin,  // leader to helper; content: Beginning
@@ -30,13 +30,13 @@ struct Letter {
     std::vector<std::byte> bytes;
 };
 
-/// The connection of this process to its MPI job, from MPI_Init to MPI_Finalize. A process has one mailbox, and one
-/// thread uses it.
+/// The connection of this process to its MPI job. It lasts from MPI_Init to MPI_Finalize. A process has one mailbox,
+/// and only one thread uses it.
 class Mailbox {
 public:
     Mailbox(int* argc, char*** argv);
 
-    /// Calls MPI_Finalize. All processes of the job must do this.
+    /// Calls MPI_Finalize. All processes of the job must destroy their mailbox.
     ~Mailbox();
     Mailbox(const Mailbox&) = delete;
     Mailbox& operator=(const Mailbox&) = delete;
@@ -54,13 +54,13 @@ public:
     /// `bytes` exceeds 2 GiB.
     void send(std::uint32_t to, Subject subject, std::vector<std::byte> bytes);
 
-    /// Returns a message if one has arrived.
+    /// Returns the next message, or nullopt if none has arrived.
     std::optional<Letter> receive();
 
     /// Returns true if MPI has finished all sends.
     bool hasSentAll();
 
-    /// Returns the number of bytes of all messages that were sent.
+    /// Returns the total size in bytes of all messages that this process sent.
     std::uint64_t bytesSent() const { return bytesSent_; }
 
     /// Ends all processes of the job at once.
@@ -76,8 +76,8 @@ private:
     std::uint64_t bytesSent_ = 0;
 };
 
-/// A backoff for a process that polls for messages. The sleep doubles from 20 microseconds up to 1000, so that a
-/// waiting process leaves its core to other processes.
+/// Increasing sleep times for a process that polls for messages. The sleep doubles from 20 microseconds up to 1000, so
+/// that a waiting process leaves its core to other processes.
 class Backoff {
 public:
     void wait();

@@ -12,12 +12,12 @@ namespace gnomon::distributed {
 struct Hello {
     std::string host;
     std::uint32_t threads = 1;
-    std::string key; // key of input and options; it must be the same in all processes
+    std::string key; // key of the input and the options of this process; all processes must have the same key
 };
 
 /// The data that all tasks of a helper need.
 struct Beginning {
-    pipeline::ScratchPlace place; // part of the leader; helper i uses the i-th part after it
+    pipeline::ScratchPlace place; // scratch folder and part of the leader; helper i uses the i-th part after it
 };
 
 /// A task with its input.
@@ -31,8 +31,8 @@ struct Assignment {
 struct Outcome {
     std::uint32_t task = 0;
     double seconds = 0;
-    std::uint64_t progress = 0;  // progress since the previous outcome
-    std::uint64_t bytesRead = 0; // bytes read since the previous outcome
+    std::uint64_t progress = 0;  // units of work since the previous outcome
+    std::uint64_t bytesRead = 0; // bytes that the helper read since the previous outcome
     std::uint64_t bytesWritten = 0;
     std::vector<std::byte> result;
 };
@@ -40,7 +40,7 @@ struct Outcome {
 /// The last message of a helper.
 struct Farewell {
     std::uint64_t peakResidentBytes = 0;
-    std::uint64_t tableBytes = 0; // see ProcessReport
+    std::uint64_t tableBytes = 0; // ProcessReport explains it
     std::uint64_t bytesSent = 0;
 };
 
@@ -52,7 +52,7 @@ std::vector<std::byte> encoded(const Outcome& outcome);
 std::vector<std::byte> encoded(const Farewell& farewell);
 std::vector<std::byte> encoded(const std::string& text);
 
-/// Decodes the bytes of `encoded`. The functions throw hierarchy::Damage if the bytes are malformed.
+/// Decodes the bytes that `encoded` returned. The functions throw hierarchy::Damage if the bytes are malformed.
 Hello decodedHello(std::span<const std::byte> bytes);
 Beginning decodedBeginning(std::span<const std::byte> bytes);
 Assignment decodedAssignment(std::span<const std::byte> bytes);

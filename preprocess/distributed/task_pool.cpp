@@ -17,8 +17,8 @@ struct TaskPool::State {
         arena.initialize();
     }
 
-    tbb::global_control limit; // one more thread, for the thread that handles messages
-    tbb::task_arena arena;     // no slot for the thread that handles messages
+    tbb::global_control limit; // allows one more thread than `threads`: the thread that handles messages
+    tbb::task_arena arena;     // its slots are for the pool only, not for the thread that handles messages
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<Finished> finished;

@@ -22,27 +22,27 @@ struct Finished {
 /// A thread pool for tasks.
 class TaskPool {
 public:
-    /// Creates a pool of `threads` threads. While the pool exists, TBB is limited to these threads and the thread that
+    /// Creates a pool of `threads` threads. While the pool exists, TBB uses only these threads and the thread that
     /// created the pool.
     explicit TaskPool(std::size_t threads);
 
-    /// Waits for the running tasks.
+    /// Waits until the running tasks have finished.
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
     TaskPool& operator=(const TaskPool&) = delete;
     TaskPool(TaskPool&&) = delete;
     TaskPool& operator=(TaskPool&&) = delete;
 
-    /// Returns the number of started tasks whose result `finished` has not returned yet.
+    /// Returns the number of started tasks whose results the caller has not yet received from `finished`.
     std::size_t running() const { return running_; }
 
     /// Queues `work` for a thread of the pool.
     void start(std::uint32_t task, std::function<std::vector<std::byte>()> work);
 
-    /// Returns a finished task if there is one.
+    /// Returns a finished task, or nullopt if there is none.
     std::optional<Finished> finished();
 
-    /// Waits for all started tasks and discards their results.
+    /// Waits until all started tasks have finished, and discards their results.
     void drain();
 
 private:

@@ -21,7 +21,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// The change of the number of triangles if the limit of a uniform cut passes `error`.
+/// The change of the number of triangles when the limit of a uniform cut increases past `error`.
 struct Step {
     double error = 0;
     std::int64_t triangles = 0;
@@ -31,8 +31,8 @@ struct Step {
     }
 };
 
-/// Returns the changes of the cut for all limits. A cluster is in the cut if the limit is at least its stored error and
-/// below the error of its group.
+/// Returns one step per change of the cut, for all limits. A cluster is in the cut if the limit is at least its stored
+/// error and below the error of its group.
 std::vector<Step> stepsOf(const ModelFile& file, std::optional<Bytes> memory, Progress& progress) {
     std::vector<Step> steps;
     std::uint64_t count = 0;
@@ -55,18 +55,19 @@ std::vector<Step> stepsOf(const ModelFile& file, std::optional<Bytes> memory, Pr
     return steps;
 }
 
-/// The groups that a uniform cut refines: groups above an error, and the first groups with exactly this error. Pages
-/// are sorted from coarse to fine. The parents of a group therefore come before it, and the cut has no cracks.
+/// The groups that a uniform cut refines: all groups with a stored error above `error`, and the first groups whose
+/// error is equal to it. Pages are sorted from coarse to fine. The parents of a group therefore come before it, and the
+/// cut has no cracks.
 struct CutLimit {
     double error = 0;
-    GroupRef end{0, 0}; // groups at `error` are refined up to this group
+    GroupRef end{0, 0}; // of the groups with exactly the error `error`, the cut refines those before `end`
 
     bool isRefined(double groupError, GroupRef group) const {
         return groupError > error || (groupError == error && group < end);
     }
 };
 
-/// Returns the number of triangles that the refinement of each group at `error` adds.
+/// Returns, for each group with the stored error `error`, how many triangles its refinement adds to the cut.
 std::map<GroupRef, std::int64_t> growthAt(const ModelFile& file, double error, Progress& progress) {
     std::map<GroupRef, std::int64_t> growth;
     progress.stage("groups", "pages", file.pages().size());
@@ -88,8 +89,8 @@ std::map<GroupRef, std::int64_t> growthAt(const ModelFile& file, double error, P
     return growth;
 }
 
-/// Refines groups whose error is equal to the limit, as long as the cut has at most `maxTriangles` triangles. Many
-/// groups may have this error. `triangles` is the number without these refinements.
+/// Refines groups whose stored error is equal to the limit, as long as the cut has at most `maxTriangles` triangles.
+/// Many groups may have this error. `triangles` is the number of triangles before the first of these refinements.
 void refineGroups(
     const ModelFile& file, std::int64_t triangles, std::uint64_t maxTriangles, CutLimit& limit, Progress& progress) {
     std::int64_t best = triangles;
@@ -101,8 +102,8 @@ void refineGroups(
     }
 }
 
-/// Returns the finest cut of at most `maxTriangles` triangles: the smallest possible error, and the groups refined at
-/// this error.
+/// Returns the finest cut of at most `maxTriangles` triangles. It has the smallest possible error and refines as many
+/// groups of exactly this error as possible.
 CutLimit limitFor(const ModelFile& file, std::uint64_t maxTriangles, std::optional<Bytes> memory, Progress& progress) {
     const std::vector<Step> steps = stepsOf(file, memory, progress);
     std::int64_t triangles = 0;
@@ -122,8 +123,8 @@ CutLimit limitFor(const ModelFile& file, std::uint64_t maxTriangles, std::option
         std::to_string(maxTriangles));
 }
 
-/// Returns the largest limit whose cut has at most this error. For an error of 0 it returns a negative limit, so that
-/// all groups are refined.
+/// Returns the largest limit whose cut has an error of at most `error`. For an error of 0 it returns a negative limit,
+/// so that all groups are refined.
 CutLimit limitOf(const ModelFile& file, double error) {
     if (error == 0) return {-1, {0, 0}};
     const double minError = file.summary().grid.snapError();
@@ -135,7 +136,7 @@ CutLimit limitOf(const ModelFile& file, double error) {
         formatted("%g", error));
 }
 
-/// Calls `take(cluster)` for each cluster of the refined group `group` that the cut draws.
+/// Calls `take(cluster)` for each cluster of `group` that the cut contains. The cut must refine `group`.
 template <class Take>
 void forEachDrawn(const Page& page, const Group& group, const CutLimit& limit, const Take& take) {
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c) {
@@ -148,19 +149,19 @@ void forEachDrawn(const Page& page, const Group& group, const CutLimit& limit, c
     }
 }
 
-/// The size of a cut.
+/// The numbers of vertices and triangles of a cut.
 struct CutSize {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     std::uint64_t clusters = 0;
 };
 
-/// Returns true if the cut refines no group of the page.
+/// Returns true if the cut refines no group of the page, so that the page is not needed.
 bool isSkipped(const PageInfo& info, const CutLimit& limit) {
     return info.maxError < limit.error;
 }
 
-/// Returns the total size of the pages with refined groups, which is an upper bound of the cut's size.
+/// Returns the total size of the pages that contain refined groups. It is an upper bound of the size of the cut.
 CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
     CutSize size;
     for (const PageInfo& info : file.pages()) {
@@ -172,7 +173,7 @@ CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
     return size;
 }
 
-/// Returns the exact size of the cut. This needs a pass over the pages.
+/// Returns the exact size of the cut. The function reads all needed pages.
 CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progress) {
     CutSize size;
     progress.stage("measure", "pages", file.pages().size());
@@ -192,19 +193,21 @@ CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progre
     return size;
 }
 
-/// Returns the memory for collecting, welding and writing a cut. Writing needs `writingBytes` per vertex.
+/// Returns the memory in bytes for collecting, welding and writing a cut. Writing needs `writingBytes` bytes per
+/// vertex.
 std::uint64_t bytesOf(const CutSize& size, const ModelSummary& summary, std::uint64_t writingBytes) {
-    constexpr std::uint64_t kOther = std::uint64_t{16} << 20U; // a decoded page and output buffers
-    constexpr std::uint64_t kWeldBytes = 12;                   // per vertex: order, first and place
+    constexpr std::uint64_t kOther = std::uint64_t{16} << 20U; // bytes of a decoded page and of output buffers
+    // bytes per vertex for its order, first equal vertex and new index
+    constexpr std::uint64_t kWeldBytes = 12;
     const std::uint64_t ofVertex =
         sizeof(Vertex) + (summary.fields.empty() ? 0 : sizeof(std::uint32_t)) + std::max(kWeldBytes, writingBytes);
     return kOther + size.vertices * ofVertex + size.triangles * sizeof(CutMesh{}.triangles[0]) +
            size.clusters * sizeof(CutCluster);
 }
 
-/// The memory limits of a cut.
+/// The limits of memory for exporting a cut.
 struct CutRoom {
-    std::optional<Bytes> memory;    // max memory of the process; nothing: no limit
+    std::optional<Bytes> memory;    // max memory of the process; nullopt: no limit
     std::uint64_t writingBytes = 0; // bytes per vertex during the writing
 };
 
@@ -243,8 +246,8 @@ UniformCut collect(const ModelFile& file, const CutLimit& limit, const CutRoom& 
     return cut;
 }
 
-/// Returns the vertices in an order in which equal vertices are adjacent. The first of equal vertices has the smallest
-/// index.
+/// Returns the vertex indices in an order in which equal vertices are adjacent. Among equal vertices the smallest index
+/// comes first.
 std::vector<std::uint32_t> sortedVertices(const CutMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.vertices.size());
     for (std::uint32_t i = 0; i < order.size(); ++i)
@@ -275,7 +278,7 @@ void addCluster(const Page& page, const PageFields& fields, const Cluster& clust
 
 void weld(CutMesh& mesh) {
     const std::vector<std::uint32_t> order = sortedVertices(mesh);
-    std::vector<std::uint32_t> first(order.size()); // the first vertex equal to each vertex
+    std::vector<std::uint32_t> first(order.size()); // per vertex: the smallest index of an equal vertex
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]] ||
                            mesh.fieldsOf(order[i]) != mesh.fieldsOf(order[i - 1]);

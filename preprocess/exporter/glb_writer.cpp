@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// Constants of the format: glTF 2.0, sections 3.6.2.2, 3.6.1 and 4.4.
+// Constants of glTF 2.0 (sections 3.6.2.2, 3.6.1 and 4.4).
 constexpr int kFloat = 5126;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
@@ -47,13 +47,13 @@ std::string attributeName(const std::string& field) {
     return name;
 }
 
-/// The content of a buffer view.
+/// The data of one glTF buffer view.
 struct Content {
     enum Kind { Indices, Positions, Normals, Colors, OfField };
 
     Kind kind = Indices;
-    std::size_t stride = 0; // bytes
-    std::size_t field = 0;  // for OfField
+    std::size_t stride = 0; // bytes per element
+    std::size_t field = 0;  // number of the field if the content is a field
 };
 
 /// A writer that appends values to memory.
@@ -102,7 +102,8 @@ public:
 private:
     glm::vec3 local(const Vertex& vertex) const { return {summary_.grid.world(vertex.position) - origin_}; }
 
-    /// A view of `count` elements of `type`, and an accessor of it; its number.
+    /// Adds a buffer view of `count` elements of `type` and an accessor of this view. Returns the number of the
+    /// accessor.
     std::size_t add(const Content& content, std::uint64_t count, const char* type, int component) {
         const std::uint64_t bytesEach = content.stride;
         const int target = content.kind == Content::Indices ? kIndices : kVertices;
@@ -161,7 +162,7 @@ private:
         return values;
     }
 
-    /// Returns the JSON chunk with padding. It contains the size of the following binary chunk.
+    /// Returns the JSON chunk of the file with padding. The JSON contains the size of the binary chunk that follows.
     std::string document(const std::string& path) {
         const ordered_json triangles = primitive();
         if (tile_.isPacked) pack();
@@ -180,7 +181,7 @@ private:
             {"bufferViews", views_},
             {"buffers", {{{"byteLength", writtenBytes()}}}}};
         if (tile_.isPacked) {
-            // The fallback buffer of the extension has no data in the file.
+            // The extension requires a fallback buffer. It has no data in this file.
             all["buffers"].push_back(
                 {{"byteLength", bytes_}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
             all["extensionsUsed"] = all["extensionsRequired"] = {"EXT_meshopt_compression"};
@@ -197,7 +198,7 @@ private:
         return text;
     }
 
-    /// Writes the bytes of a view to a file or to memory.
+    /// Writes the content of buffer view `view` to a file or to memory.
     template <class Out>
     void putView(Out& out, std::size_t view) const {
         const auto putVector = [&](const glm::vec3& v) {
@@ -242,7 +243,7 @@ private:
                 static_cast<float>(fieldValue(summary_.fields[field], mesh_.fields.layout, mesh_.fieldsOf(v), field)));
     }
 
-    /// Compresses all views into one buffer, each aligned to 4 bytes.
+    /// Compresses the content of all buffer views into one buffer. Each view starts at a multiple of 4 bytes.
     void pack() {
         for (std::size_t view = 0; view < contents_.size(); ++view) {
             MemoryWriter raw;
@@ -279,8 +280,8 @@ private:
     GlbTile tile_;
     VertexNormals normals_;
     glm::dvec3 origin_{0};
-    std::uint64_t bytes_ = 0;       // of the buffer
-    std::vector<Content> contents_; // of views
+    std::uint64_t bytes_ = 0;       // size of the buffer
+    std::vector<Content> contents_; // per buffer view
     std::vector<unsigned char> packed_;
     ordered_json views_ = ordered_json::array();
     ordered_json accessors_ = ordered_json::array();

@@ -14,14 +14,14 @@ using namespace hierarchy;
 
 namespace {
 
-/// Returns true if floats distinguish the values of a field as well as doubles do.
+/// Returns true if floats distinguish all quantised values of a field.
 bool fitsFloats(const Field& field) {
     const double step = (field.max - field.min) / ((1U << field.bits) - 1U);
     return std::max(std::abs(field.min), std::abs(field.max)) * 0x1p-24 <= step / 64;
 }
 
-/// Throws Error if a field name is invalid or repeated in a PLY header. The name comes from the model file and can be
-/// any text.
+/// Throws Error if a field name is invalid in a PLY header or occurs twice. The names come from the model file and can
+/// be any text.
 void requirePlyNames(const std::string& model, const std::vector<Field>& fields, std::span<const VertexValues> values) {
     for (const Field& field : fields) {
         for (const VertexValues& property : values)

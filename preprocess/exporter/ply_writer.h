@@ -10,15 +10,16 @@
 
 namespace gnomon::exporter {
 
-/// An additional value per vertex of a mesh.
+/// An additional value per vertex of a mesh, with its name in the file.
 struct VertexValues {
     std::string name;
     std::vector<float> values;
 };
 
-/// Writes `mesh` of the model of `summary` as a binary PLY, in its source's axes. Positions are floats where all of
-/// them fit, else doubles; so are the values of a field. Normals are unit vectors (see VertexNormals). Throws Error, as
-/// for a name that its header cannot have.
+/// Writes `mesh` as a binary PLY file in the axes of the source. `summary` describes the model of the mesh. Positions
+/// are floats if floats represent all positions exactly, and doubles otherwise. The values of a field follow the same
+/// rule. Normals are unit vectors (see VertexNormals). Throws Error, for example for a field name that is invalid in a
+/// PLY header.
 void writePly(
     const CutMesh& mesh,
     const hierarchy::ModelSummary& summary,

@@ -1,4 +1,4 @@
-// Writes a file value by value in large blocks.
+// Writes values to a file in large blocks.
 #pragma once
 
 #include "core/file.h"
@@ -10,7 +10,8 @@
 
 namespace gnomon::exporter {
 
-/// A buffered writer that starts at the beginning of the file. `flush` writes the last block.
+/// A buffered writer that starts at the beginning of the file. The caller must call `flush` at the end to write the
+/// last block.
 class RunWriter {
 public:
     explicit RunWriter(File& file) : file_(file) {}

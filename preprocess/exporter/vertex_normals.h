@@ -1,4 +1,4 @@
-// The normal of each vertex of a cut as a unit vector, also where the source has none.
+// The unit normal of each vertex of a cut, also for vertices without a normal in the source.
 #pragma once
 
 #include "preprocess/exporter/cut_mesh.h"
@@ -9,13 +9,14 @@
 
 namespace gnomon::exporter {
 
-/// Uses 24 bytes per vertex if normals are missing, else none. The mesh and the summary must outlive it.
+/// The normals of a mesh. The object uses 24 bytes per vertex if a vertex has no normal. The mesh and the summary must
+/// outlive it.
 class VertexNormals {
 public:
     VertexNormals(const CutMesh& mesh, const hierarchy::ModelSummary& summary);
 
-    /// Returns the normal of vertex `v`: as stored, else the sum of the normals of the faces around it, weighted by
-    /// area, else up.
+    /// Returns the normal of vertex `v`. If the vertex has no stored normal, the result is the area-weighted mean of
+    /// the normals of its faces. If this mean is zero, the result is the up direction.
     glm::vec3 operator[](std::size_t v) const;
 
 private:

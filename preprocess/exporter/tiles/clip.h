@@ -1,4 +1,4 @@
-// Clips triangles at the sides of a grid box and finds the edges on these sides.
+// Clips triangles to a box of the grid, and finds the edges that lie on the sides of this box.
 #pragma once
 
 #include "preprocess/exporter/cut_mesh.h"
@@ -10,25 +10,26 @@
 
 namespace gnomon::exporter {
 
-/// A cell of an octree over the grid: [low, low + side] along each axis. Geometry in a side between two cells belongs
-/// to the upper cell.
+/// An octree cell of the grid: [low, low + side] along each axis. Triangles in the common side of two cells belong to
+/// the upper cell.
 struct TileCell {
     std::array<std::uint64_t, 3> low{};
     std::uint64_t side = 0;
 };
 
-/// A corner of the convex polygon that remains of a triangle inside a cell.
+/// A corner of the polygon that remains after a triangle is clipped to a cell. The polygon is convex.
 struct ClippedCorner {
     std::array<double, 3> place{}; // grid steps
     std::array<double, 3> normal{};
-    std::array<double, 4> color{}; // red, green, blue, alpha as levels
+    std::array<double, 4> color{}; // red, green, blue and alpha, from 0 to 255
 };
 
-/// Returns the part of a triangle inside `cell`, with fewer than three corners if there is none (Sutherland, Hodgman,
-/// "Reentrant Polygon Clipping", 1974). An edge of two triangles is cut at the same point in both.
+/// Returns the part of a triangle inside `cell` (Sutherland, Hodgman, "Reentrant Polygon Clipping", 1974). The result
+/// has fewer than three corners if this part is empty. Two triangles with a common edge are cut at the same point of
+/// this edge.
 std::vector<ClippedCorner> clipped(std::span<const ClippedCorner> triangle, const TileCell& cell);
 
-/// Returns true if both ends of an edge are on the same side of `cell`.
+/// Returns true if both ends of an edge are on the same side face of `cell`.
 bool liesOnSide(const ClippedCorner& a, const ClippedCorner& b, const TileCell& cell);
 
 } // namespace gnomon::exporter

@@ -9,31 +9,32 @@
 
 namespace gnomon::exporter {
 
-/// A cluster with the range of limits of the cuts that contain it.
+/// A cluster with the range of error limits for which a uniform cut contains it.
 struct TileCluster {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     std::uint32_t triangles = 0;
     hierarchy::GridBox box;
-    // Min limit of a cut that contains the cluster, world units; below 0 if no finer cluster exists.
+    // Min error limit (world units) of a cut that contains the cluster. It is below 0 if no finer cluster exists.
     double drawnFrom = 0;
-    double drawnUntil = 0; // limit from which on a coarser cluster replaces it
+    double drawnUntil = 0; // error limit (world units) from which on a coarser cluster replaces it
 
     bool isInCut(double limit) const { return limit >= drawnFrom && limit < drawnUntil; }
 
-    /// Returns true if no cut has a finer cluster in its place.
+    /// Returns true if no finer clusters exist in place of this cluster.
     bool isFinest() const { return drawnFrom < 0; }
 };
 
 /// Returns the memory of `clustersOf` and `limitsOf` in bytes.
 std::uint64_t surveyBytes(const hierarchy::ModelFile& file);
 
-/// Returns all clusters of a model, page by page. Each uniform cut (hierarchy/cut_rule.h) is a subset of them.
+/// Returns all clusters of a model in the order of its pages. Each uniform cut (hierarchy/cut_rule.h) is a subset of
+/// this list.
 std::vector<TileCluster> clustersOf(const hierarchy::ModelFile& file, Progress& progress);
 
-/// Returns the limits of the cuts in world units, coarsest first, without repeats. The first limit is the smallest one
-/// whose cut has at most `triangles` triangles. The next cuts have at most four times as many, and so on. The last
-/// limit is 0, the finest cut.
+/// Returns the error limits of the cuts in world units, coarsest first, without repeated values. The first limit is the
+/// smallest one whose cut has at most `triangles` triangles. Each next cut has at most four times as many triangles as
+/// the previous one. The last limit is 0, the finest cut.
 std::vector<double> limitsOf(const std::vector<TileCluster>& clusters, std::uint64_t triangles);
 
 } // namespace gnomon::exporter

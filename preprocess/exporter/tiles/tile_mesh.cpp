@@ -48,7 +48,8 @@ public:
             if (!(length > 0)) continue;
             const glm::dvec3 normal = across / length;
             if (std::all_of(vertices.begin(), vertices.end(), [this](const Vertex* v) { return isWithin(*v); })) {
-                // In corner order; the evaluation order of arguments is unspecified.
+                // Separate statements create the vertices in corner order, because the evaluation order of arguments is
+                // unspecified.
                 std::array<std::uint32_t, 3> made{};
                 for (std::size_t k = 0; k < 3; ++k)
                     made[k] = knownVertex(triangle[k], *vertices[k], normal);
@@ -68,8 +69,8 @@ public:
     }
 
 private:
-    /// Returns true if `vertex` is strictly inside the cell. A triangle with three such vertices is not clipped and
-    /// gets no skirt.
+    /// Returns true if `vertex` is strictly inside the cell. A triangle with three such vertices is neither clipped nor
+    /// has a skirt.
     bool isWithin(const Vertex& vertex) const {
         const GridPoint& p = vertex.position;
         const auto isBetween = [this](std::size_t axis, std::uint32_t value) {
@@ -78,8 +79,8 @@ private:
         return isBetween(0, p.x) && isBetween(1, p.y) && isBetween(2, p.z);
     }
 
-    /// Returns the mesh vertex of vertex `number` of the current cluster. It is created once, unless each face gives it
-    /// another normal.
+    /// Returns the mesh vertex for vertex `number` of the current cluster. The vertex is created once if it has a
+    /// normal or the mesh has none. Otherwise each face creates a vertex with its own normal.
     std::uint32_t knownVertex(std::uint8_t number, const Vertex& vertex, const glm::dvec3& faceNormal) {
         if (known_[number] != kNone) return known_[number];
         const std::uint32_t made = addVertex(cornerOf(vertex, faceNormal), 0);
@@ -131,7 +132,7 @@ private:
     double skirt_;
     bool hasNormals_;
     CutMesh mesh_;
-    std::vector<std::uint32_t> known_; // per vertex of the current cluster: its mesh vertex, or kNone
+    std::vector<std::uint32_t> known_; // per vertex of the current cluster: its mesh vertex, or kNone if not created
 };
 
 std::uint64_t bytesOf(const Page& page) {

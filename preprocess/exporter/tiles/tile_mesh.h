@@ -1,4 +1,4 @@
-// Builds the mesh of one tile: the part of a cut inside its cell, with skirts along the sides of the cell.
+// Builds the mesh of one tile: the part of a cut inside an octree cell, with skirts along the sides of the cell.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -13,13 +13,13 @@
 
 namespace gnomon::exporter {
 
-/// A cache of the most recently used decoded pages, in bounded memory.
+/// A cache of decoded pages in bounded memory. It evicts the least recently used page first.
 class PageCache {
 public:
-    /// Creates a cache of at most `limit` of decoded pages, plus one page.
+    /// Creates a cache of decoded pages. It uses at most `limit` bytes, plus one page.
     PageCache(const hierarchy::ModelFile& file, Bytes limit) : file_(file), limit_(limit) {}
 
-    /// Returns a page. The reference is valid until the next call.
+    /// Returns a decoded page. The reference is valid until the next call.
     const hierarchy::Page& page(std::uint32_t number);
 
 private:
@@ -36,9 +36,9 @@ private:
     std::map<std::uint32_t, std::list<Held>::iterator> places_;
 };
 
-/// Returns the part of `clusters` inside `cell`, welded. If `skirt` (grid steps) is positive, edges on the sides of the
-/// cell get a strip of this depth in the direction opposite to the normal. The strip hides gaps to neighbouring tiles
-/// of another level. It ends at the border of the grid.
+/// Returns the part of `clusters` inside `cell` as a welded mesh. If `skirt` (in grid steps) is positive, each edge on
+/// a side of the cell gets a strip of triangles with this width, in the direction opposite to the normal. The strip
+/// hides gaps to neighbouring tiles of another level. It ends at the border of the grid.
 CutMesh tileMesh(
     std::span<const TileCluster* const> clusters,
     const TileCell& cell,

@@ -32,11 +32,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The coordinates of a cell in its octree level.
+/// The integer coordinates of a cell among the cells of its octree level.
 using CellKey = std::array<std::uint32_t, 3>;
 
 struct Tile {
-    Box box; // upright space relative to the anchor, metres; empty if the tile is empty
+    Box box; // upright space relative to the anchor, in metres; empty if the tile has no triangles
     bool isFinest = false;
 };
 
@@ -51,7 +51,7 @@ std::string contentOf(std::size_t level, const CellKey& key) {
            std::to_string(key[2]) + ".glb";
 }
 
-/// A cell of a level with its candidate clusters and its finished tile.
+/// An octree cell of one level with the clusters that may overlap it and its finished tile.
 struct CellContent {
     CellKey key{};
     std::vector<const TileCluster*> members;
@@ -60,8 +60,8 @@ struct CellContent {
     std::uint64_t bytes = 0;
 };
 
-/// Returns the cells in Morton order. The axis whose coordinates differ in the highest bit comes first. Neighbouring
-/// cells are then close in the order, and reuse the decoded pages.
+/// Returns the cells in Morton order. Neighbouring cells are then close in the order and reuse decoded pages. The
+/// comparison first finds the axis whose coordinates differ in the highest bit.
 std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster*>> cells) {
     std::vector<CellContent> ordered;
     ordered.reserve(cells.size());
@@ -76,8 +76,8 @@ std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster
     return ordered;
 }
 
-/// Returns an upper bound of the memory for one tile: several copies of its mesh and file, with all triangles of its
-/// candidate clusters.
+/// Returns an upper bound in bytes of the memory for one tile. It contains several copies of its mesh and file, with
+/// all triangles of its candidate clusters.
 std::uint64_t tileBytes(const CellContent& cell) {
     constexpr std::uint64_t kFixed = std::uint64_t{1} << 20U;
     constexpr std::uint64_t kBytesPerTriangle = 144;
@@ -87,16 +87,16 @@ std::uint64_t tileBytes(const CellContent& cell) {
     return kFixed + kBytesPerTriangle * triangles;
 }
 
-/// The division of the free memory between the threads that make tiles.
+/// The division of the free memory among the threads that create tiles.
 struct TileRoom {
     int threads = 1;
-    Bytes pages; // decoded pages per thread
+    Bytes pages; // bytes of decoded pages per thread
 };
 
-/// Returns the number of threads whose tiles fit into half of the memory. Decoded pages use the rest. Throws Error if
-/// not even one tile fits.
+/// Returns how many threads can create tiles at the same time. Their tiles use at most half of the free memory, and
+/// decoded pages use the rest. Throws Error if not even one tile fits.
 TileRoom roomFor(const std::vector<CellContent>& cells, Bytes memory, const std::string& model) {
-    constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // the current page and the next one
+    constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // bytes of the current page and the next page
     constexpr std::uint64_t kMinPages = kPagesInHand + (std::uint64_t{4} << 20U);
     std::uint64_t tile = 0;
     for (const CellContent& cell : cells)
@@ -145,7 +145,7 @@ public:
 private:
     double metres() const { return rowOf(file_.summary().unit).metres; }
 
-    /// Returns all cells that clusters of the cut overlap, except cells below a tile of the finest detail.
+    /// Returns all cells that clusters of the cut overlap. Cells below a tile of the finest detail are not included.
     std::map<CellKey, std::vector<const TileCluster*>> cellsOf(
         const std::vector<TileCluster>& clusters, std::size_t level, double limit) const {
         std::map<CellKey, std::vector<const TileCluster*>> cells;
@@ -161,7 +161,7 @@ private:
         return cells;
     }
 
-    /// Returns true if no ancestor tile of a cell has the finest detail.
+    /// Returns true if no ancestor tile of a cell has the finest detail, so that the cell needs a tile.
     bool isBelowCoarser(CellKey key, std::size_t level) const {
         while (level-- > 0) {
             key = parentOf(key);
@@ -173,8 +173,9 @@ private:
 
     void writeLevel(
         const std::vector<TileCluster>& clusters, std::size_t level, double limit, double above, Progress& progress) {
-        // The skirt depth is at least a quarter of the error of the level above. Stored errors are bounds, about four
-        // times the measured errors, and deeper skirts would be visible on the other side of thin parts.
+        // The skirt depth is at least a quarter of the error limit of the coarser level. A quarter is sufficient,
+        // because stored errors are upper bounds, about four times the measured errors. Deeper skirts would be visible
+        // on the other side of thin parts.
         const double depth = std::max(limit, above / 4);
         const double skirt = options_.hasSkirts ? depth / file_.summary().grid.step() : 0;
         std::vector<CellContent> cells = inSpace(cellsOf(clusters, level, limit));
@@ -225,7 +226,8 @@ private:
         content.bytes = fs::file_size(path);
     }
 
-    /// Creates the missing ancestors of each tile, without content, and computes boxes that contain all descendants.
+    /// Creates the missing ancestors of each tile, without triangles. Computes for each tile a box that contains all
+    /// its descendants.
     void closeTree() {
         for (std::size_t level = levels_.size(); level-- > 1;)
             for (const auto& [key, tile] : levels_[level])
@@ -238,7 +240,8 @@ private:
             }
     }
 
-    /// Returns the bounding volume of a box. Upright x, y, z becomes x, -z, y of a tileset, whose up axis is z.
+    /// Returns the 3D Tiles bounding volume of a box. The up axis of a tileset is z, so upright x, y, z becomes x, -z,
+    /// y.
     static ordered_json volumeOf(const Box& box) {
         const glm::dvec3 middle = (box.min + box.max) / 2.0;
         const glm::dvec3 half = (box.max - box.min) / 2.0;
@@ -261,12 +264,12 @@ private:
         return node;
     }
 
-    /// Returns the transform from the tileset, whose origin is the anchor, to the coordinates of the model or of the
-    /// earth.
+    /// Returns the matrix that converts coordinates of the tileset, whose origin is the anchor, to coordinates of the
+    /// model. If the options contain a place, the matrix converts to coordinates of the earth instead.
     ordered_json transform() const {
         std::array<glm::dvec3, 4> columns{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0)};
         if (options_.place) {
-            // East, north and up at the place (WGS84, NIMA TR8350.2).
+            // The directions east, north and up at the place (WGS84, NIMA TR8350.2).
             constexpr double kA = 6378137;
             constexpr double kE2 = 6.69437999014e-3;
             const double latitude = radiansFromDegrees(options_.place->x);
@@ -299,7 +302,7 @@ private:
         const Box& all = held_[0].at({0, 0, 0});
         const ordered_json document = {
             {"asset", {{"version", "1.1"}, {"generator", "gnomon"}}},
-            {"geometricError", glm::length(all.max - all.min)}, // the error if nothing is drawn
+            {"geometricError", glm::length(all.max - all.min)}, // the error of drawing no tile
             {"root", root}};
         writeTextFile(folder_ + "/tileset.json", document.dump() + "\n");
     }
@@ -310,9 +313,9 @@ private:
     UprightFrame upright_;
     glm::dvec3 anchor_{0};       // world space
     std::uint64_t side_ = 1;     // side of the root cell in grid steps, a power of two
-    std::vector<double> errors_; // per level, world units
+    std::vector<double> errors_; // per level: error limit of its cut, world units
     std::vector<TileLevel> levels_;
-    std::vector<std::map<CellKey, Box>> held_; // box of a tile and all its descendants
+    std::vector<std::map<CellKey, Box>> held_; // per level: the bounds of each tile with all its descendants
     ExportedTileset done_;
 };
 
@@ -334,7 +337,7 @@ ExportedTileset exportTileset(
     const bool isNew = !fs::exists(folder, missing);
     try {
         return TilesetWriter(file, options, folder).write(progress);
-    } catch (...) { // tiles are useless without tileset.json, and a retry requires an empty folder
+    } catch (...) { // tiles without tileset.json are useless, and a second attempt requires an empty folder
         fs::remove_all(folder + "/tiles", missing);
         if (isNew) fs::remove(folder, missing);
         throw;

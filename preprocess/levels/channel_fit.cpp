@@ -4,8 +4,8 @@ namespace gnomon::levels {
 
 namespace {
 
-/// The barycentric coordinates of the three sample points of a triangle. They lie between the centroid and each corner,
-/// so that a sample never lies on a seam with two words.
+/// The barycentric coordinates of the three sample points of a triangle. The points lie between the centroid and each
+/// corner. A sample therefore never lies on an edge at which the attributes change abruptly.
 constexpr std::array<std::array<float, 3>, 3> kSampleWeights = {
     {{2.0F / 3, 1.0F / 6, 1.0F / 6}, {1.0F / 6, 2.0F / 3, 1.0F / 6}, {1.0F / 6, 1.0F / 6, 2.0F / 3}}};
 
@@ -99,8 +99,9 @@ void ChannelFit::compareWordsAround() {
     }
 }
 
-/// Returns true if all simplified triangles around the collapsed corners of `t` have one word, the word of `t`. This is
-/// true for most triangles of a surface with few colours. The test needs no candidate list.
+/// Returns true if all corners of the simplified triangles around the collapsed corners of `t` have the word of `t`.
+/// The attributes of `t` are then unchanged. This is true for most triangles of a surface with few colours. The test
+/// does not need the list of candidate triangles.
 bool ChannelFit::isPlain(const simplify::Triangle& t) const {
     const std::uint32_t word = words_[t[0]];
     return std::ranges::all_of(t, [&](std::uint32_t v) {
@@ -110,7 +111,8 @@ bool ChannelFit::isPlain(const simplify::Triangle& t) const {
     });
 }
 
-/// Gathers the simplified triangles around the positions that the corners of `t` were collapsed into, each once.
+/// Gathers the simplified triangles around the positions that the corners of `t` were collapsed into, without
+/// repetition.
 void ChannelFit::gatherCandidates(const simplify::Triangle& t) {
     candidates_.clear();
     for (const std::uint32_t v : t)
@@ -120,8 +122,8 @@ void ChannelFit::gatherCandidates(const simplify::Triangle& t) {
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
 }
 
-/// Returns the max distance by which a corner of `t` moved. If no corner moved, returns the max distance by which other
-/// positions moved that were collapsed into a corner.
+/// Returns the max distance by which a corner of `t` moved. If no corner moved, returns the max distance from a corner
+/// to a position that was collapsed into it.
 double ChannelFit::lengthOf(const simplify::Triangle& t) const {
     double moved = 0;
     double reach = 0;
@@ -133,13 +135,13 @@ double ChannelFit::lengthOf(const simplify::Triangle& t) const {
     return moved > 0 ? moved : reach;
 }
 
-/// Samples triangle `number` of the patch and adds each residual to the corners of the simplified triangle at the
-/// sample.
+/// Takes samples on triangle `number` of the patch. Adds the attribute difference of each sample to the corners of the
+/// simplified triangle that is nearest to the sample.
 void ChannelFit::compare(std::uint32_t number) {
     const simplify::Triangle& t = patch_.triangles[number];
     const std::array<glm::dvec3, 3> places = surface_.placesOf(t);
     const auto area = static_cast<float>(glm::length(glm::cross(places[1] - places[0], places[2] - places[0])));
-    if (isPlain(t)) { // the residual is zero, but its area counts
+    if (isPlain(t)) { // the residual is zero, but the area of the triangle counts
         for (const std::uint32_t v : t)
             plainWeight_[simplified_.positionOf(patch_, v)] += area;
         return;

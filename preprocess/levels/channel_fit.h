@@ -9,16 +9,17 @@
 
 namespace gnomon::levels {
 
-/// A vertex, by its index in a patch or a mesh, with its new word: a packed colour or packed fields.
+/// A vertex of a patch or a mesh, by its index, with its new attribute word. The word is a packed colour or packed
+/// fields.
 struct TransferredWord {
     std::uint32_t vertex = 0;
     std::uint32_t word = 0;
 };
 
-/// A fit of the vertex attributes of a simplified patch. It is one step of a least-squares fit of the interpolated
-/// attributes to the original attributes over the area of the patch. A removed pattern therefore leaves its mean, and a
-/// preserved pattern stays sharp. Vertices at locked positions do not change. One object fits one patch, and its inputs
-/// must outlive it.
+/// A fit of the vertex attributes of a simplified patch to the original patch. The fit is one step of a least-squares
+/// fit of the interpolated attributes over the area of the patch. If the simplification removes a pattern, the mean of
+/// the pattern remains. A pattern that the simplification preserves stays sharp. Vertices at locked positions do not
+/// change. One object fits one patch. Its inputs must outlive it.
 class ChannelFit {
 public:
     using Channels = std::array<float, hierarchy::kMaxFields>;
@@ -31,13 +32,13 @@ public:
         std::vector<std::uint32_t> words,
         const hierarchy::FieldLayout& layout);
 
-    /// Returns the changed words of the remaining vertices, by ascending vertex.
+    /// Returns the new words of the remaining vertices whose word changed, by ascending vertex.
     std::vector<TransferredWord> run();
 
-    /// Calls `take(length, difference)` for sample points of the original triangles after `run`. Triangles with a
-    /// single word are skipped. Each sample is compared with the nearest simplified triangle around its collapsed
-    /// corners. `length` is the distance in grid steps by which the corners moved. `difference` is the largest
-    /// difference of a channel, divided by the range of the first channel.
+    /// Calls `take(length, difference)` for sample points of the original triangles. Call it after `run`. The function
+    /// skips triangles without an attribute difference. It compares each sample with the nearest of the simplified
+    /// triangles around the triangle's collapsed corners. `length` is the distance in grid steps by which these corners
+    /// moved. `difference` is the largest difference of a channel, divided by the range of the first channel.
     template <class Take>
     void forEachDifference(const Take& take) const {
         for (const Sample& sample : samples_) {
@@ -52,7 +53,7 @@ public:
 private:
     using Weights = std::array<float, 3>;
 
-    /// A sample point of the original patch with its nearest place on the simplified patch.
+    /// A sample point of the original patch with its nearest point on the simplified patch.
     struct Sample {
         Channels channels{};
         Weights weights{};
@@ -66,7 +67,8 @@ private:
 
     Channels found(const Sample& sample) const { return mixed(simplified_.triangles[sample.triangle], sample.weights); }
 
-    /// The words at the corners of the simplified triangles around a position: no triangle, one word, or several.
+    /// Whether the simplified triangles around a position have equal words at all corners. NoTriangle: no triangle is
+    /// left there. OneWord: all words are equal. Words: the words differ.
     enum class Around : std::uint8_t { NoTriangle, OneWord, Words };
 
     void compareWordsAround();
@@ -80,13 +82,13 @@ private:
     hierarchy::FieldLayout layout_;
     SimplifiedSurface surface_;
     std::vector<std::uint32_t> words_;
-    std::vector<Around> around_;            // per remaining position
-    std::vector<std::uint32_t> wordAround_; // per position; the word of positions with OneWord
-    std::vector<double> reach_;             // per position: max distance of a position that was collapsed into it
-    std::vector<Channels> channels_;        // per vertex
+    std::vector<Around> around_;            // per position; valid for the remaining positions
+    std::vector<std::uint32_t> wordAround_; // per position; valid for positions with OneWord
+    std::vector<double> reach_;             // per position: max distance to a position that was collapsed into it
+    std::vector<Channels> channels_;        // attributes per vertex
     std::vector<Channels> residual_;
-    std::vector<float> weight_;      // area of the samples of each residual
-    std::vector<float> plainWeight_; // per position: area of triangles without residual
+    std::vector<float> weight_;      // per vertex: area of the samples in its residual
+    std::vector<float> plainWeight_; // per position: area of the triangles with a residual of zero
     std::vector<Sample> samples_;
     std::vector<std::uint32_t> candidates_;
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Positions = std::span<const glm::vec3>;
 
-/// The items that kdSplit orders: small connected pieces as a whole, and single triangles of large pieces.
+/// The items that kdSplit orders. A small connected piece is one item. Each triangle of a large piece is one item.
 struct Items {
     std::vector<KdItem> items;
     std::vector<std::uint32_t> first; // index of each item's first triangle in `members`
@@ -30,7 +30,8 @@ struct ClusterInput {
     }
 };
 
-/// Returns the number of the connected piece of each triangle. Pieces are numbered by first appearance.
+/// Returns the number of the connected piece for each triangle. Pieces are numbered in the order of their first
+/// triangles.
 std::vector<std::uint32_t> pieces(const ClusterInput& input, std::uint32_t& count) {
     simplify::UnionFind sets(static_cast<std::uint32_t>(input.positions.size()));
     for (const simplify::Triangle& t : input.triangles) {
@@ -89,7 +90,8 @@ std::uint32_t vertexCount(const ClusterInput& input, std::span<const std::uint32
     return static_cast<std::uint32_t>(numbers.ids().size());
 }
 
-/// Appends `cluster`. The function splits it into halves until each part has few enough vertices.
+/// Appends `cluster` to `out`. If the cluster has too many vertices, the function splits it into halves until each half
+/// has few enough.
 void appendFitting(
     const ClusterInput& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers, Clustering& out) {
     if (const std::uint32_t vertices = vertexCount(input, cluster, numbers); vertices <= kMaxClusterVertices) {

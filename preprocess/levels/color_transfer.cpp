@@ -6,7 +6,7 @@ namespace gnomon::levels {
 
 namespace {
 
-/// RGBA8.
+/// Colours are RGBA8: four channels of 8 bits.
 constexpr hierarchy::FieldLayout kColorLayout = {{8, 8, 8, 8}};
 
 bool isPlain(const std::vector<std::uint32_t>& words) {

@@ -1,4 +1,5 @@
-// Converts a group of a level to a patch with its own numbering and locked shared positions.
+// Converts a group of a level to a patch. The patch has its own numbering, and positions shared with other groups are
+// locked.
 #pragma once
 
 #include "preprocess/levels/level.h"
@@ -9,7 +10,8 @@
 
 namespace gnomon::levels {
 
-/// The owner of each position of the mesh: one group, or shared if several groups or triangles outside the mesh use it.
+/// The owner of each position of the mesh. The owner is one group, or the position is shared if several groups or
+/// triangles outside the mesh use it.
 class PositionOwners {
 public:
     PositionOwners(const simplify::Mesh& mesh, const Level& level);
@@ -22,13 +24,13 @@ private:
     std::vector<std::uint32_t> owners_;
 };
 
-/// A patch with the mesh vertices that it was made from.
+/// A patch, and for each of its vertices the mesh vertex.
 struct GroupPatch {
     simplify::Patch patch;
-    std::vector<std::uint32_t> globalVertex; // mesh vertex of each patch vertex
+    std::vector<std::uint32_t> globalVertex; // per patch vertex: the mesh vertex
 };
 
-/// Reusable tables that map vertices and positions of a mesh to their numbers in a patch.
+/// Tables that map vertices and positions of a mesh to their numbers in a patch. They are reused for many patches.
 struct PatchNumbers {
     explicit PatchNumbers(const simplify::Mesh& mesh) : vertices(mesh.vertices.size()), positions(mesh.positionCount) {}
 
@@ -36,8 +38,8 @@ struct PatchNumbers {
     LocalNumbers positions;
 };
 
-/// Makes the patch of `triangles` (vertices of `mesh`). The function overwrites `numbers` with the numbers of this
-/// patch.
+/// Returns a patch of `triangles`, whose corners are vertices of `mesh`. The function overwrites `numbers` with the
+/// numbers of this patch.
 GroupPatch makeGroupPatch(
     const simplify::Mesh& mesh,
     std::span<const simplify::Triangle> triangles,

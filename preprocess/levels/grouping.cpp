@@ -12,11 +12,12 @@ namespace {
 
 constexpr std::uint32_t kGroupClusters = 16;
 
-/// The fraction of weight on the low side of each cut, by level modulo 3. Consecutive levels therefore cut at different
-/// places.
+/// The fraction of weight on the low side of each kd-tree cut, indexed by the level modulo 3. The fractions differ so
+/// that consecutive levels are divided at different places.
 constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
 
-// The share of triangles that defines the usual error. Clusters with up to twice this error are grouped.
+// The usual error of a level is the error that this share of its triangles does not exceed. Clusters with up to twice
+// this error are grouped, and other clusters may be deferred.
 constexpr double kUsualShare = 2.0 / 3;
 constexpr double kMaxUsualRatio = 2;
 
@@ -28,8 +29,8 @@ glm::vec3 centerOf(const hierarchy::GridBox& box) {
     return (toVector(box.min) + toVector(box.max)) * 0.5F;
 }
 
-/// Returns a sphere around the centre of `box` that contains the corners of the box and `children`. The radius is
-/// slightly enlarged to cover rounding.
+/// Returns a sphere around the centre of `box` that contains the corners of the box and the spheres `children`. The
+/// radius is slightly enlarged to cover rounding errors.
 Sphere enclosing(const Box& box, std::span<const Sphere> children) {
     Sphere sphere{box.center(), glm::length(box.extent()) * 0.5};
     for (const Sphere& child : children)
@@ -38,7 +39,7 @@ Sphere enclosing(const Box& box, std::span<const Sphere> children) {
     return sphere;
 }
 
-/// Returns the error, in world units, above which clusters are deferred.
+/// Returns the max error, in world units, of a cluster that is grouped. Clusters with a larger error are deferred.
 double greatestGroupedError(const Level& level) {
     std::vector<WeightedError> errors;
     for (const LevelCluster& cluster : level.clusters)
@@ -46,7 +47,7 @@ double greatestGroupedError(const Level& level) {
     return kMaxUsualRatio * errorQuantile(std::move(errors), kUsualShare);
 }
 
-/// Appends `cluster` of `from`, with its triangles.
+/// Appends `cluster`, which belongs to the level `from`, and its triangles to the level `to`.
 void append(const Level& from, LevelCluster cluster, Level& to) {
     const auto first = static_cast<std::ptrdiff_t>(cluster.firstTriangle);
     const auto last = first + static_cast<std::ptrdiff_t>(cluster.triangleCount);
@@ -89,7 +90,8 @@ void formGroups(
             deferred.push_back(c);
     }
     const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
-    // At least half a group on each side of a gap, because small parts need neighbours to merge with.
+    // Each side of a gap must have at least half the triangles of a group, because small parts need neighbours to merge
+    // with.
     KdParts parts = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()), maxWeight / 2);
     const std::size_t formed = parts.ends.size();
     for (const std::uint32_t c : deferred) {
@@ -144,7 +146,7 @@ void dropDeferred(Level& level) {
 }
 
 void appendDeferred(const Level& level, Level& next) {
-    // Number of each refinement in `next`.
+    // The index in `next` of each refinement of `level`.
     std::vector<std::uint32_t> numbers(level.refinements.size(), hierarchy::kNone);
     for (const LevelGroup& group : level.groups) {
         if (!group.isDeferred) continue;

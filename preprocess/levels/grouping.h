@@ -1,26 +1,28 @@
-// Forms the groups of a level from neighbouring clusters. The clusters of a group are simplified together. A level
-// defers some clusters and passes them on unchanged, because their simplification would cost far more error than the
-// rest. All coarser levels would inherit this error. Deferred clusters are stored once, in the level that groups them.
+// Forms the groups of a level from neighbouring clusters. The clusters of a group are simplified together. Some
+// clusters are deferred: the level passes them on to the next level unchanged. They are the clusters whose
+// simplification would cause far more error than that of the others, and all coarser levels would inherit this error.
+// The model stores a deferred cluster once, in the level that groups it.
 #pragma once
 
 #include "preprocess/levels/level.h"
 
 namespace gnomon::levels {
 
-/// An error with the number of triangles that have it.
+/// An error and the number of triangles that have it.
 struct WeightedError {
     double error = 0; // world units
     std::uint64_t triangles = 0;
 };
 
-/// Returns the smallest value of `errors` such that at least `share` (0 to 1) of the triangles do not exceed it.
-/// Returns infinity for an empty list.
+/// Returns the smallest error in `errors` that at least `share` (0 to 1) of the triangles do not exceed. Returns
+/// infinity for an empty list.
 double errorQuantile(std::vector<WeightedError> errors, double share);
 
-/// Forms the groups of `level`, which has the index `number`, and reorders its clusters and triangles by group. The
-/// cuts differ from the previous level, so that locked borders become interior. If `mayDefer` is true, clusters with
-/// more than twice the error of two thirds of the triangles are deferred. Each of them becomes a group after the
-/// others. In this case all clusters must have a refinement.
+/// Forms the groups of `level` and reorders its clusters and triangles by group. `number` is the index of the level.
+/// The groups are divided at other places than in the previous level, so that locked borders become interior. If
+/// `mayDefer` is true, a cluster is deferred if its error is more than twice the error that two thirds of the triangles
+/// do not exceed. Each deferred cluster becomes a group of its own, after the other groups. In this case all clusters
+/// must have a refinement.
 void formGroups(
     Level& level, const hierarchy::Grid& grid, const LevelOptions& options, std::uint32_t number, bool mayDefer);
 

@@ -9,13 +9,14 @@ namespace gnomon::levels {
 
 namespace {
 
-/// A cut position in the order of the points: before point `item` at the coordinate `value`.
+/// A cut position in the sorted order of the points: the low side ends before point `item` at the coordinate `value`.
 struct Place {
     float value;
     std::uint64_t item;
     std::uint64_t weightBefore;
 
-    /// The comparison has no branches, because the CPU cannot predict the side of a point.
+    /// Returns true if a point is before the cut position. The comparison has no branches, because the CPU cannot
+    /// predict the side of a point.
     bool isAfter(float pointValue, std::uint32_t pointItem) const {
         const unsigned isLess = pointValue < value ? 1 : 0;
         const unsigned isNoMore = pointValue <= value ? 1 : 0;
@@ -24,13 +25,13 @@ struct Place {
     }
 };
 
-/// Buckets of equal width. The bucket index never decreases as the value increases, independent of rounding.
+/// Buckets of equal width for coordinates. A larger coordinate never has a lower bucket index, independent of rounding.
 class Buckets {
 public:
     static constexpr std::size_t kMaxCount = 256;
 
-    /// Creates buckets for `points` values from `low` to `high`. If the range is too small for a division, it uses one
-    /// bucket.
+    /// Creates buckets for `points` coordinates from `low` to `high`. If the range is too small for a division, all
+    /// coordinates are in one bucket.
     Buckets(float low, float high, std::size_t points)
         : low_(low), count_(std::clamp<std::size_t>(points / 2, 16, kMaxCount)) {
         const float scale = static_cast<float>(count_ - 1) / (high - low);
@@ -54,9 +55,9 @@ struct CutInput {
     std::uint64_t target;
 };
 
-/// Finds the bucket that contains the target weight and copies its points to the front of the spare points.
-/// `candidates` may already be there. `before` is the weight of all earlier points and is increased up to this bucket.
-/// Returns the number of copied points.
+/// Finds the bucket in which the accumulated weight reaches the target, and copies its points to the front of the spare
+/// buffer. `candidates` may already be in the spare buffer. `before` is the weight of all points before the candidates.
+/// The function increases it to the weight before the found bucket. Returns the number of copied points.
 template <int kAxis>
 std::size_t narrow(
     const CutInput& input, std::span<const KdPoint> candidates, const KdBounds& bounds, std::uint64_t& before) {
@@ -75,7 +76,7 @@ std::size_t narrow(
     return count;
 }
 
-/// Returns a sorted copy of `candidates` in the spare points.
+/// Copies `candidates` to the spare buffer, sorts them and returns them.
 template <int kAxis>
 std::span<const KdPoint> sorted(const CutInput& input, std::span<const KdPoint> candidates) {
     const std::span<KdPoint> copies = input.spare.first(candidates.size());
@@ -86,7 +87,7 @@ std::span<const KdPoint> sorted(const CutInput& input, std::span<const KdPoint> 
     return copies;
 }
 
-/// Finds the cut position. It narrows the points to the bucket that reaches the target, repeats this with smaller
+/// Finds the cut position. It selects the points of the bucket that reaches the target, repeats this with smaller
 /// buckets, and finally sorts the few remaining points.
 template <int kAxis>
 Place findPlace(const CutInput& input, KdBounds bounds) {
@@ -108,8 +109,8 @@ Place findPlace(const CutInput& input, KdBounds bounds) {
     return {point.center[kAxis], std::uint64_t{point.item} + 1, input.weights[point.item]};
 }
 
-/// Moves the points before `place` to the front and returns their number. Each point is written to both sides, and only
-/// one side grows. This avoids branches.
+/// Moves the points before `place` to the front and returns their number. The loop writes each point to both sides and
+/// advances only one side. It therefore needs no branches.
 template <int kAxis>
 std::size_t part(const CutInput& input, const Place place) {
     KdPoint* const low = input.points.data();
@@ -126,7 +127,8 @@ std::size_t part(const CutInput& input, const Place place) {
     return lows;
 }
 
-/// Cuts across an axis. The axis is a template parameter because the inner loops are short.
+/// Cuts the points across the axis `kAxis`. The axis is a template parameter so that the short inner loops do not test
+/// it.
 template <int kAxis>
 KdSide cutAcross(const CutInput& input, const KdBounds& bounds) {
     const Place place = findPlace<kAxis>(input, bounds);

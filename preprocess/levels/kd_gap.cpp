@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kBuckets = 64;
 constexpr double kMinShare = 0.15;
-// min gap width as a multiple of 1 / sqrt(n), the distance between n points evenly spread over a unit square
+// The min gap width as a multiple of 1 / sqrt(n). This is the distance between n points that are evenly spread over a
+// unit square.
 constexpr double kMinSpacings = 1.5;
 
 } // namespace

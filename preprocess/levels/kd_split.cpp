@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t kParallelPoints = 1U << 15U;
 
-/// Cuts points recursively until each part is light enough. The points are sorted by item.
+/// Cuts points recursively until each part weighs little enough. The points are sorted by item.
 struct Splitter {
     std::span<KdPoint> points;
-    std::span<KdPoint> spare; // a buffer of the same size
+    std::span<KdPoint> spare; // a buffer of the same size as `points`
     std::span<const std::uint32_t> weights;
     std::uint64_t maxWeight;
     double fraction;

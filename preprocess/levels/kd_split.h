@@ -1,4 +1,4 @@
-// Splits weighted points into compact parts of bounded weight by axis-aligned planes.
+// Splits weighted points into compact parts of bounded weight. Each cut is an axis-aligned plane.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,24 +9,25 @@
 
 namespace gnomon::levels {
 
-/// A finite point that represents `weight` triangles.
+/// A point with finite coordinates that represents `weight` triangles.
 struct KdItem {
     glm::vec3 center{0};
     std::uint32_t weight = 1; // at least 1
-    std::uint32_t index = 0;  // unique index chosen by the caller; breaks ties, so that the result is deterministic
+    // unique index that the caller chooses; it breaks ties, so that the result is deterministic
+    std::uint32_t index = 0;
 };
 
-/// A division of items into parts that are contiguous in `order`.
+/// A division of items into parts. The items of each part are contiguous in `order`.
 struct KdParts {
-    std::vector<std::uint32_t> order; // indices of the items
-    std::vector<std::uint32_t> ends;  // end of each part in `order`
+    std::vector<std::uint32_t> order; // indices of the items, part by part
+    std::vector<std::uint32_t> ends;  // per part: the index in `order` after its last item
 };
 
-/// Splits `items` into parts of at most `maxWeight` (at least 1). A part may exceed this weight only if it is a single
-/// item. Each cut is across the widest axis. It uses the widest gap if `weightBeforeGap` finds one with at least
-/// `minWeightAtGap` on each side, so that a part seldom contains distant points. Otherwise the low side gets about
-/// `fraction` of the weight. Neighbours in the order of parts are near each other in space. Within a part, items are
-/// ordered by index (Bentley, "Multidimensional binary search trees", 1975).
+/// Splits `items` into parts of at most `maxWeight` (at least 1), like a kd-tree (Bentley, "Multidimensional binary
+/// search trees", 1975). A part may exceed this weight only if it is a single item. Each cut is across the widest axis.
+/// The cut uses the widest gap if `weightBeforeGap` finds a gap with at least `minWeightAtGap` on each side. A part
+/// therefore seldom contains distant points. Without such a gap the low side gets about `fraction` of the weight. Parts
+/// that are neighbours in the order are near each other in space. Within a part, items are ordered by index.
 KdParts kdSplit(
     std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t minWeightAtGap = 0);
 

@@ -1,4 +1,4 @@
-// A level of detail during the build: triangles, clusters of triangles, and groups of clusters.
+// A level of detail during the build. It has triangles, clusters of triangles, and groups of clusters.
 #pragma once
 
 #include "core/words.h"
@@ -15,8 +15,8 @@ namespace gnomon::levels {
 
 /// The method that computes the stored error of a group.
 enum class ErrorKind : std::uint8_t {
-    Estimated, // estimate of the simplifier
-    Measured,  // upper bound: the sum over all collapses
+    Estimated, // estimate of the simplifier; not an upper bound
+    Measured,  // upper bound: the sum of the bounds of all collapses
     Tight      // upper bound: the smaller of this sum and the measured two-sided Hausdorff bound
 };
 
@@ -26,7 +26,7 @@ inline constexpr std::array kErrorKinds = {
     Word<ErrorKind>{ErrorKind::Tight, "tight"},
 };
 
-inline constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // an infinite error limit
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // an error limit that permits all errors
 
 /// The options that shape the hierarchy. The .gnm file stores them.
 struct LevelOptions {
@@ -35,7 +35,7 @@ struct LevelOptions {
     ErrorKind error = ErrorKind::Measured;
 };
 
-/// The place of a group: its level, the page within the level, and the group within the page.
+/// The place of a group in the model: its level, the page within the level, and the group within the page.
 struct GroupPlace {
     std::uint32_t level = 0;
     std::uint32_t page = 0;
@@ -44,7 +44,7 @@ struct GroupPlace {
     bool operator==(const GroupPlace&) const = default;
 };
 
-/// A refinement: the group of a finer level that clusters were simplified from.
+/// A refinement of clusters: the finer group that they were simplified from.
 struct LevelRefinement {
     GroupPlace place;
     Sphere bounds;             // local space
@@ -54,45 +54,45 @@ struct LevelRefinement {
     double drawnError() const { return std::max(error, attributeError); }
 };
 
-/// A vertex of the mesh that moves to the position of vertex `at` from a level on.
+/// A vertex of the mesh that moves. From a level on, it has the position of vertex `at`.
 struct MovedVertex {
     std::uint32_t vertex = 0;
     std::uint32_t at = 0;
 };
 
-/// A cluster of a level: a contiguous range of its triangles.
+/// A cluster of a level. Its triangles are a contiguous range of the level's triangles.
 struct LevelCluster {
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
-    // Index of its refinement in the level: the group that the cluster was simplified from.
+    // Index in Level::refinements of the group that the cluster was simplified from.
     std::uint32_t refinement = hierarchy::kNone;
     hierarchy::GridBox box;
 };
 
-/// A group of a level: a contiguous range of its clusters.
+/// A group of a level. Its clusters are a contiguous range of the level's clusters.
 struct LevelGroup {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
     hierarchy::GridBox box;
     Sphere bounds;             // local space
-    double error = kNoLimit;   // world units; infinite for a root
-    double attributeError = 0; // world units; 0 for a root
+    double error = kNoLimit;   // world units; kNoLimit for a root group
+    double attributeError = 0; // world units; 0 for a root group
     GroupPlace place;
-    bool isDeferred = false; // its clusters continue unchanged in the next level
+    bool isDeferred = false; // whether its clusters continue unchanged in the next level
 };
 
 /// A level of detail. The clusters of a group and the triangles of a cluster are contiguous.
 struct Level {
-    std::vector<simplify::Triangle> triangles;   // vertices of the Mesh
+    std::vector<simplify::Triangle> triangles;   // vertex indices of the Mesh
     std::vector<simplify::TriangleError> errors; // per triangle
     std::vector<LevelCluster> clusters;
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;
-    std::vector<MovedVertex> moved;         // vertices that change their position from this level on
-    std::vector<TransferredNormal> normals; // normals of vertices that change from this level on
-    std::vector<TransferredWord> colors;    // colours of vertices that change from this level on
-    std::vector<TransferredWord> fields;    // fields of vertices that change from this level on
+    std::vector<MovedVertex> moved;         // vertices whose position changes at this level
+    std::vector<TransferredNormal> normals; // vertices whose normal changes at this level
+    std::vector<TransferredWord> colors;    // vertices whose colour changes at this level
+    std::vector<TransferredWord> fields;    // vertices whose fields change at this level
 };
 
 } // namespace gnomon::levels

@@ -8,11 +8,12 @@
 
 namespace gnomon::levels {
 
-/// Returns level 0 of `mesh`: all triangles in clusters, without groups.
+/// Returns level 0 of `mesh`. It contains all triangles in clusters, without groups.
 Level firstLevel(const simplify::Mesh& mesh, const LevelOptions& options);
 
-/// Appends the clusters of `triangles` to `level`. The triangles are in the order of `clustering`, and `firstTriangle`
-/// counts from the first of them. The boxes use only the positions of the corners, which are vertices of `mesh`.
+/// Appends the clusters of `triangles` to `level`. The triangles are sorted in the order of `clustering`. The clusters'
+/// `firstTriangle` counts from the first triangle of this call. The boxes depend only on the positions of the corners,
+/// which are vertices of `mesh`.
 void appendClusters(
     const simplify::Mesh& mesh,
     std::span<const simplify::Triangle> triangles,

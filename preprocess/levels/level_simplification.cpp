@@ -17,10 +17,10 @@ namespace {
 
 using hierarchy::kNone;
 
-// Max error of a group, in medians of the level; more expensive groups are deferred.
+// Max error of a group as a multiple of the level's median error. Groups with a larger error are deferred.
 constexpr double kMaxMedianRatio = 4;
-constexpr double kToleranceShare = 0.25; // share of the existing error that the measurement may add
-constexpr double kTightShare = 0.5;      // share of the collapse bound below which the measurement stops its search
+constexpr double kToleranceShare = 0.25; // max error that the measurement may add, as a share of the existing error
+constexpr double kTightShare = 0.5;      // the measurement stops below this share of the collapse bound
 
 std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
     const LevelCluster& first = level.clusters[group.firstCluster];
@@ -28,16 +28,16 @@ std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
     return last.firstTriangle + last.triangleCount - first.firstTriangle;
 }
 
-/// The result of the simplification of a group.
+/// The result of simplifying one group.
 struct GroupResult {
-    Level clusters; // firstTriangle counts from the group's first triangle
+    Level clusters; // `firstTriangle` counts from the first triangle of the group
     double error = 0;
     double attributeError = 0;
-    double before = 0; // the larger of both errors of its clusters before
+    double before = 0; // max error of its clusters before the simplification (geometry and attributes)
 
     double drawnError() const { return std::max(error, attributeError); }
 
-    /// Returns true if the new error is at most `greatest`, or no larger than before.
+    /// Returns true if the new error is at most `greatest`, or not larger than the error before the simplification.
     bool isWithin(double greatest) const { return drawnError() <= std::max(greatest, before); }
 };
 
@@ -48,8 +48,9 @@ double largestOf(std::span<const simplify::TriangleError> errors) {
     return worst;
 }
 
-/// Returns the error bounds of `simplified`, or the measured bounds against `patch` if their maximum is lower. The
-/// bounds of `simplified` sum up all collapses, although one collapse can undo the displacement of another.
+/// Measures the error bounds of `simplified` against `patch`. Returns them if their max is lower than the max of the
+/// bounds that the simplifier computed, and the simplifier's bounds otherwise. The simplifier's bounds are sums over
+/// all collapses. They are often too large, because one collapse can undo the displacement of another.
 std::vector<simplify::TriangleError> tightErrors(
     const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     const double worst = largestOf(simplified.errors);
@@ -59,7 +60,8 @@ std::vector<simplify::TriangleError> tightErrors(
     return simplified.errors;
 }
 
-/// Returns the max error (`error` selects the kind) of the refinements of a group's clusters.
+/// Returns the max error of the refinements of a group's clusters. `error` selects the member: geometric error or error
+/// of attributes.
 double worstRefinement(const Level& level, const LevelGroup& group, double LevelRefinement::*error) {
     double worst = 0;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
@@ -94,7 +96,7 @@ public:
             result.error = before + simplified.estimatedError * mesh_.grid.step();
         } else {
             errors = boundedErrors(patch.patch, simplified, before);
-            // The distances are rounded, so the bound is slightly enlarged.
+            // The bound is slightly enlarged, because the computed distances are rounded.
             const double measured = largestOf(errors) * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
             result.error = std::max(before, measured);
         }
@@ -105,7 +107,8 @@ public:
     }
 
 private:
-    /// Returns upper error bounds of a simplified patch. `before` is the error of its clusters in world units.
+    /// Returns upper bounds of the errors of a simplified patch, per triangle. `before` is the error of the group's
+    /// clusters before the simplification, in world units.
     std::vector<simplify::TriangleError> boundedErrors(
         const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified, double before) const {
         if (simplified.errors.empty()) {
@@ -129,7 +132,7 @@ private:
         result.attributeError = colors.error * mesh_.grid.step();
     }
 
-    /// Cuts the simplified triangles into the clusters of `out` and records the moved vertices.
+    /// Divides the simplified triangles into clusters, appends them to `out`, and records the moved vertices.
     void cutIntoClusters(
         const GroupPatch& patch,
         const simplify::SimplifiedPatch& simplified,
@@ -140,7 +143,7 @@ private:
         for (const glm::dvec3& p : patch.patch.positions)
             positions.emplace_back(p);
         const auto count = static_cast<std::uint32_t>(patch.patch.vertices.size());
-        std::vector<std::uint32_t> vertexAt(positions.size()); // mesh vertex at each position before the move
+        std::vector<std::uint32_t> vertexAt(positions.size()); // per position before the move: a mesh vertex there
         std::vector<std::uint32_t> positionOf(count);
         for (std::uint32_t v = 0; v < count; ++v) {
             vertexAt[patch.patch.positionOf[v]] = patch.globalVertex[v];
@@ -174,7 +177,7 @@ private:
     PositionOwners owners_;
 };
 
-/// Defers groups whose error is far above the median of the level.
+/// Defers the groups whose error is more than kMaxMedianRatio times the median error of the level.
 void deferExpensiveGroups(Level& level, const std::vector<GroupResult>& results) {
     std::vector<WeightedError> errors;
     for (std::size_t g = 0; g < results.size(); ++g)

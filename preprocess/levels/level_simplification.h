@@ -1,4 +1,4 @@
-// Creates the next coarser level: simplifies each group and divides the result into clusters.
+// Creates the next coarser level. It simplifies each group and divides the result into clusters.
 #pragma once
 
 #include "core/progress.h"
@@ -7,13 +7,14 @@
 namespace gnomon::levels {
 
 /// Simplifies each group of `level` to half of its triangles, as far as `limit` permits, and sets the errors of the
-/// groups. Returns the new clusters without groups, followed by the clusters of deferred groups. With a limit, a group
-/// with mostly locked borders remains for the next level, where its borders are elsewhere.
+/// groups. Returns the next level without groups: the new clusters, followed by the clusters of deferred groups. A
+/// group with mostly locked borders may not reach its target within `limit`. It remains for the next level, where the
+/// borders are at other places.
 ///
-/// If `mayDefer` is true, a group is deferred if it adds more than four times the median error of the level, weighted
-/// by triangles. Other neighbours may reduce this error in a later level. `next.refinements` begins with the groups
-/// that are not deferred, in order. The result for a group is a pure function of its triangles and its shared
-/// positions. Advances `progress` by the triangles of the level.
+/// If `mayDefer` is true, a group is deferred if its added error exceeds four times the median of the level, weighted
+/// by triangles. Other neighbours may reduce this error in a later level. The refinements of the result begin with the
+/// groups that are not deferred, in order. The result for a group depends only on its triangles and its shared
+/// positions. The function advances `progress` by the number of triangles of the level.
 Level simplifiedLevel(
     const simplify::Mesh& mesh,
     Level& level,

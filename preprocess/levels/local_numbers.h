@@ -1,4 +1,4 @@
-// A table that numbers the elements of one part of a mesh from 0, in the order of first use.
+// A table that numbers the elements of one part of a mesh. Numbers start at 0, in the order of first use.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace gnomon::levels {
 
-/// Local numbers of one part after another. A new part costs no clearing, because stored numbers of earlier parts are
-/// recognisable by their smaller values.
+/// Local numbers for one part of a mesh after another. A new part does not clear the table: the stored numbers of
+/// earlier parts have smaller values and are therefore recognisable.
 class LocalNumbers {
 public:
     static constexpr std::uint32_t kMaxNumbers = std::numeric_limits<std::uint32_t>::max() / 2;
 
-    /// Creates a table for ids below `count`. After more than `maxNumbers` numbers (at most kMaxNumbers) the table
-    /// clears its memory.
+    /// Creates a table for ids below `count`. The table is cleared only after more than `maxNumbers` numbers in total
+    /// (at most kMaxNumbers).
     explicit LocalNumbers(std::size_t count, std::uint32_t maxNumbers = kMaxNumbers)
         : known_(count, 0), maxNumbers_(maxNumbers) {}
 
-    /// Starts a new part. A part has at most kMaxNumbers elements.
+    /// Starts a new part and forgets the numbers of the previous one. A part has at most kMaxNumbers elements.
     void begin() {
         first_ += static_cast<std::uint32_t>(ids_.size());
         ids_.clear();
@@ -43,7 +43,8 @@ public:
     std::span<const std::uint32_t> ids() const { return ids_; }
 
 private:
-    std::vector<std::uint32_t> known_; // per id: `first_` at the time plus the local number
+    // per id: its local number plus the value of `first_` when the number was assigned
+    std::vector<std::uint32_t> known_;
     std::vector<std::uint32_t> ids_;
     std::uint32_t maxNumbers_;
     std::uint32_t first_ = 1;

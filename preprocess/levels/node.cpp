@@ -9,9 +9,9 @@ namespace {
 
 using hierarchy::kNone;
 
-// Only levels below this number may defer, so that the hierarchy reaches its root.
+// Only levels below this number may defer clusters, so that the hierarchy reaches its root within kMaxLevels levels.
 constexpr std::uint32_t kDeferringLevels = hierarchy::kMaxLevels / 2;
-constexpr double kMinProgress = 0.95; // max share of triangles that a useful next level may keep
+constexpr double kMinProgress = 0.95; // a next level with a larger share of the triangles is not useful
 
 hierarchy::LevelInfo infoOf(const Level& level, const hierarchy::Grid& grid) {
     hierarchy::LevelInfo info;
@@ -33,16 +33,16 @@ bool isWorthwhile(const Level& next, std::uint64_t triangles) {
            static_cast<double>(next.triangles.size()) <= kMinProgress * static_cast<double>(triangles);
 }
 
-/// The next coarser level, and whether it has sufficiently fewer triangles.
+/// The next coarser level, and whether its number of triangles is sufficiently lower.
 struct Coarser {
     Level level;
     bool isWorthwhile = false;
 };
 
-/// Forms the groups of `level` (index `number`) and simplifies them with a cost limit. If that makes too little
-/// progress and `isToRoot` is true, it repeats the step without a limit. Level 0 does not defer, because a cluster of
-/// any other level must name a finer group. High levels do not defer either, so that enough levels remain to reach the
-/// root.
+/// Forms the groups of `level` and simplifies them with a cost limit. `number` is the index of the level. If the result
+/// has too many triangles and `isToRoot` is true, the function repeats the simplification without a limit. Level 0 does
+/// not defer clusters, because each cluster of a higher level must refer to a finer group. High levels do not defer
+/// clusters either, so that enough levels remain to reach the root.
 Coarser coarserLevel(
     const simplify::Mesh& mesh,
     Level& level,
@@ -61,7 +61,7 @@ Coarser coarserLevel(
     return make(simplify::CostLimit::None, false);
 }
 
-/// Sets infinite errors on the groups of a root, because no coarser cluster replaces them.
+/// Sets infinite errors on the groups of the root level, because no coarser cluster replaces their clusters.
 void endAtRoot(Level& level) {
     for (LevelGroup& group : level.groups) {
         group.error = kNoLimit;
@@ -69,7 +69,7 @@ void endAtRoot(Level& level) {
     }
 }
 
-/// Sets the places of the groups that the clusters of the next level were simplified from.
+/// Copies the places of the groups of `level` to the refinements of `next` that were simplified from them.
 void tellPlaces(const Level& level, Level& next) {
     for (std::size_t g = 0; g < level.groups.size(); ++g)
         next.refinements[g].place = level.groups[g].place;

@@ -1,5 +1,4 @@
-// Builds several levels of one part of the model. The result is a pure function of the part and does not depend on the
-// threads.
+// Builds several levels of one part of the model. The result depends only on the part, not on the number of threads.
 #pragma once
 
 #include "core/progress.h"
@@ -8,30 +7,30 @@
 
 namespace gnomon::levels {
 
-/// The levels to build of a part.
+/// The levels that buildNode builds of a part of the model.
 struct NodePlan {
     std::uint32_t firstLevel = 0;
     std::uint32_t levelCount = 0; // max number of levels; kNone: up to the root
 };
 
-/// The data of one level of a part.
+/// The data of one level of a part of the model.
 struct NodeLevel {
     hierarchy::LevelInfo info;
-    std::vector<hierarchy::EncodedPage> pages; // in page order; without file offsets
+    std::vector<hierarchy::EncodedPage> pages; // in page order; their offsets in the file are not set yet
 };
 
-/// The result of a node: its finished levels and its clusters without groups.
+/// The result of a node: its finished levels, and the clusters of its coarsest level, which have no groups yet.
 struct BuiltNode {
-    std::vector<NodeLevel> levels; // from the first level of the plan on
-    EncodedOpenClusters pending;   // empty after the root
+    std::vector<NodeLevel> levels; // beginning with the first level of the plan
+    EncodedOpenClusters pending;   // the clusters without groups; empty if the node was built up to the root
     std::uint64_t rootTriangles = 0;
     std::uint64_t irreducibleTriangles = 0; // triangles of level 0 that no coarser cluster replaces
 };
 
-/// Builds the levels of `plan` from `level`, whose clusters have no groups yet. Up to the root means: until one cluster
-/// is left or no further simplification succeeds. Otherwise `pending` receives the clusters after the last level of the
-/// plan. It receives them earlier if a level cannot become coarser, because neighbours may change this. Triangles of
-/// level 0 always get groups.
+/// Builds the levels of `plan` from `level`, whose clusters have no groups yet. A plan up to the root ends if one
+/// cluster is left or no further simplification succeeds. Any other plan ends after its last level, and `pending`
+/// receives the clusters after this level. It ends earlier if a level cannot become coarser, because neighbours in a
+/// later round may change this. Triangles of level 0 always get groups.
 BuiltNode buildNode(
     simplify::Mesh& mesh, Level level, const NodePlan& plan, const LevelOptions& options, Progress& progress);
 

@@ -12,7 +12,7 @@ namespace {
 
 using hierarchy::kNone;
 
-constexpr double kMinAgreement = 0.5; // min cosine between the normals of one smooth surface
+constexpr double kMinAgreement = 0.5; // min cosine between normals that affect each other (60 degrees)
 
 class NormalFit {
 public:
@@ -54,7 +54,8 @@ public:
 private:
     bool hasNormal(std::uint32_t v) const { return patch_.vertices[v].normal != hierarchy::kNoNormal; }
 
-    /// Adds the residual at a removed vertex to the corners of its nearest simplified triangle.
+    /// Adds the difference between the normal of the removed vertex `v` and the simplified surface to the corners of
+    /// the nearest simplified triangle.
     void distributeResidual(std::uint32_t v) {
         const std::uint32_t position = patch_.positionOf[v];
         const std::uint32_t triangle = surface_.nearest(patch_.positions[position], surface_.around(position));
@@ -82,10 +83,10 @@ private:
     const simplify::SimplifiedPatch& simplified_;
     SimplifiedSurface surface_;
     std::vector<std::uint8_t> isKept_;
-    std::vector<double> area_;         // six times the face area of each vertex
+    std::vector<double> area_;         // per vertex: six times the area of its faces
     std::vector<glm::dvec3> normal_;   // zero if the vertex has no normal
-    std::vector<glm::dvec3> residual_; // residual times the area of its removed vertex
-    std::vector<double> weight_;       // total area that the vertex now represents
+    std::vector<glm::dvec3> residual_; // per vertex: sum of the differences of removed vertices, each times its area
+    std::vector<double> weight_;       // per vertex: total area that it represents after the simplification
 };
 
 } // namespace

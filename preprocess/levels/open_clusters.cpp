@@ -17,10 +17,10 @@ using hierarchy::GridPoint;
 using hierarchy::kNone;
 using hierarchy::Vertex;
 
-/// The head of a cluster's record. The vertices, their fields if there are any, the errors of the triangles, and the
-/// triangles (three bytes each) follow.
+/// The first bytes of a cluster's record. After them follow the vertices, their fields if there are any, the errors of
+/// the triangles, and the triangles (three bytes each).
 struct RecordHead {
-    LevelRefinement refinement; // level kNone means no refinement
+    LevelRefinement refinement; // its level is kNone if the cluster has no refinement
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
 };
@@ -68,7 +68,7 @@ GridPoint centerOf(const hierarchy::GridBox& box) {
     return {middle(box.min.x, box.max.x), middle(box.min.y, box.max.y), middle(box.min.z, box.max.z)};
 }
 
-/// Appends the record of a cluster.
+/// Encodes the record of a cluster and appends it to `out`.
 void putRecord(
     hierarchy::ByteWriter& out,
     const simplify::Mesh& mesh,
@@ -103,7 +103,7 @@ void putRecord(
     putAll(out, std::span<const SmallTriangle>(triangles));
 }
 
-/// Returns the border positions of `mesh` that triangles of `level` use, each once.
+/// Returns the positions at the border of `mesh` that triangles of `level` use, without repetition.
 std::vector<GridPoint> usedBorders(const simplify::Mesh& mesh, const Level& level) {
     std::vector<GridPoint> borders;
     std::vector<bool> isKnown(mesh.positionCount);
@@ -205,7 +205,8 @@ struct OpenClusterMerger::State {
         return found;
     }
 
-    /// Returns the index of a refinement. Clusters of the same finer group share one refinement.
+    /// Returns the index of the refinement `given` in the merged level. Clusters of the same finer group share one
+    /// refinement.
     std::uint32_t refinementFor(const LevelRefinement& given) {
         if (given.place.level == kNone) return kNone;
         std::vector<LevelRefinement>& known = pending.level.refinements;
@@ -237,7 +238,7 @@ struct OpenClusterMerger::State {
         level.errors.insert(level.errors.end(), errors.begin(), errors.end());
         for (const SmallTriangle& t : takeAll<SmallTriangle>(in, head.triangleCount))
             level.triangles.push_back({numbers.at(t[0]), numbers.at(t[1]), numbers.at(t[2])});
-        // Vertices whose colours or normals became equal during the build merge here.
+        // Two vertices whose colours or normals became equal during the build are merged.
         std::sort(numbers.begin(), numbers.end());
         const auto end = std::unique(numbers.begin(), numbers.end());
         cluster.vertexCount = static_cast<std::uint32_t>(end - numbers.begin());

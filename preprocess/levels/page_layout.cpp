@@ -20,7 +20,8 @@ using hierarchy::kNone;
 using hierarchy::Page;
 
 std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
-    constexpr std::uint64_t kGroupBytes = 72; // a constant of the format: it determines which groups share a page
+    // a constant of the format, because it determines which groups share a page
+    constexpr std::uint64_t kGroupBytes = 72;
     std::uint64_t bytes = kGroupBytes;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
         bytes += sizeof(hierarchy::Cluster) + level.clusters[c].vertexCount * sizeof(hierarchy::Vertex) +
@@ -28,12 +29,12 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
     return bytes;
 }
 
-/// Returns the exponent of a group's error, clamped. The exponents of all other doubles lie between those of error 0
-/// and of a root.
+/// Returns the exponent of a group's error, clamped to kMaxExponent. An error of 0 has the lowest exponent, and the
+/// infinite error of a root has the highest.
 int errorExponent(const LevelGroup& group) {
     constexpr int kMaxExponent = 2048;
     const double error = std::max(group.error, group.attributeError);
-    // Ilogb is INT_MIN for 0 and INT_MAX for infinity.
+    // Clamping is needed because ilogb returns INT_MIN for 0 and INT_MAX for infinity.
     return std::clamp(std::ilogb(error), -kMaxExponent, kMaxExponent);
 }
 
@@ -41,9 +42,9 @@ int floorOfQuotient(int value, int by) {
     return value >= 0 ? value / by : -((by - 1 - value) / by);
 }
 
-/// Returns the groups sorted by error class, a factor of 16 per class, with the median in the middle of a class. Within
-/// a class the order does not change. A view often refines only some groups of a neighbourhood. The groups that it does
-/// not refine are then in other pages, which it need not read.
+/// Returns the groups sorted by error class. A class covers a factor of 16 in error, and the median error is in the
+/// middle of its class. Within a class the order does not change. A view often refines only some groups of a region.
+/// With this order the groups that it does not refine are in other pages, which it need not read.
 std::vector<std::uint32_t> pageOrder(const Level& level) {
     constexpr int kClassBits = 4;
     std::vector<int> exponents;
@@ -52,7 +53,7 @@ std::vector<std::uint32_t> pageOrder(const Level& level) {
     std::vector<int> sorted = exponents;
     const auto median = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), median, sorted.end());
-    const int lowest = *median - kClassBits / 2; // lowest exponent of the median's class
+    const int lowest = *median - kClassBits / 2; // lowest exponent of the class that contains the median
     const auto classOf = [&](std::uint32_t g) { return floorOfQuotient(exponents[g] - lowest, kClassBits); };
     std::vector<std::uint32_t> order(level.groups.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -61,7 +62,7 @@ std::vector<std::uint32_t> pageOrder(const Level& level) {
     return order;
 }
 
-/// Appends the triangles of a cluster, with vertices numbered in the order of first use.
+/// Appends the triangles of a cluster to the page. Vertices are numbered in the order of first use.
 void addGeometry(
     const simplify::Mesh& mesh,
     const Level& level,
@@ -85,8 +86,8 @@ void addGeometry(
         fields.words.push_back(mesh.fieldsOf(v));
 }
 
-/// Returns the index in `page` of the level's refinement `refinement`. Adds the refinement if it is new. `known` lists
-/// the refinements that the page already has.
+/// Returns the index in `page` of the refinement with index `refinement` in the level. Adds the refinement to the page
+/// if needed. `known` lists the level's refinements that the page already contains.
 std::uint32_t refinementInPage(
     const Level& level, std::uint32_t refinement, std::vector<std::uint32_t>& known, Page& page) {
     const auto found = std::find(known.begin(), known.end(), refinement);
@@ -107,7 +108,7 @@ struct PageWithFields {
     hierarchy::PageFields fields; // fields of the page's vertices
 };
 
-/// Makes the page of these groups of the level.
+/// Builds a page from the given groups of the level.
 PageWithFields makePage(
     const simplify::Mesh& mesh,
     const Level& level,
@@ -118,7 +119,7 @@ PageWithFields makePage(
     auto& [page, fields] = made;
     fields.layout = mesh.fields.layout;
     page.level = number;
-    std::vector<std::uint32_t> refinements; // refinements of the level, in page order
+    std::vector<std::uint32_t> refinements; // indices of the level's refinements, in page order
     for (const std::uint32_t g : groups) {
         const LevelGroup& source = level.groups[g];
         page.groups.push_back(
@@ -177,7 +178,7 @@ std::uint32_t placeGroups(Level& level, std::uint32_t number) {
 
 std::vector<hierarchy::EncodedPage> encodePages(
     const simplify::Mesh& mesh, const Level& level, std::uint32_t number, std::uint32_t pageCount) {
-    std::vector<std::vector<std::uint32_t>> groups(pageCount); // groups of each page, in order
+    std::vector<std::vector<std::uint32_t>> groups(pageCount); // per page: its groups, in order
     for (const std::uint32_t g : pageOrder(level))
         groups[level.groups[g].place.page].push_back(g);
     std::vector<hierarchy::EncodedPage> encoded(pageCount);

@@ -1,4 +1,4 @@
-// Converts one level of a mesh to pages of a .gnm file: it assigns groups to pages and encodes the pages.
+// Converts one level of a mesh to pages of a .gnm file. It assigns groups to pages and encodes the pages.
 #pragma once
 
 #include "hierarchy/model_writer.h"
@@ -11,8 +11,8 @@ using hierarchy::kMaxLevels;
 /// The max number of pages of a level.
 constexpr std::uint32_t kMaxLevelPages = 1U << 26U;
 
-/// Returns a provisional id of page `page` of level `level`. Provisional ids are known before the final ids of the
-/// file, and have the same order.
+/// Returns a provisional id for page `page` of level `level`. The build uses provisional ids before the final page ids
+/// of the file are known. Both kinds of ids have the same order.
 std::uint32_t provisionalId(std::uint32_t level, std::uint32_t page);
 
 /// A page, by its level and its number within the level.
@@ -21,14 +21,15 @@ struct PageOfLevel {
     std::uint32_t page = 0;
 };
 
-/// Returns the page of a provisional id.
+/// Returns the page that has the provisional id `id`.
 PageOfLevel placeOfProvisional(std::uint32_t id);
 
-/// Assigns each group of `level` (index `number`) to a page. Pages have about kPageTargetBytes, are numbered from 0,
-/// and contain groups of similar error in the order of the groups. Returns the number of pages.
+/// Assigns each group of `level` to a page and returns the number of pages. `number` is the index of the level. Pages
+/// have about kPageTargetBytes bytes and are numbered from 0. A page contains groups of similar error, in the order of
+/// the groups.
 std::uint32_t placeGroups(Level& level, std::uint32_t number);
 
-/// Encodes the `pageCount` pages of `level`. References to other pages are provisional ids.
+/// Encodes the `pageCount` pages of `level`. The pages refer to other pages by provisional ids.
 std::vector<hierarchy::EncodedPage> encodePages(
     const simplify::Mesh& mesh, const Level& level, std::uint32_t number, std::uint32_t pageCount);
 

@@ -1,4 +1,4 @@
-// Maps points of a patch to the simplified patch. All attribute transfers use this mapping.
+// Maps points of a patch to the simplified patch. The transfers of normals, colours and fields use this mapping.
 #pragma once
 
 #include "preprocess/proximity/triangle_batch.h"
@@ -10,18 +10,18 @@
 
 namespace gnomon::levels {
 
-/// Returns barycentric coordinates of a point of `t` that is approximately nearest to `p`. Their sum is 1.
+/// Returns barycentric coordinates in `t` of a point that is approximately the nearest one to `p`. Their sum is 1.
 glm::dvec3 weightsAt(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t);
 
-/// The triangles of a simplified patch with their adjacency. Both patches must outlive the object.
+/// The triangles of a simplified patch and their adjacency. Both patches must outlive the object.
 class SimplifiedSurface {
 public:
     SimplifiedSurface(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
 
-    /// Returns the corner positions of `t`, a triangle of the patch.
+    /// Returns the positions of the corners of `t`, which is a triangle of the original patch.
     std::array<glm::dvec3, 3> placesOf(const simplify::Triangle& t) const { return places(patch_.corners(t)); }
 
-    /// Returns the corner positions of the simplified triangle `number`.
+    /// Returns the positions of the corners of the simplified triangle `number`.
     std::array<glm::dvec3, 3> placesOfSimplified(std::uint32_t number) const {
         return places(simplified_.corners(patch_, simplified_.triangles[number]));
     }
@@ -31,8 +31,8 @@ public:
         return adjacency_.around(simplified_.movedTo[position]);
     }
 
-    /// Returns the triangle of `among` nearest to `p`. Among equal distances it returns the first one. Returns kNone if
-    /// `among` is empty.
+    /// Returns the simplified triangle in the list `among` that is nearest to `p`. Among equal distances it returns the
+    /// first triangle. Returns kNone if `among` is empty.
     std::uint32_t nearest(const glm::dvec3& p, std::span<const std::uint32_t> among);
 
 private:

@@ -8,7 +8,7 @@ namespace gnomon::levels {
 
 namespace {
 
-constexpr double kCreaseCosine = 0.766; // 40 degrees from the mean
+constexpr double kCreaseCosine = 0.766; // cosine of 40 degrees, the max angle between a face and the mean normal
 
 glm::dvec3 toVector(const hierarchy::GridPoint& p) {
     return {p.x, p.y, p.z};

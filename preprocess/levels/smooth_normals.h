@@ -5,8 +5,9 @@
 
 namespace gnomon::levels {
 
-/// Returns the area-weighted mean normal of the faces at each position. Returns kNoNormal for a position if a face
-/// deviates more than 40 degrees from the mean. `positions` are grid points, and `triangles` contain position indices.
+/// Returns one packed normal per position: the area-weighted mean normal of the faces there. The normal is kNoNormal if
+/// a face deviates more than 40 degrees from the mean. `positions` are grid points, and `triangles` contain position
+/// indices.
 std::vector<std::uint32_t> smoothNormals(
     const std::vector<hierarchy::GridPoint>& positions, const std::vector<simplify::Triangle>& triangles);
 

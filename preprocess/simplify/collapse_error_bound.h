@@ -1,4 +1,4 @@
-// Upper bounds of the errors of the triangles around a collapse, computed before the collapse is applied.
+// Upper bounds for the errors of the triangles around a collapse. They are computed before the collapse is applied.
 #pragma once
 
 #include "preprocess/proximity/triangle_batch.h"
@@ -7,12 +7,12 @@
 namespace gnomon::simplify {
 
 /// The error bounds of a patch's triangles during its simplification, in grid steps. The list is empty if the patch
-/// does not need bounds. Each triangle stores the error of the source points that are mapped to it. These are its own
-/// points and the points of removed triangles that it received.
+/// does not need bounds. Each source point is mapped to one triangle. A triangle stores the max error of its own source
+/// points and of the points that it received from removed triangles.
 class CollapseErrorBound {
 public:
-    /// The errors of a triangle after the collapse. A receiver of a removed triangle has the errors of the received
-    /// points.
+    /// The errors of a triangle after the collapse. If the triangle receives the points of a removed triangle, these
+    /// are the errors of the received points.
     struct Outcome {
         std::uint32_t triangle;
         double fromSource;
@@ -21,24 +21,25 @@ public:
 
     CollapseErrorBound(const Patch& patch, SimplificationMesh& mesh);
 
-    /// Bounds the errors after the collapse of `star` for each remaining triangle and each receiver of a removed
-    /// triangle. May reorder the faces of the star. Returns false if a removed triangle has no receiver, or if a bound
+    /// Computes the errors after the collapse of `star`, for each remaining triangle and each receiver of a removed
+    /// triangle. May reorder the faces of the star. Returns false if a removed triangle has no receiver, or if an error
     /// reaches `limit`.
     bool evaluate(CollapseStar& star, double limit);
 
-    /// Returns the max bound of the last `evaluate`.
+    /// Returns the max error of the last `evaluate`.
     double worst() const { return worst_; }
 
-    /// Returns the bounds of the last `evaluate`.
+    /// Returns the errors of the last `evaluate`.
     std::span<const Outcome> outcomes() const { return outcomes_; }
 
-    /// Stores the outcomes of the last `evaluate`, which must have been for `star`.
+    /// Stores the errors of the last `evaluate`. This call must have been for `star`.
     void commit(const CollapseStar& star);
 
-    /// Adds the error of the removed triangle of a duplicate pair to the kept triangle.
+    /// Combines the errors of two triangles with the same positions: the kept triangle receives the error of the
+    /// removed one.
     void merge(const SimplificationMesh::Duplicate& pair);
 
-    /// Returns the max error of the triangles around `p`, or 0 if the patch does not need bounds.
+    /// Returns the max error of the triangles around position `p`, or 0 if the patch does not need bounds.
     double largestAround(std::uint32_t p);
 
     /// Returns the errors of a triangle, rounded up.
@@ -47,7 +48,7 @@ public:
     }
 
 private:
-    struct BothErrors { // see TriangleError
+    struct BothErrors { // TriangleError explains the two errors
         double fromSource = 0;
         double toSource = 0;
     };
@@ -59,7 +60,7 @@ private:
 
     struct Candidate {
         std::uint32_t triangle = hierarchy::kNone;
-        Triangle corners{}; // positions after the collapse
+        Triangle corners{}; // positions of its corners after the collapse
     };
 
     void add(std::uint32_t triangle, double fromSource, double toSource);
@@ -72,8 +73,9 @@ private:
     std::vector<BothErrors> error_; // per triangle
     std::vector<std::uint32_t> stamp_;
     std::uint32_t stampNow_ = 0;
-    std::array<Candidate, proximity::TriangleBatch::kCapacity> candidates_; // candidates for the receiver
-    proximity::TriangleBatch batch_; // the same triangles for the distance computation
+    // triangles that may receive a removed triangle
+    std::array<Candidate, proximity::TriangleBatch::kCapacity> candidates_;
+    proximity::TriangleBatch batch_; // the same triangles, prepared for distances to several triangles at once
     Fan fan_;
     std::vector<Outcome> outcomes_;
     double worst_ = 0;

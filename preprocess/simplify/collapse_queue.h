@@ -1,4 +1,4 @@
-// The priority queue of collapses: a tournament tree over the vertices with changeable costs.
+// The priority queue of collapses: a tournament tree over the vertices. The costs of vertices can change.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace gnomon::simplify {
 
-/// A queue of vertices by cost. Each vertex is in the queue at most once. Equal costs are in vertex order. Each node of
-/// a binary tree over all vertices stores the cheapest vertex below it. An update stops at the first node whose winner
-/// was another vertex before and after.
+/// A queue of vertices by cost. Each vertex is in the queue at most once. Vertices with equal costs are in the order of
+/// their index. Each node of a binary tree over all vertices stores the cheapest vertex below it (the winner). An
+/// update of a vertex stops at the first node where this vertex neither was nor becomes the winner.
 class CollapseQueue {
 public:
     explicit CollapseQueue(std::size_t vertexCount) {
@@ -31,10 +31,10 @@ public:
     /// Returns the cost of a vertex. The cost is infinite if the vertex is not in the queue.
     double costOf(std::uint32_t vertex) const { return cost_[vertex]; }
 
-    /// Returns the lowest cost.
+    /// Returns the lowest cost of all vertices in the queue.
     double minCost() const { return cost_[winner_[1]]; }
 
-    /// Inserts `vertex` or changes its cost. The cost must be finite.
+    /// Inserts `vertex` into the queue or changes its cost. The cost must be finite.
     void put(std::uint32_t vertex, double cost) {
         cost_[vertex] = cost;
         for (std::size_t node = (firstLeaf_ + vertex) / 2; node > 0; node /= 2) {
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    /// Sets the cost of each vertex. Vertices with infinite cost are not in the queue.
+    /// Replaces the costs of all vertices. Vertices with infinite cost are not in the queue.
     void putAll(const std::vector<double>& costs) {
         std::copy(costs.begin(), costs.end(), cost_.begin());
         for (std::size_t node = firstLeaf_; node-- > 1;)
@@ -56,7 +56,7 @@ public:
         if (contains(vertex)) put(vertex, kAbsent);
     }
 
-    /// Removes and returns the cheapest vertex.
+    /// Removes the cheapest vertex from the queue and returns it.
     std::uint32_t pop() {
         const std::uint32_t vertex = winner_[1];
         put(vertex, kAbsent);
@@ -74,7 +74,7 @@ private:
 
     std::size_t firstLeaf_ = 1;         // a power of two; the children of node n are 2n and 2n + 1
     std::vector<double> cost_;          // per vertex
-    std::vector<std::uint32_t> winner_; // per node
+    std::vector<std::uint32_t> winner_; // per node: the cheapest vertex below it
 };
 
 } // namespace gnomon::simplify

@@ -1,4 +1,4 @@
-// Converts a wrong colour to an error in units of length.
+// Converts a wrong colour to an error in units of length, so that it can be compared with geometric errors.
 #pragma once
 
 #include <algorithm>
@@ -7,23 +7,24 @@
 
 namespace gnomon::simplify {
 
-/// The max channel difference (of full scale) that is invisible in a shaded image.
+/// The max difference of a colour channel (share of full scale) that is invisible in a shaded image.
 constexpr double kUnseenDifference = 0.03;
 
-/// The channel difference (of full scale) at which the error is equal to the width of the wrong region.
+/// The difference of a colour channel (share of full scale) at which the error is equal to the width of the wrong
+/// region.
 constexpr double kWrongPixel = 0.3;
 
-/// The min channel difference (of full scale) between vertices of parts with different colours. Smaller differences are
-/// noise of one surface, and such vertices may replace each other.
+/// The min difference of a colour channel (share of full scale) between parts of different colours. Smaller differences
+/// are noise of one surface, and vertices with such differences may replace each other.
 constexpr double kOtherPart = 0.1;
 
-/// Returns the error of a region of width `length` whose colour is wrong by `difference` (of a channel, 0 to 1). The
-/// unit is the unit of `length`.
+/// Returns the error of a region of width `length` whose colour is wrong by `difference`. The difference is that of a
+/// channel, from 0 to 1. The error has the unit of `length`.
 inline double colorCharge(double length, double difference) {
     return length * std::max(difference - kUnseenDifference, 0.0) / kWrongPixel;
 }
 
-/// Returns the max channel difference of two colours (RGBA8, without alpha), from 0 to 1.
+/// Returns the max difference of a channel between two RGBA8 colours, from 0 to 1. Alpha is ignored.
 inline double colorDifference(std::uint32_t a, std::uint32_t b) {
     int largest = 0;
     for (const std::uint32_t shift : {0U, 8U, 16U}) {

@@ -1,5 +1,6 @@
-// The estimated cost of a half-edge collapse, computed before its error bound. The estimate contains the quadric error
-// of the target, the edge length, and the change of attributes along the edge.
+// The estimated cost of a half-edge collapse. It is computed before the error bound of the collapse, which is more
+// expensive. The estimate contains the quadric error of the target, the edge length, and the change of attributes along
+// the edge.
 #pragma once
 
 #include "preprocess/proximity/triangle_distance.h"
@@ -8,30 +9,31 @@
 
 namespace gnomon::simplify {
 
-/// Estimates the costs of collapses as squared distances in grid steps. Open edges and attribute seams (different
-/// normals or colours) add planes perpendicular to their faces (Garland, Heckbert 1997).
+/// Estimates the costs of collapses as squared distances in grid steps. Quadrics of open edges and of attribute seams
+/// (edges between different normals or colours) also contain planes perpendicular to the faces (Garland, Heckbert
+/// 1997).
 class CostEstimate {
 public:
-    /// Prepares the estimates of `patch`. No collapse may have been applied to `mesh` yet.
+    /// Prepares the estimates for `patch`. No collapse may have been applied to `mesh` yet.
     CostEstimate(const Patch& patch, const SimplificationMesh& mesh);
 
-    /// Returns the estimate for a collapse of `from` onto `to`.
+    /// Returns the squared cost estimate for a collapse of position `from` onto position `to`.
     double square(std::uint32_t from, std::uint32_t to) const {
         const double length = proximity::squaredLength(patch_.positions[from] - patch_.positions[to]);
-        // Without any area there are no planes to measure distances from.
+        // Faces without area have no planes, so the cost is a share of the edge length.
         if (!(quadric_[from].weight > 0)) return length * 0.01;
         return planes(from, to) + length * (weights_.length + attributes(from, to));
     }
 
-    /// Returns `square` for each target of `to`. The result is valid until the next call.
+    /// Returns `square(from, target)` for each target in `to`. The result is valid until the next call.
     std::span<const double> squares(std::uint32_t from, std::span<const std::uint32_t> to);
 
-    /// Returns the mean squared distance of `to` from the planes of `from`.
+    /// Returns the mean squared distance of position `to` from the planes of position `from`.
     double planes(std::uint32_t from, std::uint32_t to) const {
         return quadric_[from].meanSquare(patch_.positions[to]);
     }
 
-    /// Adds the quadric of `from` to the quadric of `to`.
+    /// Adds the quadric of `from` to the quadric of `to` after a collapse.
     void merge(std::uint32_t from, std::uint32_t to) { quadric_[to].add(quadric_[from]); }
 
 private:
@@ -52,7 +54,7 @@ private:
 
     const Patch& patch_;
     std::vector<Quadric> quadric_;
-    std::vector<CostSite> sites_; // per position
+    std::vector<CostSite> sites_; // position and attributes, per position
     EdgeWeights weights_;
     std::vector<double> squares_;
 };

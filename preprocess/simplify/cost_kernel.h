@@ -1,4 +1,4 @@
-// The cost estimates for collapses of one position onto several others, in vector lanes.
+// Computes the cost estimates for collapses of one position onto several others, one target per SIMD lane.
 #pragma once
 
 #include "preprocess/simplify/quadric.h"
@@ -9,13 +9,13 @@
 
 namespace gnomon::simplify {
 
-/// The position and attributes that an estimate needs: three rows of four numbers. The last number of each row is
+/// The position and the attributes that a cost estimate needs. Each is a row of four numbers, of which the last is
 /// unused.
 struct alignas(32) CostSite {
     using Row = std::array<double, 4>;
 
     Row position{};
-    Row normal{}; // zero if there is no normal
+    Row normal{}; // zero if the vertex has no normal
     Row color{};  // channels from 0 to 1
 
     bool hasNormal() const { return normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > 0; }
@@ -26,14 +26,14 @@ inline glm::dvec3 vectorOf(const CostSite::Row& row) {
     return {row[0], row[1], row[2]};
 }
 
-/// The weights of the edge terms of the cost. All of them multiply the squared length.
+/// The weights of the terms of an edge in the cost. Each term is multiplied by the squared edge length.
 struct EdgeWeights {
     double length = 0;
-    double normal = 0; // times the squared difference of the normals, if both ends have one
-    double color = 0;  // times the squared difference of the colours
+    double normal = 0; // multiplies the squared difference of the normals, if both ends have a normal
+    double color = 0;  // multiplies the squared difference of the colours
 };
 
-/// The edges from one position to others. The planes of the position must have a positive weight.
+/// The edges from one position to several others. The quadric of the position must have a positive weight.
 struct EdgeFan {
     const CostSite& from;
     const Quadric& planes;
@@ -41,10 +41,10 @@ struct EdgeFan {
     std::span<const std::uint32_t> to; // indices of `sites`
 };
 
-/// The max number of lanes. `edgeSquares` may write up to this number of additional values.
+/// The max number of SIMD lanes. `edgeSquares` may write up to this number of additional values after the last result.
 constexpr std::size_t kMaxCostLanes = 4;
 
-/// Writes the estimates in the order of `fan.to`. They are identical to the bit with CostEstimate::square.
+/// Writes the squared cost estimates in the order of `fan.to`. They are bit-identical to CostEstimate::square.
 void edgeSquares(const EdgeFan& fan, const EdgeWeights& weights, double* squares);
 
 } // namespace gnomon::simplify

@@ -12,7 +12,8 @@ namespace {
 
 using Row = std::array<double, Fan::kMaxRim>;
 
-/// The map of one fan. It computes the squared distance by which the cell corners in each new triangle move.
+/// The map between the old and the new triangles of one fan. For each new triangle it computes the max squared distance
+/// by which a cell corner in it moves.
 class FanMap {
 public:
     explicit FanMap(const Fan& fan) : fan_(fan) {
@@ -38,10 +39,10 @@ public:
     }
 
 private:
-    /// Finds the new triangle that contains the image of the apex, and the distance of the apex from it.
+    /// Finds the new triangle onto which the apex is mapped, and the distance of the apex from this triangle.
     void placeApex() {
         const std::uint32_t end = fan_.count - 1;
-        if (!fan_.isClosed) { // the open end must remain an open end
+        if (!fan_.isClosed) { // the border of an open fan is mapped to the new border
             host_ = end - 1;
             square_[host_] = proximity::squaredDistance(fan_.apex, fan_.rim[0], fan_.rim[end]);
             return;
@@ -56,8 +57,8 @@ private:
         square_[host_] = best;
     }
 
-    /// Places the crossing of the old edge to rim `i` with the new edge to rim `j`. Its parameter on the old edge is at
-    /// least `minT`.
+    /// Places the crossing of the old edge from the apex to rim `i` with the new edge from rim 0 to rim `j`. Its
+    /// parameter on the old edge is at least `minT`.
     void cross(std::uint32_t i, std::uint32_t j, double& minT) {
         const glm::dvec3& pivot = fan_.rim[0];
         const glm::dvec3 spoke = fan_.rim[i] - fan_.apex;
@@ -81,7 +82,8 @@ private:
         square_[j - 1] = std::max(square_[j - 1], square);
     }
 
-    /// Sets the error of each new triangle to the max error of the overlapped old triangles plus its displacement.
+    /// Computes the error of each new triangle: the max error of the old triangles that overlap it in the map, plus the
+    /// displacement.
     void spread(const Row& before, Row& after) const {
         const std::uint32_t oldCount = fan_.isClosed ? fan_.count : fan_.count - 1;
         double sum = 0;
@@ -100,8 +102,8 @@ private:
 
     const Fan& fan_;
     std::uint32_t host_ = 1;
-    Row square_{}; // per new triangle
-    Row maxT_{};   // per new edge: the max parameter of the next crossing, measured from rim 0
+    Row square_{}; // per new triangle: max squared displacement
+    Row maxT_{};   // per new edge: max parameter (from rim 0) of the next crossing
 };
 
 } // namespace

@@ -1,5 +1,5 @@
-// The successive mapping of one collapse. It bounds the displacement of a fan of triangles whose apex collapses onto a
-// corner of its rim, by a piecewise linear map between both fans.
+// Bounds the displacement of a collapse of a fan of triangles. The apex of the fan collapses onto a corner of its rim.
+// The bound comes from a piecewise linear map between the fans before and after (successive mapping).
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -8,9 +8,9 @@
 
 namespace gnomon::simplify {
 
-/// The triangles around a collapsing vertex, edge to edge around `apex`. Old triangle i is (apex, rim i, rim i + 1). A
-/// closed rim has one more triangle from its last corner to the first. The apex moves onto rim 0. The new triangles j =
-/// 1 ... count - 2 are (rim 0, rim j, rim j + 1).
+/// The triangles around a collapsing vertex, ordered edge to edge around `apex`. Old triangle i is (apex, rim i, rim i
+/// + 1). A closed rim has one more triangle from its last corner to the first. The apex moves onto rim 0. The new
+/// triangles are (rim 0, rim j, rim j + 1) for j = 1 ... count - 2.
 struct Fan {
     static constexpr std::uint32_t kMaxRim = 24;
 
@@ -18,21 +18,21 @@ struct Fan {
     std::array<glm::dvec3, kMaxRim> rim{};
     std::uint32_t count = 0; // number of rim corners; at least 3
     bool isClosed = false;
-    std::array<double, kMaxRim> fromSource{}; // errors of the old triangles, see TriangleError
+    std::array<double, kMaxRim> fromSource{}; // errors of the old triangles; TriangleError explains them
     std::array<double, kMaxRim> toSource{};
 };
 
-/// The error bounds of the new triangles, in [1, count - 1) of each array.
+/// The error bounds of the new triangles. In each array the entries [1, count - 1) are valid.
 struct FanAfter {
     std::array<double, Fan::kMaxRim> fromSource{};
     std::array<double, Fan::kMaxRim> toSource{};
 };
 
-/// Returns bounds of the errors of the new triangles of `fan` (Cohen, Manocha, Olano, "Simplifying Polygonal Models
-/// Using Successive Mappings", 1997). The crossings of old edges from the apex with new edges from rim 0 cut both fans
-/// into the same cells. Cells are mapped linearly, so that no point moves farther than a corner of its cell. The bound
-/// is valid for any positions of the crossings that preserve their order along each edge. The function places each
-/// crossing where its two edges are nearest.
+/// Returns upper bounds of the errors of the new triangles of `fan` (Cohen, Manocha, Olano, "Simplifying Polygonal
+/// Models Using Successive Mappings", 1997). The old edges from the apex cross the new edges from rim 0. These
+/// crossings divide the old fan and the new fan into corresponding cells. The map is linear in each cell, so no point
+/// moves farther than a corner of its cell. The bound is valid for any positions of the crossings that preserve their
+/// order along each edge. The function places each crossing where its two edges are nearest.
 FanAfter mapFan(const Fan& fan);
 
 } // namespace gnomon::simplify

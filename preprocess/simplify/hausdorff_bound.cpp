@@ -14,11 +14,11 @@ using hierarchy::kNone;
 
 constexpr std::size_t kMaxCorners = 24;
 constexpr std::uint32_t kMaxCrossings = 24; // max consecutive cuts from one triangle to the next
-constexpr std::uint32_t kMaxHalvings = 12;  // max halvings of a piece after its cuts failed
+constexpr std::uint32_t kMaxHalvings = 12;  // max halvings of a piece if cuts at edges do not reduce its error
 constexpr std::uint32_t kMaxPieces = 1024;  // max pieces per triangle
 
-/// A list of points in a fixed array. Its copy constructor copies only the used points, which is faster than a copy of
-/// the array.
+/// A list of points in a fixed array. Its copy constructor copies only the used points, because this is faster than
+/// copying the array.
 class Corners { // NOLINT(cppcoreguidelines-pro-type-member-init): the values behind the last point are undefined
 public:
     Corners() = default; // NOLINT(cppcoreguidelines-pro-type-member-init): the values are undefined
@@ -45,12 +45,13 @@ public:
     const glm::dvec3& operator[](std::size_t i) const { return points_[i]; }
 
 private:
-    std::array<glm::dvec3, 2 * kMaxCorners> points_; // rounding can make a plane cross more than two sides
+    // larger than kMaxCorners, because rounding can make a plane cross more than two sides
+    std::array<glm::dvec3, 2 * kMaxCorners> points_;
     std::uint32_t count_ = 0;
 };
 
-/// A convex piece of a triangle, with the triangle of the other surface that it is assigned to (its containing
-/// triangle).
+/// A convex piece of a triangle of one surface. It is assigned to a triangle of the other surface, its containing
+/// triangle.
 struct Piece {
     Corners corners;
     std::uint32_t container = kNone;
@@ -58,7 +59,7 @@ struct Piece {
     std::uint32_t halvings = 0;
 };
 
-/// The parts of `piece` where dot(p - point, normal) is at most 0 and at least 0.
+/// The two parts of `piece` at a plane. In one part dot(p - point, normal) is at most 0, in the other at least 0.
 struct Halves {
     Piece inside;
     Piece outside;
@@ -91,7 +92,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
             halves.outside.corners.add(crossing);
         }
     }
-    // A piece in the plane belongs to one half only.
+    // A piece that lies in the plane belongs to only one half.
     if (maxSide <= 0)
         halves.outside.corners.clear();
     else if (minSide >= 0)
@@ -99,7 +100,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
     return halves;
 }
 
-/// The corner of a piece that is farthest from its containing triangle.
+/// The corner of a piece that is farthest from the piece's containing triangle.
 struct Farthest {
     double square = -1;
     proximity::TriangleFeature feature = proximity::TriangleFeature::Face;
@@ -116,13 +117,14 @@ Farthest farthestFrom(const Surface& surface, const Piece& piece, std::uint32_t 
     return farthest;
 }
 
-/// Cuts triangles into pieces and assigns each piece to a nearby triangle of a surface, its containing triangle.
+/// Cuts triangles into pieces and assigns each piece to a nearby triangle of another surface, its containing triangle.
 class Refinement {
 public:
     Refinement(Surface& surface, double goal) : surface_(surface), acceptedError_(goal) {}
 
-    /// Calls `assign(container, error)` for pieces that together form `whole`. `whole` names its first containing
-    /// triangle. The error of a piece is its distance from its containing triangle plus `before(container)`.
+    /// Cuts the triangle `whole` into pieces and calls `assign(container, error)` for each piece. `whole` names the
+    /// containing triangle to begin with. The error of a piece is its distance from its containing triangle plus
+    /// `before(container)`.
     template <class Before, class Assign>
     void run(const Piece& whole, Before before, Assign assign) {
         pieces_ = 0;
@@ -142,8 +144,8 @@ public:
     }
 
 private:
-    /// Moves the part outside the edge of its containing triangle to the triangle across the edge. Returns false if no
-    /// neighbour is nearer.
+    /// Cuts `piece` at an edge of its containing triangle and assigns the outer part to the triangle across this edge.
+    /// Returns false if no neighbour across an edge is nearer.
     bool refineAcross(const Piece& piece, const Farthest& farthest) {
         if (piece.crossings >= kMaxCrossings || piece.corners.count() + 2 > kMaxCorners ||
             farthest.feature == proximity::TriangleFeature::Face)
@@ -157,8 +159,8 @@ private:
             const std::uint32_t other = surface_.across(piece.container, edge);
             if (other == kNone) continue;
             const glm::dvec3& corner = piece.corners[farthest.corner];
-            // Without this test a corner on this side of the plane would return to its containing triangle, and the
-            // loop would not end.
+            // A corner on this side of the bisecting plane would return to its containing triangle, and the loop would
+            // not end.
             if (glm::dot(corner - surface_.corner(piece.container, edge), bisector(piece.container, edge)) <= 0)
                 continue;
             const double square = surface_.squaredDistance(corner, other);
@@ -175,7 +177,7 @@ private:
         const glm::dvec3& from = surface_.corner(piece.container, edge);
         Halves halves = cut(piece, from, bisector(piece.container, edge));
         halves.outside.container = other;
-        // All corners are on this side of the bisecting plane, yet nearer to the other triangle.
+        // All corners are on this side of the bisecting plane, but they are nearer to the other triangle.
         if (halves.outside.corners.count() < 3) {
             if (piece.crossings > 2) return false;
             halves.inside.container = other;
@@ -186,15 +188,15 @@ private:
         return true;
     }
 
-    /// Finds the nearest triangle in the tree if the neighbours fail, and halves the piece if one triangle is not
-    /// enough.
+    /// Handles a piece for which the neighbours across edges are not nearer. The function assigns it to the nearest
+    /// triangle in the tree. If one triangle is not enough, it halves the piece.
     bool refineByHalving(const Piece& piece, const Farthest& farthest) {
         const glm::dvec3& corner = piece.corners[farthest.corner];
         const std::uint32_t nearest = surface_.nearest(corner);
         if (surface_.squaredDistance(corner, nearest) > farthest.square * 0.8) return false;
         Piece moved = piece;
         moved.container = nearest;
-        // The limit is slightly above the halving limit, so that the loop ends.
+        // This limit is slightly above kMaxHalvings, so that the loop ends.
         if (piece.halvings < kMaxHalvings + 4 &&
             farthestFrom(surface_, moved, nearest).square < farthest.square * 0.8) {
             moved.halvings += 1;
@@ -217,7 +219,7 @@ private:
         return true;
     }
 
-    /// Returns the corner of `piece` that is farthest from `p`.
+    /// Returns the corner of `piece` that is farthest from the point `p`.
     static glm::dvec3 farthestCorner(const Piece& piece, const glm::dvec3& p) {
         std::uint32_t farthest = 0;
         for (std::uint32_t i = 1; i < piece.corners.count(); ++i)
@@ -226,7 +228,7 @@ private:
         return piece.corners[farthest];
     }
 
-    /// Splits a piece with too many corners for a further cut into two pieces with half the corners each.
+    /// Splits a piece that has too many corners for another cut into two pieces with half of the corners each.
     bool splitAlongDiagonal(const Piece& piece) {
         Piece first = piece;
         Piece second = piece;
@@ -245,13 +247,14 @@ private:
         return true;
     }
 
-    /// Returns the normal of the plane through the edge that bisects the angle between `triangle` and its neighbour. It
-    /// points away from `triangle`.
+    /// Returns the normal of a plane through the edge `edge` of `triangle`. The plane bisects the angle between the
+    /// triangle and its neighbour at this edge. The normal points away from `triangle`.
     glm::dvec3 bisector(std::uint32_t triangle, std::uint32_t edge) const {
         const glm::dvec3 along = surface_.corner(triangle, (edge + 1) % 3) - surface_.corner(triangle, edge);
         const glm::dvec3 normal = unitNormal(triangle);
         const glm::dvec3 otherNormal = unitNormal(surface_.across(triangle, edge));
-        const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0; // neighbours may have opposite orientation
+        // orientations of neighbours may be opposite
+        const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0;
         return glm::cross(along, normal + otherNormal * turn);
     }
 
@@ -263,7 +266,7 @@ private:
     }
 
     Surface& surface_;
-    double acceptedError_; // the goal, or the largest accepted error; other pieces need no smaller error
+    double acceptedError_; // the goal, or the largest error that was accepted; pieces below it are not cut further
     std::uint32_t pieces_ = 0;
     std::vector<Piece> stack_;
 };
@@ -351,7 +354,7 @@ private:
         return corners;
     }
 
-    /// Returns a simplified triangle near triangle `t` of the patch.
+    /// Returns a simplified triangle near triangle `t` of the patch, as a start of the search.
     std::uint32_t firstTriangle(std::uint32_t t) {
         if (successor_[t] != kNone) return successor_[t];
         const glm::dvec3 center = centerOf(fine_, t);
@@ -372,7 +375,7 @@ private:
     const SimplifiedPatch& simplified_;
     Surface fine_;
     Surface coarse_;
-    std::vector<std::uint32_t> successor_; // per triangle of the patch: the simplified triangle with this origin
+    std::vector<std::uint32_t> successor_; // per patch triangle: the simplified triangle that it became
     std::vector<std::uint8_t> isSame_;
     HausdorffBound result_;
 };

@@ -1,4 +1,4 @@
-// The measured upper bound of the two-sided Hausdorff distance between a simplified patch and the source.
+// Measures an upper bound of the two-sided Hausdorff distance between a simplified patch and the source.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -8,17 +8,17 @@ namespace gnomon::simplify {
 /// The measured error bounds of a simplified patch.
 struct HausdorffBound {
     std::vector<TriangleError> errors; // per simplified triangle
-    double worst = 0;                  // max of these errors
+    double worst = 0;                  // max of both errors of all triangles
 };
 
 /// Returns an upper bound of the two-sided Hausdorff distance between the source and `simplified`. `patch.errors`
 /// bounds the errors of the patch's own triangles. The function cuts each triangle of one side into convex pieces and
-/// assigns each piece to one triangle of the other side. The distance to a convex set is a convex function. The corners
-/// of a piece therefore bound the whole piece, without sampling.
+/// assigns each piece to one triangle of the other side. The distance to a convex set is a convex function, so the
+/// corners of a piece bound the whole piece without sampling.
 ///
-/// Pieces with a bound of at most `goal` (grid steps) are not cut further. A simplified triangle keeps its own bound
-/// towards the source if that is at most `goal`. Each source point is mapped to exactly one chain of triangles through
-/// the levels. The bound is therefore valid for each cut, not only for uniform cuts.
+/// Pieces with a bound of at most `goal` (grid steps) are not cut further. If the simplifier's bound of a triangle
+/// towards the source is at most `goal`, the function uses this bound. Each source point is mapped through exactly one
+/// chain of triangles, one per level. The bound is therefore valid for each cut, not only for uniform cuts.
 HausdorffBound measureHausdorffBound(const Patch& patch, const SimplifiedPatch& simplified, double goal);
 
 } // namespace gnomon::simplify

@@ -15,8 +15,9 @@ namespace gnomon::simplify {
 namespace {
 
 constexpr double kParallel = 0.7;    // min cosine between the normals of layers
-constexpr double kReachShare = 0.45; // share of a gap by which each side may move without contact
-constexpr double kLargeArea = 16;    // times the mean area; a larger triangle is tested at more points than its centre
+constexpr double kReachShare = 0.45; // share of a gap by which each of its two sides may move without contact
+// multiple of the mean area; larger triangles are tested at more points than their centre
+constexpr double kLargeArea = 16;
 
 using Weights = std::array<double, 3>;
 
@@ -29,9 +30,9 @@ constexpr std::array<Weights, 4> kPoints = {
 struct Side {
     std::array<glm::dvec3, 3> corners{};
     Triangle positions{};
-    glm::dvec3 normal{}; // unit length; zero if there is no area
+    glm::dvec3 normal{}; // unit length; zero if the triangle has no area
     double area = 0;     // twice the area
-    double width = 0;    // the smallest height
+    double width = 0;    // the smallest height of the triangle
     std::uint32_t triangle = 0;
 };
 
@@ -56,7 +57,7 @@ bool touch(const Side& a, const Side& b) {
     });
 }
 
-/// Returns true if the line through `p` along `direction` intersects the triangle.
+/// Returns true if the line through `p` along `direction` intersects the triangle `side`.
 bool intersects(const Side& side, const glm::dvec3& p, const glm::dvec3& direction) {
     std::array<double, 3> turn{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -67,8 +68,8 @@ bool intersects(const Side& side, const glm::dvec3& p, const glm::dvec3& directi
     return (turn[0] >= 0 && turn[1] >= 0 && turn[2] >= 0) || (turn[0] <= 0 && turn[1] <= 0 && turn[2] <= 0);
 }
 
-/// Returns the distance of `other` from the point `p` of `side` along its normal. Returns nothing if `other` is not a
-/// layer there.
+/// Returns the distance of `other` from the point `p` of `side`, along the normal of `side`. Returns nullopt if `other`
+/// is not a layer at this point.
 std::optional<double> distanceToLayer(const Side& side, const Side& other, const glm::dvec3& p) {
     const double cosine = glm::dot(side.normal, other.normal);
     if (std::abs(cosine) < kParallel || touch(side, other)) return std::nullopt;
@@ -83,11 +84,11 @@ void take(LayerGap& gap, const Side& side, double distance, double difference) {
     gap.charge = std::max(gap.charge, static_cast<float>(colorCharge(0.5 * side.width, difference)));
 }
 
-/// The triangles of a patch that have an area and one colour.
+/// The triangles of a patch that have an area and the same colour at all corners.
 struct ColoredSides {
     std::vector<Side> sides;
     std::vector<std::uint32_t> colors;
-    double area = 0; // the sum of the sides' areas
+    double area = 0; // sum of the areas of `sides`
 };
 
 ColoredSides coloredSides(const Patch& patch) {

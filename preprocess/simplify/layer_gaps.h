@@ -1,22 +1,25 @@
-// Detects layers: parallel faces of different colours at a small distance. A collapse must not change their order.
+// Detects layers: nearby parallel faces of different colours. A collapse must not change which of two layers is in
+// front.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
 
 namespace gnomon::simplify {
 
-/// The max displacement of a triangle along its normal before it can reach a layer of another colour, and the cost of a
-/// larger displacement.
+/// The distance of a triangle to a layer of another colour.
 struct LayerGap {
-    // Grid steps; slightly less than half the distance to the layer.
+    // Max displacement in grid steps along the normal before the triangle can touch the layer; slightly less than half
+    // the distance.
     float reach = std::numeric_limits<float>::infinity();
-    float charge = 0; // grid steps; the error if the whole triangle has the colour of the layer
+    // cost in grid steps of a larger displacement: the error if the whole triangle has the colour of the layer
+    float charge = 0;
 };
 
-/// Returns the gap of each triangle of `patch`, or an empty list if there are no layers. Only triangles of one colour
-/// count. A layer is in front of or behind a point of the triangle, at a distance of at most the triangle's width, and
-/// has the same orientation. A layer behind may also have the opposite orientation, as the other side of a sheet. Two
-/// faces that face each other are not layers, because both are invisible.
+/// Returns the gap of each triangle of `patch`, or an empty list if there are no layers. Only triangles whose corners
+/// have the same colour are considered. A layer is a face in front of or behind a point of the triangle. Its distance
+/// is at most the triangle's width, and it has the same orientation. A layer behind may also have the opposite
+/// orientation, as the other side of a sheet. Two faces that face each other are not layers, because both are
+/// invisible.
 std::vector<LayerGap> layerGaps(const Patch& patch);
 
 } // namespace gnomon::simplify

@@ -1,4 +1,4 @@
-// A welded mesh on the grid. All phases after the binning use it.
+// A welded mesh on the grid. All phases of a build after the binning use it.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -18,12 +18,13 @@ using hierarchy::Vertex;
 /// A triangle: three indices of vertices or positions.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A mesh with topology by position. Vertices at the same position differ in normal, colour or fields. A mesh is a part
-/// of a model: a chunk, or the clusters of a node of a later round.
+/// A part of a model as a mesh: a chunk, or the clusters of a node of a later round. Its topology depends only on
+/// positions. Vertices at the same position differ in normal, colour or fields.
 struct Mesh {
     Grid grid;
-    std::vector<Vertex> vertices;          // no two are equal
-    std::vector<std::uint32_t> positionOf; // vertex -> position index, dense from 0
+    std::vector<Vertex> vertices; // no two vertices are equal
+    // per vertex: index of its position; position indices start at 0 without gaps
+    std::vector<std::uint32_t> positionOf;
     std::uint32_t positionCount = 0;
     std::vector<std::uint8_t> isBorder; // per position: triangles of other meshes may share it, so it must not move
     std::vector<Triangle> triangles;    // vertex indices; the three positions of a triangle differ

@@ -1,4 +1,5 @@
-// The input and the output of the simplification of one group, with its own numbering.
+// The input and the output of the simplification of one group. Vertices and positions have their own numbering per
+// group.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -12,9 +13,9 @@
 namespace gnomon::simplify {
 
 /// The error bounds of one triangle of a level, in grid steps. Each source point is mapped to one triangle of the
-/// level. This triangle stores the error of the point.
+/// level, and the error of the point is stored there.
 struct TriangleError {
-    float fromSource = 0; // max distance of a source point that is mapped to this triangle from the triangle
+    float fromSource = 0; // max distance from the triangle to a source point that is mapped to it
     float toSource = 0;   // max distance of a point of this triangle from the source
 };
 
@@ -25,18 +26,18 @@ inline float roundedUp(double value) {
                                                 : rounded;
 }
 
-/// The max cost of a collapse: a few mean edge lengths of the patch, or no limit.
+/// The max cost of a collapse. MeanEdge: a few mean edge lengths of the patch. None: no limit.
 enum class CostLimit { MeanEdge, None };
 
-/// The triangles of a group. Lengths are in grid steps. Positions are relative to a point near the patch and exact.
+/// The triangles of a group. Lengths are in grid steps. Positions are relative to a point near the patch and are exact.
 struct Patch {
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> positionOf; // vertex -> position
+    std::vector<std::uint32_t> positionOf; // per vertex: its position
     std::vector<glm::dvec3> positions;
-    std::vector<std::uint8_t> isLocked;    // per position: shared with another group, must not move
+    std::vector<std::uint8_t> isLocked;    // per position: 1 if another group shares it, so that it must not move
     std::vector<Triangle> triangles;       // vertex indices
     hierarchy::PageFields fields;          // fields of the vertices
-    std::span<const TriangleError> errors; // errors of the triangles; empty for the source itself
+    std::span<const TriangleError> errors; // error per triangle; empty if the triangles are the source itself
     CostLimit costLimit = CostLimit::None;
     bool isErrorBounded = true; // whether the simplifier must compute error bounds
 
@@ -45,23 +46,24 @@ struct Patch {
     Triangle corners(const Triangle& t) const { return {positionOf[t[0]], positionOf[t[1]], positionOf[t[2]]}; }
 };
 
-/// A simplified patch with the vertices of the original patch. It has no new positions, and locked positions do not
-/// move. A vertex of a collapsed position may remain in use at the new position if no vertex there has its colour.
+/// A simplified patch. It uses the vertices and positions of the original patch. Locked positions do not move. A vertex
+/// of a collapsed position may remain in use at the new position. This happens if no vertex there has the same colour.
 struct SimplifiedPatch {
     std::vector<Triangle> triangles;
-    std::vector<std::uint32_t> origin; // per triangle: the original triangle of the patch; kNone if unknown
-    // Per position: the position that it was collapsed into; itself if it did not move.
+    std::vector<std::uint32_t> origin; // per triangle: the triangle of the patch that it was; kNone if unknown
+    // Per position: the position that it was collapsed into. This is the position itself if it did not move.
     std::vector<std::uint32_t> movedTo;
     std::vector<TriangleError> errors; // upper bounds per triangle; empty if unknown or not needed
     double estimatedError = 0;         // estimate of the simplifier, in grid steps; not a bound
-    double layerCharge = 0; // grid steps: max charge of a triangle that may have changed its order with another layer
+    // grid steps: max charge of a triangle that may have moved to the other side of a layer (layer_gaps.h)
+    double layerCharge = 0;
 
-    /// Returns the position that `vertex` of `patch` has after simplification.
+    /// Returns the position of `vertex` after the simplification. `vertex` is a vertex of `patch`.
     std::uint32_t positionOf(const Patch& patch, std::uint32_t vertex) const {
         return movedTo[patch.positionOf[vertex]];
     }
 
-    /// Returns the positions of the corners of `t`, a triangle of `triangles`.
+    /// Returns the positions of the corners of `t`, which is one of the simplified triangles.
     Triangle corners(const Patch& patch, const Triangle& t) const {
         return {positionOf(patch, t[0]), positionOf(patch, t[1]), positionOf(patch, t[2])};
     }

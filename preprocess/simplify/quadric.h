@@ -7,15 +7,16 @@
 
 namespace gnomon::simplify {
 
-/// A quadric (Garland, Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997).
+/// A sum of squared distances to planes as a quadratic form (Garland, Heckbert, "Surface Simplification Using Quadric
+/// Error Metrics", 1997).
 struct Quadric {
-    glm::dvec3 diagonal{0}; // xx yy zz
-    glm::dvec3 mixed{0};    // xy yz zx
+    glm::dvec3 diagonal{0}; // coefficients of xx, yy, zz
+    glm::dvec3 mixed{0};    // coefficients of xy, yz, zx
     glm::dvec3 linear{0};
     double constant = 0;
     double weight = 0;
 
-    /// Adds the plane through `point` with unit `normal` and weight `planeWeight`.
+    /// Adds the plane through `point` with the unit vector `normal` and the weight `planeWeight`.
     void addPlane(const glm::dvec3& normal, const glm::dvec3& point, double planeWeight) {
         const double d = -glm::dot(normal, point);
         diagonal += normal * normal * planeWeight;

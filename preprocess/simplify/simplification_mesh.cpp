@@ -42,15 +42,15 @@ void SimplificationMesh::linkCorners() {
     }
 }
 
-/// Records each edge from `a` with the vertices of its triangles.
+/// Records in `spokes` each edge from position `a` with the vertices of its triangles.
 void SimplificationMesh::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) const {
     for (std::uint32_t corner = head_[a]; corner != kNone; corner = next_[corner])
         for (const std::uint32_t place : kOthers[corner % 3]) {
             Spoke& spoke = spokes[position_[corner / 3][place]];
             const std::uint64_t here = vertex_[corner / 3][corner % 3];
             const std::uint64_t vertices = here << 32U | vertex_[corner / 3][place];
-            // The code has no branches, because the CPU cannot predict whether this is the first or the second
-            // triangle.
+            // The code has no branches, because the CPU cannot predict whether this is the first or the second triangle
+            // of the edge.
             const std::uint64_t kept = spoke.seenFrom == a ? ~std::uint64_t{0} : 0;
             spoke.seenFrom = a;
             spoke.triangles = (spoke.triangles & static_cast<std::uint32_t>(kept)) + 1;
@@ -126,7 +126,7 @@ std::span<const SimplificationMesh::Duplicate> SimplificationMesh::duplicates(st
         const std::uint32_t b = t[(corner % 3 + 2) % 3];
         oppositeEdges_.push_back({std::min(a, b), std::max(a, b), corner / 3});
     });
-    constexpr std::size_t kMaxCompared = 16; // up to this number, comparisons of all pairs are faster than sorting
+    constexpr std::size_t kMaxCompared = 16; // up to this number of edges, comparing all pairs is faster than sorting
     if (oppositeEdges_.size() <= kMaxCompared && !hasEqualOppositeEdges()) return duplicates_;
     std::sort(oppositeEdges_.begin(), oppositeEdges_.end());
     const auto locked = [&](std::uint32_t q) { return patch_.isLocked[q] != 0 ? 1 : 0; };

@@ -1,5 +1,5 @@
-// The mesh that edge collapses modify: the remaining triangles of a patch, linked around their positions, and the
-// target of each collapsed position.
+// The mesh that edge collapses modify. It contains the remaining triangles of a patch, lists of the triangles at each
+// position, and the target of each collapsed position.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -8,20 +8,20 @@
 
 namespace gnomon::simplify {
 
-/// The kind of an edge in the input patch: Open edges have one triangle, Crease edges separate different vertices (a
-/// seam), and Smooth edges share their vertices.
+/// The kind of an edge in the input patch. Open: only one triangle has the edge. Crease: the triangles have different
+/// vertices at the edge (a seam). Smooth: the triangles share the vertices of the edge.
 enum class EdgeKind : std::uint8_t { Open, Crease, Smooth };
 
-/// A mesh for edge collapses. Triangles keep their index in the patch. Corner i of triangle t has the index 3 t + i.
-/// The corners at a position are a linked list. Each traversal unlinks the removed triangles that it finds, so
-/// traversals are not const.
+/// A mesh for edge collapses. Triangles have the same index as in the patch. Corner i of triangle t has the index 3 t +
+/// i. The corners at a position are a linked list. A traversal of the list removes the corners of deleted triangles
+/// from it. Traversals are therefore not const.
 class SimplificationMesh {
 public:
     explicit SimplificationMesh(const Patch& patch);
 
     std::size_t triangleCount() const { return triangleCount_; }
 
-    /// Returns true if a collapse or `remove` has removed the triangle.
+    /// Returns true if a collapse or `remove` has deleted the triangle.
     bool isRemoved(std::uint32_t triangle) const { return isRemoved_[triangle] != 0; }
 
     /// Returns the current positions of a triangle.
@@ -36,26 +36,27 @@ public:
     /// Returns the kind of the edge from a corner to the next corner of its triangle, before all collapses.
     EdgeKind originalEdge(std::uint32_t corner) const { return originalEdge_[corner]; }
 
-    /// Returns true if `p`, or a position merged into it, had an open edge in the patch. Edges between groups do not
-    /// count.
+    /// Returns true if `p`, or a position merged into it, had an open edge in the patch. Edges between two groups do
+    /// not count as open.
     bool isBorder(std::uint32_t p) const { return isBorder_[p] != 0; }
 
     /// Calls `visit(corner)` for each corner of a remaining triangle at `p`.
     template <class Visit>
     void forEachCorner(std::uint32_t p, Visit visit);
 
-    /// Returns each position that shares a remaining triangle with `p`, once, in the order of the traversal. The result
-    /// is valid until the next call.
+    /// Returns the positions that share a remaining triangle with `p`, each once, in the order of the traversal. The
+    /// result is valid until the next call.
     std::span<const std::uint32_t> neighbours(std::uint32_t p);
 
-    /// Returns true if a triangle remains at `p`.
+    /// Returns true if a triangle remains at position `p`.
     bool hasTriangles(std::uint32_t p);
 
-    /// Returns the number of positions that share a remaining triangle with `a` and a remaining triangle with `b`,
-    /// except `a` and `b`.
+    /// Returns the number of positions that share a remaining triangle with `a` and also a remaining triangle with `b`.
+    /// `a` and `b` themselves do not count.
     std::size_t commonNeighbours(std::uint32_t a, std::uint32_t b);
 
-    /// Returns the position that `p` was merged into, or `p` itself (the root of a union-find tree).
+    /// Returns the position that `p` was merged into, directly or through other positions. Returns `p` itself if it was
+    /// not merged. The merged positions form a union-find tree.
     std::uint32_t representative(std::uint32_t p) const {
         while (mergedInto_[p] != p)
             p = mergedInto_[p];
@@ -65,27 +66,29 @@ public:
     /// Returns true if `p` was not merged into another position.
     bool isRepresentative(std::uint32_t p) const { return mergedInto_[p] == p; }
 
-    /// Returns the representative of the other end of the vertex pair of `p` (vertex_pairs.h), or kNone without a pair.
+    /// Returns the position that the partner of `p` in its vertex pair (vertex_pairs.h) was merged into, or the partner
+    /// itself. Returns kNone if `p` has no pair.
     std::uint32_t pairedWith(std::uint32_t p) const {
         return pair_.empty() || pair_[p] == hierarchy::kNone ? hierarchy::kNone : representative(pair_[p]);
     }
 
-    /// Removes a triangle. The next traversals unlink its corners.
+    /// Deletes a triangle. Later traversals remove its corners from their lists.
     void remove(std::uint32_t triangle) {
         isRemoved_[triangle] = 1;
         --triangleCount_;
     }
 
-    /// Sets the vertex of a corner, at the position `p`.
+    /// Sets the vertex of a corner. The vertex is at position `p`.
     void setCorner(std::uint32_t corner, std::uint32_t vertex, std::uint32_t p) {
         vertex_[corner / 3][corner % 3] = vertex;
         position_[corner / 3][corner % 3] = p;
     }
 
-    /// Merges `from` into `to`: its corners, its border flag and, if `to` has none, its vertex pair.
+    /// Merges position `from` into `to`. `to` receives its corners and its border flag. If `to` has no vertex pair, it
+    /// also receives the pair of `from`.
     void merge(std::uint32_t from, std::uint32_t to);
 
-    /// Sets `q` as the position that `p` was merged into.
+    /// Replaces the position that `p` was merged into by `q`.
     void redirect(std::uint32_t p, std::uint32_t q) { mergedInto_[p] = q; }
 
     /// Two triangles with the same three positions.
@@ -94,21 +97,22 @@ public:
         std::uint32_t removed;
     };
 
-    /// Returns the triangles at `p` with the same three positions as an earlier triangle. Triangles at a locked edge
-    /// are excluded, because the edge must keep all of its triangles. The result is valid until the next call.
+    /// Returns the triangles at `p` that have the same three positions as an earlier triangle. Triangles at an edge
+    /// between two locked positions are excluded, because such an edge must keep all of its triangles. The result is
+    /// valid until the next call.
     std::span<const Duplicate> duplicates(std::uint32_t p);
 
 private:
-    /// The two corner indices that follow each corner of a triangle.
+    /// Per corner of a triangle: the numbers of the other two corners, in order.
     static constexpr std::array<std::array<std::uint32_t, 2>, 3> kOthers = {{{1, 2}, {2, 0}, {0, 1}}};
 
-    /// The triangles around one position that share an edge from this position. The data are stored at the other end of
-    /// the edge.
+    /// The triangles at one position that share an edge from this position. The object is stored for the position at
+    /// the other end of the edge.
     struct Spoke {
-        std::uint32_t seenFrom = hierarchy::kNone; // the position; the other fields are valid only for it
+        std::uint32_t seenFrom = hierarchy::kNone; // the position; the other members are valid only for it
         std::uint32_t triangles = 0;
         std::uint64_t first = 0;   // the two vertices of the first triangle
-        std::uint64_t differs = 0; // bits in which the vertices of another triangle differ from them
+        std::uint64_t differs = 0; // the bits in which vertices of another triangle differ from `first`
     };
 
     void linkCorners();
@@ -123,18 +127,19 @@ private:
     std::vector<EdgeKind> originalEdge_; // per corner
     std::vector<std::uint8_t> isRemoved_;
     std::size_t triangleCount_ = 0;
-    std::vector<std::uint32_t> head_; // per position: its first corner
-    std::vector<std::uint32_t> tail_; // per position: its last corner, if any
-    std::vector<std::uint32_t> next_; // per corner
+    std::vector<std::uint32_t> head_; // per position: the first corner in its list
+    std::vector<std::uint32_t> tail_; // per position: the last corner in its list, if any
+    std::vector<std::uint32_t> next_; // per corner: the next corner in the list
     std::vector<std::uint8_t> isBorder_;
-    std::vector<std::uint32_t> pair_; // per position; see vertexPairs
+    std::vector<std::uint32_t> pair_; // per position: its partner; see vertexPairs
     std::vector<std::uint32_t> mergedInto_;
     std::vector<std::uint32_t> stamp_; // per position
     std::uint32_t stampNow_ = 0;
     std::vector<std::array<std::uint32_t, 3>>
-        oppositeEdges_; // of the triangles at a position: lower end, higher end, triangle
+        // per triangle at a position: the lower and the higher end of its opposite edge, and the triangle
+        oppositeEdges_;
     std::vector<Duplicate> duplicates_;
-    std::vector<std::uint32_t> neighbours_; // space for all positions and one more
+    std::vector<std::uint32_t> neighbours_; // buffer with space for all positions and one more
 };
 
 template <class Visit>
@@ -161,7 +166,7 @@ inline std::span<const std::uint32_t> SimplificationMesh::neighbours(std::uint32
         const Triangle& t = position_[corner / 3];
         for (const std::uint32_t place : kOthers[corner % 3]) {
             const std::uint32_t q = t[place];
-            list[count] = q; // without a branch, because it is unpredictable whether q is new
+            list[count] = q; // no branch, because the CPU cannot predict whether q is new
             count += stamps[q] != stamp ? 1 : 0;
             stamps[q] = stamp;
         }

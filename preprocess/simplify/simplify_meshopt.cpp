@@ -21,7 +21,7 @@ struct Input {
         for (const std::uint32_t p : patch.positionOf)
             for (int axis = 0; axis < 3; ++axis)
                 positions.push_back(static_cast<float>(patch.positions[p][axis]));
-        for (unsigned dummy = 0; dummy < 2; ++dummy) { // near the first vertex, at unique positions
+        for (unsigned dummy = 0; dummy < 2; ++dummy) { // near the first vertex, at positions that occur only once
             positions.push_back(positions[0] + 0.25F + 0.25F * static_cast<float>(dummy));
             positions.push_back(positions[1] + 0.25F);
             positions.push_back(positions[2] + 0.25F);
@@ -48,7 +48,7 @@ std::vector<Triangle> simplified(
         input.positions.size() / 3,
         3 * sizeof(float),
         targetTriangles * 3 + input.dummyIndices,
-        1e6F, // in extents of the patch: no limit
+        1e6F, // max error, in extents of the patch; so large that it is no limit
         0,
         &estimated));
     std::vector<Triangle> triangles;

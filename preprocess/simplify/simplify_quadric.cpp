@@ -40,9 +40,10 @@ using hierarchy::kNone;
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 constexpr double kTopologyPenalty = 2;   // factor of the cost of a collapse that violates the link condition
 constexpr double kQueueSlack = 1.1;      // max ratio of the evaluated cost to the cost in the queue
-constexpr double kEarlyStopShare = 0.67; // share of the triangles below which the loop stops if costs rise
-constexpr double kMaxCostRise = 1.6;     // max ratio to the largest cost accepted before
-constexpr double kMeanEdges = 2.5;       // CostLimit::MeanEdge, in mean edge lengths of the patch
+constexpr double kEarlyStopShare = 0.67; // costs may stop the loop only below this share of the triangles
+// max ratio of the next cost to the largest cost accepted before; above it the loop stops
+constexpr double kMaxCostRise = 1.6;
+constexpr double kMeanEdges = 2.5; // the cost limit of CostLimit::MeanEdge, in mean edge lengths of the patch
 
 double meanEdge(const Patch& patch) {
     double length = 0;
@@ -54,7 +55,7 @@ double meanEdge(const Patch& patch) {
     return length / (3.0 * static_cast<double>(patch.triangles.size()));
 }
 
-/// One simplification: the queue of collapses and the loop over it. Costs are distances in grid steps.
+/// The simplification of one patch: the queue of collapses and the loop over it. Costs are distances in grid steps.
 class Collapser {
 public:
     explicit Collapser(const Patch& patch);
@@ -88,14 +89,14 @@ private:
     SimplificationMesh mesh_;
     CostEstimate estimate_;
     CollapseErrorBound errors_;
-    std::vector<LayerGap> gaps_; // per triangle; empty if the patch has one colour
-    CollapseStar star_;          // star of the last collapse that `boundedCost` evaluated
+    std::vector<LayerGap> gaps_; // per triangle; empty if there are no layers of another colour
+    CollapseStar star_;          // star of the collapse that `boundedCost` evaluated last
     double maxCost_;             // max cost of a collapse
     double estimated_ = 0;
     double layerCharge_ = 0;
     CollapseQueue queue_;
-    std::vector<std::uint32_t> target_;   // per position in the queue
-    std::vector<std::uint8_t> isBounded_; // per position: whether its cost in the queue is a bound, not an estimate
+    std::vector<std::uint32_t> target_;   // per position in the queue: the position that it would collapse onto
+    std::vector<std::uint8_t> isBounded_; // per position in the queue: 1 if its cost is a bound, 0 if an estimate
     std::vector<std::uint32_t> around_;   // neighbours of `from` in the current collapse
     std::vector<std::pair<double, std::uint32_t>> candidates_;
 };
@@ -112,8 +113,8 @@ Collapser::Collapser(const Patch& patch)
       target_(patch.positions.size(), kNone),
       isBounded_(patch.positions.size(), 0) {}
 
-/// Calls `visit(q, square)` with the squared estimate for each position that `p` may collapse onto. These are its
-/// `neighbours` and the other end of its vertex pair.
+/// Calls `visit(q, square)` for each position q that `p` may collapse onto. `square` is the squared cost estimate. The
+/// positions are the `neighbours` of `p` and the partner in its vertex pair.
 template <class Visit>
 void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit) {
     const std::span<const double> squares = estimate_.squares(p, neighbours);
@@ -124,8 +125,8 @@ void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neigh
         visit(q, estimate_.square(p, q) * kTopologyPenalty * kTopologyPenalty);
 }
 
-/// Returns the cost of a collapse of `from` onto `to` with its error bound. Returns kForbidden if the collapse is not
-/// allowed, or if its cost reaches `limit`.
+/// Returns the cost of a collapse of `from` onto `to`, including its error bound. Returns kForbidden if the collapse is
+/// not allowed or if its cost reaches `limit`.
 double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit) {
     star_.gather(from, to);
     if (star_.vanishingCount() >= mesh_.triangleCount()) return kForbidden; // at least one triangle must remain
@@ -139,7 +140,8 @@ double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit
     return std::max(cost, layerCost());
 }
 
-/// Returns the max charge of the faces of `star_` that the collapse may move to the other side of a layer.
+/// Returns the max charge of the faces of `star_` that the collapse may move to the other side of a layer
+/// (layer_gaps.h).
 double Collapser::layerCost() const {
     if (gaps_.empty()) return 0;
     double cost = 0;
@@ -154,7 +156,7 @@ double Collapser::layerCost() const {
     return cost;
 }
 
-/// Returns the target with the lowest estimate.
+/// Returns the target of `p` with the lowest cost estimate.
 Collapser::Choice Collapser::cheapestByEstimate(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     Choice best;
     forTargets(p, neighbours, [&](std::uint32_t q, double cost) {
@@ -164,7 +166,7 @@ Collapser::Choice Collapser::cheapestByEstimate(std::uint32_t p, std::span<const
     return best;
 }
 
-/// Returns the target with the lowest bounded cost. The bounded cost of `best` is known.
+/// Returns the target of `p` with the lowest bounded cost. `best` is a target whose bounded cost is known.
 Collapser::Choice Collapser::cheapestByBound(std::uint32_t p, Choice best) {
     candidates_.clear();
     forTargets(p, mesh_.neighbours(p), [&](std::uint32_t q, double cost) { candidates_.emplace_back(cost, q); });
@@ -181,7 +183,7 @@ Collapser::Choice Collapser::cheapestByBound(std::uint32_t p, Choice best) {
     return best;
 }
 
-/// Puts `p`, which has these neighbours, into the queue with its current estimate.
+/// Inserts `p` into the queue with its current cost estimate. `neighbours` are the neighbours of `p`.
 void Collapser::refresh(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     if (patch_.isLocked[p] != 0) return;
     const Choice choice = cheapestByEstimate(p, neighbours);
@@ -202,7 +204,7 @@ void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
             continue;
         }
         const double estimate = std::sqrt(estimate_.square(q, to));
-        if (estimate >= queue_.costOf(q)) continue; // true in most cases, independent of the errors there
+        if (estimate >= queue_.costOf(q)) continue; // this is true in most cases, and errors cannot lower the cost
         const double cost = errors_.largestAround(q) + estimate;
         if (cost >= queue_.costOf(q)) continue;
         target_[q] = to;
@@ -212,13 +214,13 @@ void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
     around_.clear();
     for (const std::uint32_t q : neighbours)
         if (!queue_.contains(q) && patch_.isLocked[q] == 0)
-            around_.push_back(q); // no collapse was allowed there; now one may be
+            around_.push_back(q); // no collapse of q was allowed before; now one may be
     if (mesh_.isRepresentative(to)) refresh(to, neighbours);
     for (const std::uint32_t q : around_)
         refresh(q);
 }
 
-/// Returns `p` to the queue with a bounded cost if a collapse is allowed.
+/// Inserts `p` into the queue again with the bounded cost of `choice`, if a collapse is allowed.
 void Collapser::reinsert(std::uint32_t p, const Choice& choice) {
     if (choice.target == kNone) return;
     target_[p] = choice.target;
@@ -226,12 +228,12 @@ void Collapser::reinsert(std::uint32_t p, const Choice& choice) {
     queue_.put(p, choice.cost);
 }
 
-/// Bounds the cost of `p`, the first vertex of the queue with the given `cost`. If the bound is higher than that, it
-/// returns `p` to the queue and returns nothing.
+/// Computes the bounded cost of `p`, which was first in the queue with the cost `cost`. If the bounded cost is higher,
+/// the function inserts `p` into the queue again and returns nullopt.
 std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, double cost) {
     if (!mesh_.hasTriangles(p)) return std::nullopt;
     const std::uint32_t to = target_[p];
-    if (!mesh_.hasTriangles(to)) { // `to` has vanished in the meantime
+    if (!mesh_.hasTriangles(to)) { // `to` has lost all of its triangles since the estimate
         refresh(p);
         return std::nullopt;
     }
@@ -247,7 +249,7 @@ std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, doubl
     return found;
 }
 
-/// Applies the collapse that `boundedCost` evaluated last.
+/// Applies the collapse of `from` onto `to`, which `boundedCost` evaluated last.
 void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     estimated_ = std::max(estimated_, estimate_.planes(from, to));
     layerCharge_ = std::max(layerCharge_, layerCost());
@@ -265,7 +267,7 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     refreshAround(from, to);
 }
 
-/// Removes triangles at `p` that repeat the three positions of an earlier triangle.
+/// Removes triangles at `p` that have the same three positions as an earlier triangle.
 void Collapser::removeDuplicates(std::uint32_t p) {
     for (const SimplificationMesh::Duplicate& pair : mesh_.duplicates(p)) {
         errors_.merge(pair);
@@ -273,8 +275,8 @@ void Collapser::removeDuplicates(std::uint32_t p) {
     }
 }
 
-/// Redirects `p` if no triangle remains there. The new position is the nearest corner of the triangles that received
-/// the errors of the removed triangles.
+/// Redirects `p` to another position if no triangle remains at `p`. The new position is the nearest corner of the
+/// triangles that received the errors of the removed triangles.
 void Collapser::redirectIsolated(std::uint32_t p) {
     if (mesh_.hasTriangles(p)) return;
     queue_.remove(p);
@@ -300,7 +302,7 @@ SimplifiedPatch Collapser::run(std::size_t targetTriangles) {
     }
     queue_.putAll(costs);
     const double earlyStopCount = kEarlyStopShare * static_cast<double>(mesh_.triangleCount());
-    double maxAcceptedCost = 0; // largest cost before the early stop is allowed
+    double maxAcceptedCost = 0; // costs up to this value do not stop the loop
     while (mesh_.triangleCount() > targetTriangles && !queue_.isEmpty()) {
         const bool mayStopEarly = static_cast<double>(mesh_.triangleCount()) < earlyStopCount;
         const double cost = queue_.minCost();

@@ -1,4 +1,5 @@
-// A triangle surface prepared for distance queries: neighbours across edges, and a tree for the nearest triangle.
+// A triangle surface prepared for distance queries. It knows the neighbours across edges and has a tree that finds the
+// nearest triangle.
 #pragma once
 
 #include "preprocess/proximity/triangle_distance.h"
@@ -29,13 +30,13 @@ public:
         return proximity::squaredDistance(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
     }
 
-    /// Returns a triangle across edge `i` (from corner i to the next corner), or kNone.
+    /// Returns a triangle across edge `i` of `triangle`, or kNone. Edge i is from corner i to the next corner.
     std::uint32_t across(std::uint32_t triangle, std::uint32_t i) const { return across_[triangle][i]; }
 
     /// Returns the triangles around a position.
     std::span<const std::uint32_t> around(std::uint32_t position) const { return adjacency_.around(position); }
 
-    /// Returns the triangle nearest to `p`. The first call builds a tree.
+    /// Returns the triangle nearest to the point `p`. The first call builds a tree.
     std::uint32_t nearest(const glm::dvec3& p);
 
 private:

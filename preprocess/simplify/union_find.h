@@ -1,5 +1,5 @@
-// Disjoint sets of dense ids. The smallest id represents its set, so that the result does not depend on the order of
-// unions.
+// Disjoint sets of ids from 0 without gaps. The smallest id represents its set, so that the result does not depend on
+// the order of unions.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@ namespace gnomon::simplify {
 
 namespace {
 
-constexpr std::uint32_t kSmallComponent = 24; // positions
+constexpr std::uint32_t kSmallComponent = 24; // max number of positions of a small component
 
 } // namespace
 
@@ -27,7 +27,8 @@ std::vector<std::uint32_t> vertexPairs(const Patch& patch) {
     std::vector<std::uint32_t> size(count, 0);
     for (const std::uint32_t id : component)
         ++size[id];
-    // Only small components search a partner. A large component would first visit all of its own points.
+    // Only positions of small components search for a partner. A position of a large component would first visit all
+    // positions of its own component.
     std::vector<std::uint32_t> querying;
     for (std::uint32_t p = 0; p < count; ++p)
         if (patch.isLocked[p] == 0 && size[component[p]] <= kSmallComponent) querying.push_back(p);

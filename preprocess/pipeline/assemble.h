@@ -1,4 +1,4 @@
-// The last phase of a build: the pages in their final order, then the tables.
+// Prepares the last phase of a build, which writes the pages in their final order and then the tables of the file.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::pipeline {
 
-/// The totals over the records of all nodes.
+/// The totals of a model, added up over the records of all nodes.
 struct Totals {
     hierarchy::ModelSummary summary;
     std::uint64_t pages = 0;
@@ -20,14 +20,15 @@ struct Totals {
 /// Returns the numbers of dropped source triangles: degenerate, doubled, collapsed by the grid, covered.
 DroppedCounts droppedTriangles(const CheckpointLog& log);
 
-/// Returns the totals of a build. `options` are the options that affect the bytes of the model.
+/// Returns the totals of a build. `options` are the options that affect the bytes of the model; the summary contains
+/// them.
 Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options);
 
-/// Returns the rows of all pages, in parts.
+/// Returns the page table rows of all pages, one span per node.
 std::vector<std::span<const hierarchy::PageInfo>> pagesOf(const CheckpointLog& log);
 
-/// Calls `take(page, place in the scratch file)` for all pages in file order: coarsest level first, each level in node
-/// order. The children of a page are final ids. Its offset is not final.
+/// Calls `take(page, place in the scratch file)` for all pages in file order: the coarsest level first, and each level
+/// in the order of its nodes. The children of a page are final page ids. The offset of a page is not final.
 void forEachPage(const CheckpointLog& log, const std::function<void(const hierarchy::PageInfo&, std::uint64_t)>& take);
 
 } // namespace gnomon::pipeline

@@ -27,7 +27,7 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// Returns the seconds since the last lap (or since the creation of `watch`) and starts the next lap.
+/// Returns the seconds since the last call for `watch` (or since the creation of `watch`), and restarts `watch`.
 double lap(Stopwatch& watch) {
     return std::exchange(watch, Stopwatch()).elapsed().count / 1000;
 }
@@ -53,10 +53,10 @@ RoundReport reportOf(const RoundRecord& record) {
     return report;
 }
 
-/// One build. It runs the phases in order and skips phases that the checkpoint log lists as finished.
+/// One build. It runs the phases in order and skips those that the checkpoint log lists as finished.
 class Build {
 public:
-    /// Creates a build. `team` is null if there are no other processes.
+    /// Creates a build. `team` is null if this process builds alone.
     Build(
         read::MeshSource& source,
         const BuildOptions& options,
@@ -89,7 +89,8 @@ public:
         } catch (const hierarchy::Damage& damage) {
             throw scratch::DamageError(options_.output + ": temporary data", damage.what);
         } catch (...) {
-            // The results of many machines are worth more than the disk space that they use.
+            // A build by several processes preserves its temporary files after an error, because the results of many
+            // machines are worth more than the disk space.
             if (team_ != nullptr && log().binned()) workDirectory_.leave();
             throw;
         }
@@ -109,8 +110,8 @@ private:
         assemble();
     }
 
-    /// Returns the memory needs of the build. Throws LimitError if they exceed the limit. It runs before anything is
-    /// written.
+    /// Returns the memory needs of the build. Throws LimitError if they exceed the limit. The build calls this function
+    /// before it writes any file.
     MemoryNeeds affordableNeeds() const {
         MemoryNeeds needs{source_.summary(), options_.chunkTriangles, options_.isInMemory};
         needs.threads = threads_;
@@ -135,7 +136,8 @@ private:
              team});
     }
 
-    /// Starts the tasks. All later reading and building runs in tasks of any process.
+    /// Creates the objects that run tasks. From now on all reading of the source and all building runs in tasks, in any
+    /// process.
     void beginTasks() {
         work_.emplace(source_, options_.level, workDirectory_.scratch(), progress_);
         perform_ = [this](TaskKind kind, std::span<const std::byte> input) { return work_->perform(kind, input); };
@@ -145,7 +147,7 @@ private:
         team_->begin(workDirectory_.scratchPlace(), progress_);
     }
 
-    /// Sorts the source into chunks.
+    /// Sorts the triangles and vertices of the source into chunks.
     void bin() {
         const bool isResumed = log().binned().has_value();
         if (isResumed) {
@@ -165,11 +167,11 @@ private:
             endPhase("bin", source_.summary().fileBytes);
         }
         const Bytes needed = needs_.building(log().binned()->largestChunk);
-        // Preserves the finished work for a build with more memory.
+        // Preserves the finished work, so that a build with more memory can resume it.
         if (isResumed && needed > options_.memory) workDirectory_.leave();
         requireMemory(source_.summary(), options_, needed);
         if (countAtOnce(room(), MemoryNeeds::node(log().binned()->largestChunk, threads_), threads_) < 2)
-            returnFreedMemoryAtOnce(); // memory is scarce
+            returnFreedMemoryAtOnce(); // frees memory at once, because memory is scarce
         const TaskFacts facts{log().binned()->grid, log().binned()->format};
         work_->tell(facts);
         workDirectory_.scratch().handOver();
@@ -178,7 +180,7 @@ private:
 
     TaskRunner& runner() { return team_ != nullptr ? static_cast<TaskRunner&>(*team_) : localTasks_; }
 
-    /// Lets the chunks exchange data about shared vertices.
+    /// Sends the data of vertices that several chunks use from chunk to chunk.
     void shareBorders() {
         if (log().bordered()) {
             borders_.emplace(workDirectory_.scratch(), log().bordered()->directory);
@@ -211,12 +213,13 @@ private:
             progress_.advance(1);
         };
         runner().run(phase, perform_);
-        for (const Mail& answers : mail) // in chunk order, independent of the order of the answers
+        // in chunk order, so that the result does not depend on the order in which tasks finish
+        for (const Mail& answers : mail)
             for (const auto& [chunk, block] : answers)
                 borders_->adopt(chunk::streamOf(stream, chunk), block);
     }
 
-    /// Returns the number of bytes to read for a chunk.
+    /// Returns the number of bytes that a task reads for a chunk.
     std::uint64_t chunkBytes(std::uint32_t chunk) const {
         std::uint64_t bytes = 0;
         for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(chunk::BinStream::Count); ++kind)
@@ -224,7 +227,8 @@ private:
         return bytes;
     }
 
-    /// Returns the number of tasks of size `each` that fit into memory, at least one. One task always fits.
+    /// Returns how many tasks of memory `each` fit into memory at the same time. The result is at least one, because
+    /// one task always fits.
     std::size_t atOnce(const Bytes& each) const {
         return std::max<std::size_t>(countAtOnce(room(), each, threads_), 1);
     }
@@ -245,7 +249,8 @@ private:
         }
     }
 
-    /// Estimates the remaining work. It assumes the same work per triangle as in the finished rounds.
+    /// Estimates the total work for the progress display. The estimate assumes that the remaining rounds need the same
+    /// work per triangle as the finished rounds.
     void expectWhatIsLeft(const Round& round) {
         const std::uint64_t source = log().binned()->triangles;
         std::uint64_t left = 0;
@@ -291,7 +296,8 @@ private:
         return input;
     }
 
-    /// Returns the blocks of a finished node's inputs. No later phase reads them.
+    /// Returns the scratch file blocks with the inputs of a finished node. They can be freed, because no later phase
+    /// reads them.
     Blocks takeInputs(const Round& round, std::uint32_t node) {
         if (round.number > 0) return roundBins_->takeBlocks(node);
         Blocks all;
@@ -320,7 +326,7 @@ private:
                 std::to_string(log().binned()->strayed.triangles) + " beyond its range");
     }
 
-    /// Writes the model.
+    /// Writes the model file.
     void assemble() {
         Totals totals = totalsOf(log(), optionsOf(options_));
         hierarchy::ModelSummary& summary = totals.summary;
@@ -386,7 +392,7 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
     const std::size_t threads =
         options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
     std::optional<tbb::global_control> limit;
-    if (team == nullptr) limit.emplace(kLimit, threads); // a team limits its own threads
+    if (team == nullptr) limit.emplace(kLimit, threads); // with a team, each process limits its threads itself
     Stopwatch watch;
     const auto run = [&](const BuildOptions& given) { return Build(source, given, threads, team, progress).run(); };
     BuildReport report;
@@ -400,7 +406,7 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
         anew.isResumed = false;
         report = run(anew);
     }
-    report.seconds = lap(watch); // includes the removal of temporary files
+    report.seconds = lap(watch); // includes the time for removing temporary files
     return report;
 }
 

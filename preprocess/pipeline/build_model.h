@@ -1,4 +1,4 @@
-// Builds a .gnm model from a MeshSource: the phases of `gnomon build` in order.
+// Builds a .gnm model from a MeshSource. It runs the phases of `gnomon build` in order.
 #pragma once
 
 #include "core/progress.h"
@@ -12,48 +12,47 @@
 
 namespace gnomon::pipeline {
 
-/// The time and the I/O of one phase.
+/// The time and the transferred bytes of one phase.
 struct BuildPhase {
     std::string name;
     double seconds = 0;
     std::uint64_t bytesRead = 0;
     std::uint64_t bytesWritten = 0;
-    TeamShare team; // used if several processes build
+    TeamShare team; // distribution over the processes, if several processes build
 };
 
-/// The size of a round after the first.
+/// The size of a round. Round 0 has no report.
 struct RoundReport {
     std::uint64_t nodes = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t locked = 0;       // locked positions
-    std::uint64_t lockedBefore = 0; // positions of these that were also locked in the round before
+    std::uint64_t locked = 0;       // number of locked positions
+    std::uint64_t lockedBefore = 0; // number of these positions that were also locked in the previous round
 };
 
-/// The result and the costs of a build.
+/// The result and the cost of a build.
 struct BuildReport {
-    hierarchy::ModelSummary summary; // the summary in the file
+    hierarchy::ModelSummary summary; // the model summary that the file contains
     std::uint64_t pages = 0;
     std::uint64_t irreducibleTriangles = 0;
     std::uint64_t fileBytes = 0;
-    std::uint64_t temporaryBytes = 0; // peak size
-    std::uint64_t scratchRead = 0;    // bytes of temporary files, read by this process
+    std::uint64_t temporaryBytes = 0; // peak size of the temporary files
+    std::uint64_t scratchRead = 0;    // bytes that this process read from temporary files
     std::uint64_t scratchWritten = 0;
     std::uint64_t tableBytes = 0; // peak size of the per-vertex tables of this process
     double seconds = 0;
     std::vector<BuildPhase> phases;
     std::vector<RoundReport> rounds;
     std::string contentHash;
-    std::vector<ProcessReport> processes; // where they are many
-    Box strays;                           // of corners beyond the grid's range
-    double medianEdge = 0;                // of the source
-    std::uint64_t badNormals = 0;         // of the source, if its summary does not count them
+    std::vector<ProcessReport> processes; // one report per process, if several processes build
+    Box strays;                           // bounds of the corners outside the grid's range
+    double medianEdge = 0;                // median edge length of the source
+    std::uint64_t badNormals = 0;         // invalid normals of the source, if its summary does not count them
 };
 
-/// Builds `options.output` from `source` out of core: the memory stays below `memory` for any size of the source. The
-/// bytes of the model do not depend on the memory, the threads, the place of the temporary files, or a resume. A
-/// resumed build starts from the beginning if temporary data are damaged.
-///
-/// Throws Error
+/// Builds the model `options.output` from `source` out of core. The memory of the process stays below `memory` for any
+/// size of the source. The bytes of the model do not depend on the memory limit, the number of threads, the place of
+/// the temporary files, or an interruption with a resumed build. If temporary data are damaged, a resumed build starts
+/// from the beginning. Throws Error
 /// - if the source or the output fails,
 /// - if the model has no triangles,
 /// - if `memory` is too small (the message names the required memory),
@@ -63,7 +62,7 @@ struct BuildReport {
 /// After an error there is no file with the name of the output.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress);
 
-/// Builds a model with several processes. Arguments, result and errors are identical.
+/// Builds a model with the processes of `team`. The other arguments, the result and the errors are as above.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, ProcessTeam& team, Progress& progress);
 
 } // namespace gnomon::pipeline

@@ -14,9 +14,9 @@
 
 namespace gnomon::pipeline {
 
-/// The default max number of triangles per chunk. It is a constant of the format, because it affects the bytes of the
-/// model. Borders between chunks stay at full detail for one round. Larger chunks therefore reduce the triangles of a
-/// view. Two chunks at a time fit into the memory of an ordinary machine.
+/// The default max number of triangles per chunk. This number is a constant of the format, because it affects the bytes
+/// of the model. Borders between chunks stay at full detail for one round, so larger chunks reduce the number of
+/// triangles in a view. The memory of an ordinary machine is sufficient for two such chunks at a time.
 constexpr std::uint32_t kChunkTriangles = 1U << 20U;
 
 /// The input, the limits and the format of a build.
@@ -26,25 +26,28 @@ struct BuildOptions {
     levels::LevelOptions level;
     std::uint32_t chunkTriangles = kChunkTriangles;
     std::optional<double> maxIrreduciblePercent;
-    int threads = 0;                     // 0: all threads
+    int threads = 0;                     // number of threads; 0: all threads of the machine
     std::string temporaryFolder;         // folder for temporary files; empty: next to the output
     bool isInMemory = false;             // whether temporary files are in memory
-    std::optional<hierarchy::UpAxis> up; // nothing: guess the axis from the shape of the mesh (hierarchy/up_guess.h)
-    std::string upBecause = "as asked";  // origin of a given axis
-    hierarchy::UpVotes upVotes{};        // votes for a guessed axis from the kind of the source
+    std::optional<hierarchy::UpAxis> up; // up axis; nullopt: guess it from the shape of the mesh (hierarchy/up_guess.h)
+    std::string upBecause = "as asked";  // reason for the up axis, if `up` is given
+    hierarchy::UpVotes upVotes{};        // votes for the guess, from the kind of the source
     hierarchy::Unit unit = hierarchy::Unit::Metre;
-    bool keepsStrays = false;        // extend the grid's range to triangles far outside the main part (chunk/survey.h)
-    std::vector<std::string> fields; // names of the fields with which the source was opened, in order
-    bool isResumed = false;          // continue the work of a killed build if there is any
-    std::string inputKey;            // identifies the input for a resumed build (fingerprint.h)
+    // extend the grid to triangles far outside the main part of the source (chunk/survey.h)
+    bool keepsStrays = false;
+    std::vector<std::string> fields; // names of the fields that the opened source has, in order
+    bool isResumed = false;          // whether to continue the work of a killed build if there is any
+    std::string inputKey;            // identifies the input files for a resumed build (fingerprint.h)
 
-    // Max rate of reading and writing of temporary files per process; 0: no limit.
+    // Max rate of reading and writing temporary files in bytes per second per process; 0: no limit.
     std::uint64_t scratchBytesPerSecond = 0;
 
-    /// Receives the description of damaged temporary data before a resumed build starts from the beginning.
+    /// Is called before a resumed build starts from the beginning because temporary data are damaged. The argument
+    /// describes the damage.
     std::function<void(const std::string&)> onDamage = {};
 
-    /// Receives the folder of temporary files if it cannot be removed because it contains other files.
+    /// Is called if the folder of temporary files cannot be removed because it contains other files. The argument is
+    /// the folder.
     std::function<void(const std::string&)> onKeptFolder = {};
 };
 

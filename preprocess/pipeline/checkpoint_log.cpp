@@ -20,7 +20,7 @@ using hierarchy::PageInfo;
 
 enum class Kind : std::uint8_t { Binned, Bordered, Round, Node };
 
-/// Writers and readers that process the same fields in the same order.
+/// Each writer has a reader that processes the same members in the same order.
 struct Putter {
     ByteWriter& out;
 
@@ -61,7 +61,7 @@ struct Taker {
     template <class T>
     void count(std::vector<T>& values) {
         const std::uint64_t count = in.takeVarint();
-        // Each value has at least one byte.
+        // Each value has at least one byte, so a larger count is damage.
         if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"};
         values.resize(count);
     }
@@ -89,7 +89,8 @@ void boxFields(Fields& fields, SomeBox& box) {
     vectorFields(fields, box.max);
 }
 
-/// A page's row in the format of the model's table, after its offset in the scratch file.
+/// Encodes or decodes a page table row in the format of the model file. It follows the offset of the page in the
+/// scratch file.
 void pageFields(Putter& fields, const PageInfo& info) {
     fields.field(info.offset);
     hierarchy::putPageRow(fields.out, info);
@@ -190,7 +191,7 @@ void nodeFields(Fields& fields, Record& record) {
     fields.field(record.hasNormals);
 }
 
-/// Calls `take(block)` for all blocks of a directory.
+/// Calls `take(block)` for all blocks of the StreamStore directory `directory`.
 template <class Take>
 void forEachBlock(const std::vector<std::byte>& directory, const Take& take) {
     for (const scratch::Blocks& blocks : scratch::StreamStore::blocksOf(directory))
@@ -222,7 +223,7 @@ void requireStreams(const std::vector<std::byte>& directory, std::uint64_t count
         throw hierarchy::Damage{"streams: expected " + std::to_string(count) + ", found " + std::to_string(found)};
 }
 
-/// Throws Damage if a record names an unknown node, or has different numbers of clusters and places.
+/// Throws Damage if a record contains an unknown node number, or if its numbers of clusters and ClusterPlaces differ.
 void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
     if (node.node >= nodeCount) throw hierarchy::Damage{"a node that is not there"};
     if (node.places.bytes % levels::placeBytes(1) != 0 ||
@@ -230,7 +231,7 @@ void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
         throw hierarchy::Damage{"a node with places of another number of clusters"};
 }
 
-/// Appends the kind of a record, which is its last byte.
+/// Appends the kind of the record as its last byte, and returns the bytes.
 std::vector<std::byte> ended(ByteWriter& out, Kind kind) {
     out.put(static_cast<std::uint8_t>(kind));
     return out.take();

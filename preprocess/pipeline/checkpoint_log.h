@@ -1,4 +1,4 @@
-// The checkpoint log: the finished steps of a build, and the records from which another process can resume it.
+// The checkpoint log: the records of the finished steps of a build. Another process can resume the build from them.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -15,20 +15,21 @@
 
 namespace gnomon::pipeline {
 
-/// Counts up when the records change: a build can go on only with those of its own kind.
+/// The version of the records. It increases when their format changes. A build can only resume records of the same
+/// version.
 constexpr int kCheckpointVersion = 12;
 
 /// The numbers of dropped source triangles: degenerate, doubled, collapsed by the grid, and (partly or wholly) covered
 /// by earlier coplanar triangles.
 using DroppedCounts = std::array<std::uint64_t, 4>;
 
-/// The number of streams of a node of a round after the first (round_bins.h).
+/// The number of streams per node in rounds after the first (round_bins.h).
 constexpr std::uint32_t kStreamsOfNode = 3;
 
-/// The record of a finished binning: the source is in chunks.
+/// The record of a finished binning. The source is then sorted into chunks.
 struct BinnedRecord {
     hierarchy::Grid grid;
-    hierarchy::GridPoint furthest; // max coordinates of the positions
+    hierarchy::GridPoint furthest; // max grid coordinates of the positions
     Box mainPart;                  // main part of the source, without strays
     double medianEdge = 0;
     chunk::Strayed strayed;
@@ -37,14 +38,14 @@ struct BinnedRecord {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
-    std::uint64_t badNormals = 0; // that the source's summary does not count
+    std::uint64_t badNormals = 0; // number of invalid normals, if the source's summary does not count them
     std::uint32_t chunkCount = 0;
     chunk::PartSize largestChunk;
-    DroppedCounts dropped{};          // dropped before the chunks
-    std::vector<std::byte> directory; // directory of the store
+    DroppedCounts dropped{};          // triangles that were dropped before the binning
+    std::vector<std::byte> directory; // StreamStore::directory of the chunks' streams
 };
 
-/// The record of the finished border exchange between chunks.
+/// The record of the finished exchange of shared vertices between chunks.
 struct BorderedRecord {
     std::vector<std::byte> directory;
 };
@@ -53,9 +54,9 @@ struct BorderedRecord {
 struct NodeRecord {
     struct LevelOfNode {
         hierarchy::LevelInfo info;
-        /// Pages with offsets in the scratch file. Children are provisional ids. In a new record, page numbers of the
-        /// node's own levels start at 0. After the record is in `nodes`, they start at the node's first page of the
-        /// level.
+        /// Page table rows, whose offsets are offsets in the scratch file. Children are provisional ids. In a new
+        /// record, the page numbers of the node's own levels start at 0. When the record is in `nodes`, they start at
+        /// the node's first page of the level.
         std::vector<hierarchy::PageInfo> pages;
     };
 
@@ -63,50 +64,53 @@ struct NodeRecord {
     std::uint32_t node = 0;
     std::uint32_t firstLevel = 0;
     std::vector<LevelOfNode> levels;
-    scratch::Block places;   // places of the remaining clusters
-    scratch::Block clusters; // the remaining clusters
-    ClusterSums pending;     // their sums
+    scratch::Block places;   // ClusterPlaces of the clusters without groups
+    scratch::Block clusters; // records of the clusters without groups
+    ClusterSums pending;     // totals of the clusters without groups
     std::uint64_t rootTriangles = 0;
     std::uint64_t irreducibleTriangles = 0;
     DroppedCounts dropped{};
-    Box bounds;              // bounds of the chunk, in round 0
-    bool hasNormals = false; // whether the chunk has normals, in round 0
+    Box bounds;              // bounds of the chunk; only in round 0
+    bool hasNormals = false; // whether the chunk has normals; only in round 0
 };
 
-/// The record of a binned round: the remaining clusters of the previous round are in the streams of the new nodes.
+/// The record of a binned round. The clusters without groups of the previous round are then in the streams of the new
+/// round's nodes.
 struct RoundRecord {
-    std::uint32_t round = 0; // from 1 on
+    std::uint32_t round = 0; // number of the round, at least 1
     bool isLast = false;
     std::vector<ClusterSums> nodes;
     LockCounts locks;
     std::vector<std::byte> directory;
 };
 
-/// All records of a build. The first record of the file is the key of the build.
+/// All records of a build. The first record of the file contains the key of the build.
 class CheckpointLog {
 public:
     const std::optional<BinnedRecord>& binned() const { return binned_; }
 
     const std::optional<BorderedRecord>& bordered() const { return bordered_; }
 
-    /// Returns the record of `round`, or null. The records of rounds are contiguous.
+    /// Returns the record of the binning of `round`, or null if there is none. If a round has a record, all earlier
+    /// rounds from 1 on have one too.
     const RoundRecord* binnedRound(std::uint32_t round) const;
 
-    /// Returns the built nodes of `round`, in order, up to the first unfinished node.
+    /// Returns the built nodes of `round` in order. The list ends before the first node that is not built.
     const std::vector<NodeRecord>& nodes(std::uint32_t round) const;
 
-    /// Returns true if a node is built. Nodes before it may be unfinished.
+    /// Returns true if a node is built. Earlier nodes of the round may still be unfinished.
     bool isBuilt(std::uint32_t round, std::uint32_t node) const;
 
-    /// Returns the number of triangles of all levels in the built nodes of `round`.
+    /// Returns the number of triangles in all levels of the built nodes of `round`.
     std::uint64_t builtTriangles(std::uint32_t round) const;
 
     std::uint32_t roundCount() const { return static_cast<std::uint32_t>(rounds_.size()); }
 
-    /// Returns the current number of pages of each level, finest level first.
+    /// Returns the current number of pages per level, finest level first.
     const std::vector<std::uint32_t>& pageCounts() const { return pageCounts_; }
 
-    /// Returns the number of pages that precede the node's pages, for the levels firstLevel, firstLevel + 1, ...
+    /// Returns for each level of a node how many pages of this level precede the node's pages. The levels are
+    /// firstLevel, firstLevel + 1, ...
     const std::vector<std::uint32_t>& firstPages(std::uint32_t round, std::size_t node) const {
         return firstPages_[round][node];
     }
@@ -121,17 +125,18 @@ public:
 
     void add(RoundRecord record);
 
-    /// Adds a node, in any order within a round. Throws Damage if the node was added before.
+    /// Adds the record of a node. The nodes of a round may be added in any order. Throws Damage if the node was added
+    /// before.
     void add(NodeRecord record);
 
-    /// Throws Damage if the records are inconsistent: missing streams, nodes or pages.
+    /// Throws Damage if the records are inconsistent, for example if streams, nodes or pages are missing.
     void requireConsistent() const;
 
-    /// Returns the number of bytes that the records use in each part of the scratch file, counted from the start of the
-    /// part. Throws Damage if blocks exceed a part or overlap.
+    /// Returns for each part of the scratch file how many of its bytes the records use, counted from the start of the
+    /// part. Throws Damage if a block exceeds its part or overlaps another block.
     std::map<std::uint32_t, std::uint64_t> scratchBytes() const;
 
-    /// Adds a record that `encoded` returned. Throws Damage.
+    /// Decodes a record that `encoded` returned and adds it. Throws Damage if the bytes are malformed.
     void addEncoded(std::span<const std::byte> record);
 
 private:
@@ -142,7 +147,8 @@ private:
     std::optional<BorderedRecord> bordered_;
     std::vector<RoundRecord> binnedRounds_; // from round 1 on
     std::vector<std::vector<NodeRecord>> rounds_;
-    std::vector<std::map<std::uint32_t, NodeRecord>> early_; // per round: finished nodes that wait for earlier nodes
+    // per round: finished nodes with an earlier node that is not finished
+    std::vector<std::map<std::uint32_t, NodeRecord>> early_;
     std::vector<std::vector<std::vector<std::uint32_t>>> firstPages_;
     std::vector<std::uint32_t> pageCounts_;
 };
@@ -159,7 +165,7 @@ std::vector<std::uint32_t> partsOf(const BorderedRecord& record);
 std::vector<std::uint32_t> partsOf(const RoundRecord& record);
 std::vector<std::uint32_t> partsOf(const NodeRecord& record);
 
-/// Decodes the record of a node. Throws Damage.
+/// Decodes the record of a node. Throws Damage if the bytes are malformed.
 NodeRecord decodedNode(std::span<const std::byte> record);
 
 } // namespace gnomon::pipeline

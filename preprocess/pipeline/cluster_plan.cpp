@@ -11,7 +11,7 @@ namespace {
 
 using hierarchy::GridPoint;
 
-constexpr int kRootBits = 5; // small root table, because there are few clusters
+constexpr int kRootBits = 5; // the root table is small, because there are few clusters
 
 GridPoint shifted(const GridPoint& p, std::uint32_t shift) {
     return {p.x + shift, p.y + shift, p.z + shift};
@@ -27,9 +27,9 @@ chunk::ChunkTree treeOf(
     return {counts, limit};
 }
 
-/// The state of filling one node after the other.
+/// The state while clusters fill one node after the other.
 struct Filling {
-    std::uint32_t node = 0; // number of the node within its part of the tree
+    std::uint32_t node = 0; // number of the node within its part of the octree
     std::uint64_t triangles = 0;
 
     void add(std::uint64_t more, std::uint64_t limit) {
@@ -57,7 +57,8 @@ ClusterPlan planClusters(
     const std::uint32_t shift = cellShift(furthest, round);
     const chunk::ChunkTree tree = treeOf(places, furthest, shift, nodeTriangles);
     plan.nodeOf.reserve(places.size());
-    // A part of the tree is one node. It is several nodes if one point has more triangles than a node may have.
+    // Each part of the octree becomes one node. It becomes several nodes if a single point has more triangles than a
+    // node may have.
     std::vector<Filling> filling(tree.chunkCount());
     for (const levels::ClusterPlace& place : places)
         filling[tree.chunkOf(shifted(place.center, shift))].add(place.triangles, nodeTriangles);

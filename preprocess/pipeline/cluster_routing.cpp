@@ -23,7 +23,7 @@ void put(StreamBytes& streams, std::uint32_t stream, const T& value) {
     all.insert(all.end(), bytes.begin(), bytes.end());
 }
 
-/// The new nodes that use each position of one old node.
+/// For each position of a finished node, the nodes of the next round that use it.
 class PositionUses {
 public:
     explicit PositionUses(std::size_t maxPositions) : table_(maxPositions) {}
@@ -37,7 +37,8 @@ public:
         if (first != node) others_.push_back({found, node});
     }
 
-    /// Calls `take(position, whether it was a border, its nodes)` for each position, in the order of insertion.
+    /// Calls `take(position, whether it was a border, its nodes)` for each position. Positions are in the order of
+    /// insertion.
     template <class Take>
     void forEach(const Take& take) {
         std::sort(others_.begin(), others_.end());
@@ -75,7 +76,7 @@ private:
 
     IndexTable table_;
     std::vector<Used> positions_;
-    std::vector<OtherUse> others_; // uses after the first
+    std::vector<OtherUse> others_; // all uses of a position after its first use
 };
 
 } // namespace

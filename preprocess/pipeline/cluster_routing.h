@@ -1,5 +1,5 @@
-// Routes the clusters of one finished node to the nodes of the next round, and finds the shared positions of these
-// nodes.
+// Sends the clusters of a finished node to the nodes of the next round, and finds the positions that several of these
+// nodes share.
 #pragma once
 
 #include "preprocess/levels/open_clusters.h"
@@ -10,44 +10,47 @@
 
 namespace gnomon::pipeline {
 
-/// Bytes per stream of one kind.
+/// Bytes per stream number, for streams of one kind.
 using StreamBytes = std::map<std::uint32_t, std::vector<std::byte>>;
 
-/// A use of a position: a node of the next round has a cluster at this position, which was a border in the previous
-/// round.
+/// One use of a position: a node of the next round has a cluster with this position. The position was a border in the
+/// previous round.
 struct BorderUse {
     hierarchy::GridPoint position;
     std::uint32_t node = 0;
     auto operator<=>(const BorderUse&) const = default;
 };
 
-/// The number of locked positions, and how many of them were also locked in the previous round.
+/// The number of locked positions of a round, and how many of them were also locked in the previous round.
 struct LockCounts {
     std::uint64_t locked = 0;
     std::uint64_t lockedBefore = 0;
 };
 
-/// The output of the routing of a node.
+/// The result of routing the clusters of a node.
 struct RoutedClusters {
-    StreamBytes records; // per new node
-    StreamBytes locks;   // per new node: positions that were not borders, and that several new nodes use now
-    // BorderUse per stream; the hash of the position modulo the number of streams selects the stream.
+    StreamBytes records; // per node of the next round: records of its clusters
+    StreamBytes locks;   // per node of the next round: positions that are shared for the first time
+    // BorderUse records per border stream. The stream of a position is the hash of the position modulo the number of
+    // streams.
     StreamBytes borders;
-    LockCounts counts; // counts of `locks`
+    LockCounts counts; // numbers of positions in `locks`
 };
 
-/// The remaining clusters of a node after a round.
+/// The clusters without groups that a node has after a round.
 struct LeftClusters {
-    std::span<const std::byte> bytes;          // EncodedOpenClusters
-    std::span<const std::uint32_t> nodeOf;     // node in the next round, per cluster
-    std::uint32_t firstLevel = 0;              // first level of the node
-    std::span<const std::uint32_t> firstPages; // number of its first page in each level
+    std::span<const std::byte> bytes;          // encoded EncodedOpenClusters
+    std::span<const std::uint32_t> nodeOf;     // per cluster: its node in the next round
+    std::uint32_t firstLevel = 0;              // first level that the node built
+    std::span<const std::uint32_t> firstPages; // per level: number of the node's first page
 };
 
-/// Distributes the clusters of a node to the new nodes, and its border positions to `borderStreams` streams.
+/// Distributes the clusters of a node to the nodes of the next round. Distributes the uses of its border positions to
+/// `borderStreams` streams.
 RoutedClusters routed(const LeftClusters& left, std::uint32_t borderStreams);
 
-/// Returns the positions of one stream of BorderUse that several nodes use, per node.
+/// Returns per node of the next round the positions of `uses` that several nodes use. `uses` contains all records of
+/// one border stream. The function adds to `counts`.
 StreamBytes sharedBorders(std::vector<BorderUse> uses, LockCounts& counts);
 
 } // namespace gnomon::pipeline

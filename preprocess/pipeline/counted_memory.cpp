@@ -15,12 +15,12 @@ constexpr Bytes kSmallModel = mebibytes(256);
 Bytes countedNeed(read::MeshSource& source, const MemoryNeeds& needs, Bytes memory, Progress& progress) {
     MemoryNeeds serial = needs;
     serial.isSerial = true;
-    const bool isRefused = needs.sorting() > memory; // the caller needs the required memory for its message
+    const bool isRefused = needs.sorting() > memory; // the error message of the caller needs the required memory
     if (serial.sorting() > (isRefused ? std::max(memory, kSmallModel) : memory))
         return isRefused ? needs.peak() : needs.sorting();
     const chunk::SourceSurvey survey = chunk::surveySource(source, progress);
     read::MeshSummary counted = source.summary();
-    counted.likelyTriangles = survey.triangles; // the header of a file with strips gives a larger number
+    counted.likelyTriangles = survey.triangles; // for a file with strips, the header gives a larger number
     counted.faceCount = std::min(counted.faceCount, survey.triangles);
     const chunk::ChunkTree tree = chunk::planChunks(source, survey, needs.chunkTriangles, progress);
     const chunk::BinnedSize size = chunk::measureBins(source, survey, tree, progress);

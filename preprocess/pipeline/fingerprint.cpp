@@ -16,7 +16,7 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// Returns the time of the last change of a file, readable and with nanoseconds.
+/// Returns the time of the last change of a file as readable text with nanoseconds.
 std::string changeOf(const std::string& path) {
     using std::chrono::nanoseconds;
     const auto time = std::chrono::file_clock::to_sys(std::filesystem::last_write_time(path)).time_since_epoch();

@@ -1,4 +1,4 @@
-// Writes the checkpoint log in a separate thread. A record is written after its data are on the device.
+// Writes the checkpoint log in a separate thread. It writes a record only after the record's data are on the device.
 #pragma once
 
 #include "preprocess/scratch/record_log.h"
@@ -12,28 +12,28 @@
 
 namespace gnomon::pipeline {
 
-/// A writer with one thread. The thread writes all records that arrived during the previous write. A slow disk
-/// therefore delays records, not the build. A power cut loses only unwritten records, never the data of a written
-/// record.
+/// A writer with one thread. The thread writes all records that arrived during its previous write. A slow disk
+/// therefore delays records, but not the build. A power cut loses only records that are not yet written. The data of a
+/// written record are never lost.
 class RecordWriter {
 public:
     struct Entry {
         std::vector<std::byte> record;
-        std::vector<std::uint32_t> parts; // parts of the scratch file with the data of the record
-        scratch::Blocks freed;            // blocks that are unused after the record is on the device
+        std::vector<std::uint32_t> parts; // parts of the scratch file that contain the data of the record
+        scratch::Blocks freed;            // blocks that can be freed when the record is on the device
     };
 
-    /// Creates a writer. `scratch` must outlive it.
+    /// Creates a writer for `log`. `scratch` must outlive it.
     RecordWriter(scratch::RecordLog log, scratch::ScratchFile& scratch);
 
-    /// Discards unwritten records.
+    /// Stops the thread. Records that are not written yet are lost.
     ~RecordWriter();
     RecordWriter(const RecordWriter&) = delete;
     RecordWriter& operator=(const RecordWriter&) = delete;
     RecordWriter(RecordWriter&&) = delete;
     RecordWriter& operator=(RecordWriter&&) = delete;
 
-    /// Adds an entry. Throws the error of an earlier entry if there was one.
+    /// Adds an entry to the queue of the thread. Throws the error of an earlier entry if its writing failed.
     void add(Entry entry);
 
     /// Waits until all entries are written or one has failed.
@@ -51,7 +51,7 @@ private:
     std::exception_ptr error_;
     bool isWriting_ = false;
     bool isStopped_ = false;
-    std::thread thread_; // must be the last member
+    std::thread thread_; // the last member, so that it starts when all other members exist
 };
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-// The JSON report of `gnomon build --json`.
+// Writes the report of a build as JSON, for `gnomon build --json`.
 #pragma once
 
 #include "preprocess/pipeline/build_model.h"

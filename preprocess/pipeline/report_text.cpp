@@ -52,7 +52,8 @@ std::string reportText(
 }
 
 std::string warningOfCoarsest(const BuildReport& report) {
-    constexpr std::uint64_t kManyTriangles = 1000; // a well-behaved mesh of any size has fewer triangles at its root
+    // an ordinary mesh of any size has fewer triangles in its coarsest level
+    constexpr std::uint64_t kManyTriangles = 1000;
     constexpr double kManyIrreduciblePercent = 1;
     const std::uint64_t source = report.summary.sourceTriangles;
     const double irreduciblePercent =
@@ -74,7 +75,7 @@ std::string warningOfStrays(const BuildReport& report) {
 }
 
 std::string warningOfStep(const BuildReport& report) {
-    constexpr double kMaxStep = 0.1; // in median edges
+    constexpr double kMaxStep = 0.1; // max grid step as a multiple of the median edge length
     const double step = report.summary.grid.step();
     if (report.medianEdge == 0 || step <= kMaxStep * report.medianEdge) return "";
     return "small details collapse: the grid's step is " + formatted("%.3g", step) +

@@ -1,4 +1,4 @@
-// The text report of `gnomon build`.
+// Writes the report of a build as text, for `gnomon build`.
 #pragma once
 
 #include "preprocess/pipeline/build_model.h"
@@ -9,25 +9,27 @@
 
 namespace gnomon::pipeline {
 
-/// Returns the data of the source that the model does not keep, and how often each kind of data occurs.
+/// Returns the kinds of source data that the model does not store, and how often each kind occurs in the source.
 std::map<std::string, std::uint64_t> attributesDropped(const BuildReport& report, const read::MeshSummary& source);
 
-/// `report` of a build from `source` by a process of this peak resident size, in bytes; lines, each with its end.
-/// `howToTurn` says how the caller turns a model; it follows the up axis, unless the source or the caller told the
-/// axis.
+/// Returns `report` as text, one fact per line, each with a line end. `source` is the source of the build.
+/// `peakResidentBytes` is the peak resident size of the process. `howToTurn` says how the user can turn the model. It
+/// follows the up axis unless the source or the user named the axis.
 std::string reportText(
     const BuildReport& report,
     const read::MeshSummary& source,
     std::uint64_t peakResidentBytes,
     const std::string& howToTurn);
 
-/// Returns a warning if the coarsest level is too fine to be drawn from far away, or an empty text.
+/// Returns a warning if the coarsest level has too many triangles to be drawn from far away. Otherwise returns an empty
+/// text.
 std::string warningOfCoarsest(const BuildReport& report);
 
-/// Returns the number and the bounds of the triangles outside the grid's range, or an empty text if there are none.
+/// Returns a warning with the number and the bounds of the triangles outside the grid's range. Returns an empty text if
+/// there are none.
 std::string warningOfStrays(const BuildReport& report);
 
-/// Returns a warning if the grid step exceeds a tenth of the median edge, or an empty text.
+/// Returns a warning if the grid step exceeds a tenth of the median edge length. Otherwise returns an empty text.
 std::string warningOfStep(const BuildReport& report);
 
 } // namespace gnomon::pipeline

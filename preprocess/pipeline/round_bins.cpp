@@ -9,8 +9,8 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// Returns the number of streams for shared borders, given the `bytes` of all remaining clusters. Each old node writes
-/// one block into each stream. One stream at a time is in memory.
+/// Returns the number of border streams. `bytes` is the size of all clusters without groups. Each finished node writes
+/// one block into each stream. Only one stream at a time is in memory.
 std::uint32_t borderStreamsFor(std::uint64_t bytes, std::uint32_t nodeCount) {
     constexpr std::uint64_t kMinBins = 16;
     constexpr std::uint64_t kMaxBins = 256;
@@ -77,7 +77,7 @@ RoundRecord RoundBins::bin(const Round& round, const BinningMeans& means) {
 void RoundBins::routeAll(const Round& round, const BinningMeans& means, const ClusterPlan& plan, LockCounts& locks) {
     const std::vector<NodeRecord>& nodes = log().nodes(round.number);
     const auto nodeCount = static_cast<std::uint32_t>(plan.nodes.size());
-    std::vector<std::size_t> firstCluster(1, 0); // per old node
+    std::vector<std::size_t> firstCluster(1, 0); // per finished node: index of its first cluster
     Bytes maxBytes;
     std::uint64_t leftBytes = 0;
     TaskPhase phase;
@@ -108,7 +108,8 @@ void RoundBins::routeAll(const Round& round, const BinningMeans& means, const Cl
     };
     means.runner.run(phase, means.perform);
     bins_.emplace(workDirectory_.scratch(), nodeCount * static_cast<std::uint32_t>(Stream::Count), 1);
-    for (const RoutedMail& routed : mail) { // in the order of the old nodes, independent of the routing order
+    // in node order, so that the result does not depend on the order in which tasks finish
+    for (const RoutedMail& routed : mail) {
         deliver(Stream::Records, routed.records);
         deliver(Stream::Locks, routed.locks);
         deliver(Stream::Borders, routed.borders);

@@ -1,4 +1,4 @@
-// The data between rounds: the clusters of finished nodes, binned for the nodes of the next round.
+// Stores the data between two rounds: the clusters of finished nodes, sorted by the nodes of the next round.
 #pragma once
 
 #include "preprocess/levels/open_clusters.h"
@@ -9,33 +9,35 @@
 
 namespace gnomon::pipeline {
 
-/// The resources of the binning.
+/// The limits and the task runner for sorting the clusters.
 struct BinningMeans {
-    Bytes room; // memory
+    Bytes room; // memory for the sorting
     std::size_t threads = 1;
     std::uint32_t chunkTriangles = 0;
     TaskRunner& runner;
     const Perform& perform;
 };
 
-/// Bins the remaining clusters of each round for the next round.
+/// Sorts the clusters that have no groups after a round by the nodes of the next round.
 class RoundBins {
 public:
     /// Creates the bins. Both arguments must outlive the object.
     RoundBins(WorkDirectory& workDirectory, Progress& progress) : workDirectory_(workDirectory), progress_(progress) {}
 
-    /// Returns the round after `round`. All nodes of `round` must be finished. The function bins their clusters, or
-    /// restores the bins from the checkpoint log, and then frees the old clusters.
+    /// Returns the round after `round`. All nodes of `round` must be finished. The function sorts their clusters, or
+    /// restores the sorted clusters from the checkpoint log. It then frees the clusters in their old order.
     Round next(const Round& round, const BinningMeans& means);
 
-    /// Returns the input that builds a node of `round`, a result of `next`. Many threads can call it at once.
+    /// Returns the input for building a node of `round`, which must be a result of `next`. Many threads can call it at
+    /// once.
     NodeInput input(const Round& round, std::uint32_t node) const;
 
-    /// Returns the blocks of a finished node's clusters. No later phase reads them.
+    /// Returns the scratch file blocks with the clusters of a finished node. They can be freed, because no later phase
+    /// reads them.
     Blocks takeBlocks(std::uint32_t node);
 
 private:
-    /// The streams of a node.
+    /// The kinds of streams. Each node has one stream of each kind.
     enum class Stream : std::uint32_t { Records, Locks, Borders, Count };
     static_assert(static_cast<std::uint32_t>(Stream::Count) == kStreamsOfNode);
 
@@ -50,7 +52,7 @@ private:
 
     WorkDirectory& workDirectory_;
     Progress& progress_;
-    std::optional<scratch::StreamStore> bins_; // bins of the current round
+    std::optional<scratch::StreamStore> bins_; // the sorted clusters of the current round
 };
 
 } // namespace gnomon::pipeline

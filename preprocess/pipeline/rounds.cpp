@@ -7,7 +7,8 @@ namespace gnomon::pipeline {
 namespace {
 
 constexpr std::uint64_t kAlwaysAffordable = 8192;
-constexpr double kMinProgress = 0.8; // max share of a round's triangles that may remain if another round follows
+// a round that leaves a larger share of the triangles is followed by the last round
+constexpr double kMinProgress = 0.8;
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// Sorts a source into chunks: by ranges of its rows in tasks if the source supports them, otherwise in whole passes of
-// one process.
+// Sorts a source into chunks. If the source supports ranges of rows, tasks sort one range each. Otherwise one process
+// sorts the source in whole passes.
 #pragma once
 
 #include "preprocess/pipeline/build_options.h"
@@ -13,7 +13,7 @@
 
 namespace gnomon::pipeline {
 
-/// The resources of the sorting. All must outlive it.
+/// The objects that the sorting uses. All must outlive it.
 struct SortingMeans {
     read::MeshSource& source;
     const BuildOptions& options;
@@ -23,17 +23,17 @@ struct SortingMeans {
     Progress& progress;
     std::size_t threads = 1;
     std::uint32_t processes = 1;
-    // Receives the phase's name and the number of bytes read from the source.
+    // Is called at the end of each phase with its name and the number of bytes that it read from the source.
     std::function<void(const std::string&, std::uint64_t)> endPhase;
 };
 
-/// Throws LimitError if `needed` exceeds the memory limit of `options`.
+/// Throws LimitError if `needed` exceeds the memory limit in `options`.
 void requireMemory(const read::MeshSummary& source, const BuildOptions& options, Bytes needed);
 
-/// Returns the memory limit minus `taken`.
+/// Returns the memory limit in `options` minus `taken`, or zero.
 Bytes remainingMemory(const BuildOptions& options, Bytes taken);
 
-/// Sorts the source into chunks. Returns the record of the phase, and stores the chunks in `bins`.
+/// Sorts the source into chunks and stores the chunks in `bins`. Returns the record of the phase.
 BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::StreamStore>& bins);
 
 } // namespace gnomon::pipeline

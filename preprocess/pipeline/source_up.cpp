@@ -14,7 +14,7 @@ namespace {
 
 using hierarchy::UpAxis;
 
-constexpr std::size_t kMaxHeaderBytes = 64U << 10U; // bytes of a file that are searched
+constexpr std::size_t kMaxHeaderBytes = 64U << 10U; // number of bytes at the start of a file that are searched
 
 bool isLetter(char c) {
     return c >= 'a' && c <= 'z';
@@ -24,7 +24,7 @@ bool isWordEnd(std::string_view text, std::size_t at) {
     return at >= text.size() || !isLetter(text[at]);
 }
 
-/// Returns the axis named by the letter at `at`, with its sign, if the letter is a separate word.
+/// Returns the axis that the letter at `at` names, with its sign. Returns nullopt if the letter is not a separate word.
 std::optional<UpAxis> axisAt(std::string_view text, std::size_t at) {
     if (at >= text.size() || text[at] < 'x' || text[at] > 'z') return std::nullopt;
     if (at + 1 < text.size() && isLetter(text[at + 1])) return std::nullopt;
@@ -33,13 +33,13 @@ std::optional<UpAxis> axisAt(std::string_view text, std::size_t at) {
     return hierarchy::upAxisNamed(isDown ? text.substr(at - 1, 2) : text.substr(at, 1));
 }
 
-/// Returns the axis of "z up", "z-up" or "z_up", where the second word begins at `up`.
+/// Returns the axis in a text like "z up", "z-up" or "z_up". `up` is the index of the word "up".
 std::optional<UpAxis> axisBefore(std::string_view text, std::size_t up) {
     const bool isApart = up >= 2 && (text[up - 1] == ' ' || text[up - 1] == '-' || text[up - 1] == '_');
     return isApart ? axisAt(text, up - 2) : std::nullopt;
 }
 
-/// Returns the axis of "up: z", "up axis = z" or "up_axis:-z", where the first word begins at `up`.
+/// Returns the axis in a text like "up: z", "up axis = z" or "up_axis:-z". `up` is the index of the word "up".
 std::optional<UpAxis> axisBehind(std::string_view text, std::size_t up) {
     std::string_view rest = text.substr(up + 2);
     if (rest.size() > 5 && (rest[0] == ' ' || rest[0] == '_' || rest[0] == '-') && rest.substr(1, 4) == "axis")
@@ -57,7 +57,7 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// Combines two statements about the axis. Sets `isOne` to false if they contradict each other.
+/// Adds the statement `more` to the earlier statement `said`. Sets `isOne` to false if the two contradict each other.
 void agree(std::optional<UpAxis>& said, const std::optional<UpAxis>& more, bool& isOne) {
     if (!more) return;
     if (said && !(*said == *more)) isOne = false;
@@ -66,9 +66,9 @@ void agree(std::optional<UpAxis>& said, const std::optional<UpAxis>& more, bool&
 
 /// The default up axis of a program that exports meshes.
 struct Exporter {
-    std::string_view name;   // name in comments, in lower case
-    std::string_view up;     // up axis in any file
-    std::string_view ofObjs; // up axis in an OBJ file
+    std::string_view name;   // name of the program in comments, in lower case
+    std::string_view up;     // up axis in files of any format
+    std::string_view ofObjs; // up axis in OBJ files
 };
 
 constexpr std::array kExporters = {
@@ -81,13 +81,13 @@ constexpr std::array kExporters = {
     Exporter{"revit", "z", "z"},          Exporter{"autocad", "z", "z"},        Exporter{"qgis", "z", "z"},
 };
 
-// Vote counts relative to hierarchy::kSureVotes. A known program is almost sufficient. A kind of file decides only
-// close results.
+// Votes relative to hierarchy::kSureVotes. The votes of a known program are almost sufficient alone. The votes of a
+// kind of file decide only if the votes from the shape are close.
 constexpr int kExporterVotes = 2000;
 constexpr int kKindVotes = 1000;
 
-/// Returns the comments at the start of a file, one per line: "comment" or "obj_info" lines of a PLY header, "#" lines
-/// of an OBJ or OFF file, or the header of an STL file.
+/// Returns the comments at the start of a file, one per line. They are the "comment" or "obj_info" lines of a PLY
+/// header, the "#" lines of an OBJ or OFF file, or the header of an STL file.
 std::string commentsOf(const std::string& path, const std::string& suffix) {
     constexpr std::size_t kStlHeader = 80;
     const File file(path, File::Mode::Read);
@@ -113,7 +113,7 @@ void addVotes(hierarchy::UpVotes& votes, std::string_view axis, int count) {
     votes[axis == "y" ? kY : kZ] += count;
 }
 
-/// Returns votes for the usual up axis of a file with this suffix and these comments.
+/// Returns the votes for the usual up axis of files with this suffix and these comments.
 hierarchy::UpVotes votesOf(const std::string& suffix, const std::string& comments) {
     hierarchy::UpVotes votes{};
     const std::string text = lowered(comments);
@@ -153,7 +153,7 @@ SourceUp upOfSources(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         const std::string suffix = read::loweredSuffix(path);
         if (suffix == ".gltf" || suffix == ".glb") {
-            agree(found.told, hierarchy::upAxisNamed("y"), isOne); // by the format
+            agree(found.told, hierarchy::upAxisNamed("y"), isOne); // the glTF format defines the axis
             continue;
         }
         agree(found.told, upOfComment(std::filesystem::path(path).stem().string()), isOne);

@@ -26,7 +26,7 @@ std::span<const std::byte> bytesOf(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-/// Returns the work folder. It depends only on the options, so that a resumed build finds it.
+/// Returns the work folder. Its name depends only on the options, so that a resumed build finds it.
 std::string folderFor(const WorkDirectoryOptions& options) {
     if (options.folder.empty()) return options.output + ".building";
     const fs::path output = fs::absolute(options.output).lexically_normal();
@@ -41,7 +41,7 @@ bool isAlive(const std::string& process) {
     return ::kill(static_cast<pid_t>(std::strtol(process.c_str(), nullptr, 10)), 0) == 0 || errno == EPERM;
 }
 
-/// Removes half-written outputs of killed processes. Their names have the format of AtomicFile.
+/// Removes the unfinished outputs of killed processes. AtomicFile defines the format of their names.
 void removeLeftovers(const std::string& output) {
     const fs::path path = fs::absolute(output);
     const std::string start = path.filename().string() + ".";
@@ -59,7 +59,7 @@ void removeLeftovers(const std::string& output) {
     }
 }
 
-/// Returns the entries of a key: the name (all words but the last) and the value.
+/// Returns the entries of a build key. The value of an entry is its last word, and the name is all words before it.
 std::vector<std::array<std::string, 2>> entriesOf(const std::string& key) {
     std::vector<std::array<std::string, 2>> entries;
     for (std::size_t begin = 0; begin < key.size();) {
@@ -72,7 +72,8 @@ std::vector<std::array<std::string, 2>> entriesOf(const std::string& key) {
     return entries;
 }
 
-/// Returns the differences between two keys: "name: expected value, found value" for each differing entry.
+/// Returns the differences between two build keys. The text contains "name: expected value, found value" for each
+/// differing entry.
 std::string differenceOf(const std::string& expected, const std::string& found) {
     std::map<std::string, std::array<std::string, 2>> values;
     const std::array keys{&expected, &found};
@@ -106,7 +107,7 @@ WorkDirectory::Names::~Names() {
         held_.pop_back();
     std::error_code failure;
     if (!fs::exists(folder, failure)) return;
-    // A file system may refuse to remove a file once and permit it later, so this loop tries again.
+    // The loop tries again, because a file system may refuse to remove a file at first and permit it later.
     std::string reason;
     for (const std::string& path : ours)
         if (!fs::remove(path, failure) && failure && failure != std::errc::directory_not_empty && reason.empty())
@@ -116,7 +117,7 @@ WorkDirectory::Names::~Names() {
 }
 
 void WorkDirectory::Names::make(const std::string& folder) {
-    std::error_code ignored; // a missing folder causes the error below
+    std::error_code ignored; // a missing folder causes the Error below
     if (const fs::path above = fs::path(folder).parent_path(); !above.empty()) fs::create_directories(above, ignored);
     constexpr unsigned kOwnersOnly = 0700;
     int error = 0;
@@ -134,7 +135,7 @@ void WorkDirectory::Names::make(const std::string& folder) {
 
     struct stat info {};
 
-    // The owner of the folder could replace the files of a build by links.
+    // The folder must belong to this user, because its owner could replace the files of a build by links.
     if (::lstat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode) || info.st_uid != ::geteuid())
         throw Error(
             folder,

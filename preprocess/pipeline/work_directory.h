@@ -1,4 +1,4 @@
-// The work directory of a build: a folder with scratch files and a checkpoint log, or only memory.
+// The work directory of a build: a folder with scratch files and a checkpoint log. It can also exist only in memory.
 #pragma once
 
 #include "core/temporary_name.h"
@@ -19,27 +19,29 @@ namespace gnomon::pipeline {
 struct WorkDirectoryOptions {
     std::string output;      // path of the model to build
     std::string folder;      // folder for temporary files; empty: next to the output
-    std::string key;         // key of the build ("name value, name value"); a resumed build must have the same key
-    bool isInMemory = false; // no files at all
-    bool isResumed = false;  // continue from existing records, if any
-    std::function<void(const std::string&)> onKept = {}; // receives the folder and the reason if it cannot be removed
-    std::uint64_t bytesPerSecond = 0;                    // max rate of reading and writing; 0: no limit
+    std::string key;         // key of the build ("name value, name value"); a resumed build requires the same key
+    bool isInMemory = false; // whether the directory exists only in memory, without files
+    bool isResumed = false;  // whether to continue from existing records, if any
+    // receives the folder and the reason if the folder cannot be removed
+    std::function<void(const std::string&)> onKept = {};
+    // max rate of reading and writing in bytes per second; 0: no limit
+    std::uint64_t bytesPerSecond = 0;
 };
 
-/// The place of a build's scratch files.
+/// The names of a build's scratch files.
 struct ScratchPlace {
-    std::string stem;            // start of their names
-    std::uint32_t firstPart = 0; // first part of this run
+    std::string stem;            // common start of the file names
+    std::uint32_t firstPart = 0; // number of the first part that this run writes
 };
 
-/// A work directory. Its destructor removes all files that builds wrote, and no others. A killed process leaves them.
-/// Only one process at a time can build an output in one folder. If several processes build the same output in
-/// different folders, each of them replaces the whole output.
+/// A work directory. Its destructor removes all files that builds wrote, but no other files. A killed process leaves
+/// its files in the folder. Only one process at a time can build an output in a folder. If several processes build the
+/// same output in different folders, each of them replaces the whole output at its end.
 class WorkDirectory {
 public:
-    /// Opens the directory. Throws Error if another process uses it, if the folder belongs to another user or is a
-    /// link, or if a resumed build has another key. The message names the differing entries, and no file is changed.
-    /// Throws DamageError if a resumed build finds damaged records or scratch files.
+    /// Opens the directory. Throws Error if another process uses it, or if the folder belongs to another user or is a
+    /// link. Throws Error also if a resumed build has another key. The message then names the differing entries, and no
+    /// file is changed. Throws DamageError if a resumed build finds damaged records or scratch files.
     WorkDirectory(const WorkDirectoryOptions& options, Progress& progress);
     ~WorkDirectory() = default;
     WorkDirectory(const WorkDirectory&) = delete;
@@ -53,21 +55,22 @@ public:
 
     scratch::TemporarySpace& space() { return space_; }
 
-    /// Returns the scratch file with all temporary bytes except the log.
+    /// Returns the scratch file. It contains all temporary data except the checkpoint log.
     scratch::ScratchFile& scratch() { return *scratch_; }
 
-    /// Returns the place of the parts of `scratch` for other processes. There is none in memory.
+    /// Returns the names of the parts of `scratch`, so that other processes can open them. They are empty if the
+    /// directory exists only in memory.
     const ScratchPlace& scratchPlace() const { return place_; }
 
-    /// Reserves parts for the scratch files of `count` processes. The parts are consecutive, starting with this
+    /// Reserves consecutive parts for the scratch files of `count` processes. The first part is the part of this
     /// process.
     void expectProcesses(std::uint32_t count);
 
-    /// Writes all records and leaves all files for another process. The destructor then removes nothing.
+    /// Writes all records and preserves all files for another process. The destructor then removes nothing.
     void leave();
 
-    /// Adds `record` to the checkpoint log. Its data must already be in the scratch file. The blocks `freed` are freed
-    /// after the record is written. Throws the error of an earlier record that could not be written.
+    /// Adds `record` to the checkpoint log. The record's data must already be in the scratch file. The blocks `freed`
+    /// are freed when the record is on the device. Throws the error of an earlier record that could not be written.
     template <class Record>
     void finish(Record record, scratch::Blocks freed = {}) {
         if (writer_)
@@ -77,13 +80,13 @@ public:
         log_.add(std::move(record));
     }
 
-    /// Frees the space of `blocks`.
+    /// Frees the space of `blocks` in the scratch file.
     void release(const scratch::Blocks& blocks);
 
 private:
-    /// The folder and the files of builds. The destructor removes them unless `leave` was called. It removes the
-    /// checkpoint log first. As long as the log exists, all files that it names exist, so that a killed build can be
-    /// resumed.
+    /// The names of the folder and the files of builds. The destructor removes these files unless `leave` was called.
+    /// It removes the checkpoint log first. All files that the log names therefore exist as long as the log exists, and
+    /// a killed build can be resumed.
     class Names {
     public:
         explicit Names(std::function<void(const std::string&)> onKept) : onKept_(std::move(onKept)) {}
@@ -94,39 +97,43 @@ private:
         Names(Names&&) = delete;
         Names& operator=(Names&&) = delete;
 
-        /// Creates the folder and takes it over. An existing folder requires `takeOver`.
+        /// Creates the folder, which the destructor will remove. If the folder exists, the caller must call `takeOver`
+        /// instead.
         void make(const std::string& folder);
 
-        /// Takes over the existing files of builds in the folder.
+        /// Adds the existing folder and the files of builds in it. The destructor will remove them.
         void takeOver(const std::string& folder);
 
-        /// Takes over the file at `path`.
+        /// Adds the file at `path`. The destructor will remove it.
         void take(const std::string& path);
 
         void leave();
 
     private:
         std::function<void(const std::string&)> onKept_;
-        std::vector<std::unique_ptr<TemporaryName>> held_; // the folder is first
-        std::unique_ptr<TemporaryName> log_;               // newer than all other files
+        std::vector<std::unique_ptr<TemporaryName>> held_; // the first entry is the folder
+        // the checkpoint log; newer than all names in `held_`, so that it is removed first
+        std::unique_ptr<TemporaryName> log_;
     };
 
-    /// Resumes from the existing checkpoint log. Returns the log, or nothing if there is none. Throws Error if the log
-    /// is of another build.
+    /// Opens the existing checkpoint log and restores its records. Returns nullopt if there is no log. Throws Error if
+    /// the log belongs to another build.
     std::optional<scratch::RecordLog> resumed(const std::string& key);
 
-    /// Creates the scratch file of this process as a new part after the parts in the log, and removes all other files.
+    /// Creates the scratch file of this process and removes all files that the log does not name. The new file is the
+    /// next part after the parts in the log.
     void makeScratch();
 
     scratch::TemporarySpace space_;
-    std::string folder_; // empty: in memory
+    std::string folder_; // empty if the directory exists only in memory
     ScratchPlace place_;
-    std::uint32_t expected_ = 0; // number of processes
+    std::uint32_t expected_ = 0; // number of processes whose scratch files are reserved
     std::optional<File> lock_;
     CheckpointLog log_;
     std::unique_ptr<scratch::ScratchFile> scratch_;
-    Names names_;                        // after the lock, so that all files are removed before the lock is released
-    std::optional<RecordWriter> writer_; // last, so that it does not write a file whose name is gone
+    // declared after the lock, so that all files are removed before the lock is released
+    Names names_;
+    std::optional<RecordWriter> writer_; // declared last, so that it never writes to a removed file
 };
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-// The blocks of scratch files.
+// Defines the blocks of scratch files.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::scratch {
 
-/// A block of a scratch file: bytes that were appended at once, identified by offset and checksum.
+/// A block of a scratch file: bytes that one call appended. Its offset and its checksum identify it.
 struct Block {
     std::uint64_t offset = 0; // offset of the first byte in the scratch file
     std::uint64_t bytes = 0;
@@ -17,7 +17,7 @@ struct Block {
 
 using Blocks = std::vector<Block>;
 
-/// Appends `block` to `out`.
+/// Encodes `block` and appends it to `out`.
 void putBlock(hierarchy::ByteWriter& out, const Block& block);
 
 /// Reads a block that `putBlock` wrote. Throws hierarchy::Damage if the bytes are malformed.

@@ -5,7 +5,7 @@
 
 namespace gnomon::scratch {
 
-/// An error: temporary data are missing, cut off or changed. A resumed build then starts from the beginning.
+/// The error that temporary data are missing, cut off or changed. A resumed build then starts from the beginning.
 class DamageError : public Error {
 public:
     using Error::Error;

@@ -1,4 +1,5 @@
-// The scratch files of all processes of one build. Each process appends to its own file (its part) and reads all files.
+// The scratch files of all processes of a build. Each process appends to its own file, which is called its part, and
+// reads the files of all processes.
 #pragma once
 
 #include "preprocess/scratch/scratch_file.h"
@@ -9,11 +10,11 @@
 
 namespace gnomon::scratch {
 
-/// The number of offset bits in a place. A place is a part number in the upper 16 bits and an offset in the file of
-/// this part in the lower 48 bits.
+/// The number of bits of an offset within a part. The position of a byte in the whole scratch file is the part number
+/// in the upper 16 bits and the offset within the part in the lower 48 bits.
 constexpr unsigned kPartShift = 48;
 
-/// The max number of parts of one build, over all processes that ever worked for it.
+/// The max number of parts of a build, counted over all processes that ever worked on it.
 constexpr std::uint32_t kMaxParts = 1U << (64U - kPartShift);
 
 /// The max size of a part, in bytes.
@@ -31,15 +32,15 @@ constexpr std::uint64_t placeOf(std::uint32_t part, std::uint64_t offset) {
 std::string partPath(const std::string& stem, std::uint32_t part);
 
 /// A scratch file with one part per process. A process can read bytes of another process in two steps: the writer calls
-/// `handOver`, then the reader calls `reopenOthers`. This satisfies the close-to-open consistency of network file
-/// systems. The class never queries the size of a file of another process.
+/// `handOver`, and then the reader calls `reopenOthers`. This is sufficient for network file systems with close-to-open
+/// consistency. The class never asks for the size of another process's file.
 class PartedScratch final : public ScratchFile {
 public:
     /// Creates the file of `ownPart`.
     PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space);
 
-    /// Counts the first `bytes` of a part that an earlier process left, and cuts off the rest. Throws DamageError if
-    /// the file is shorter or missing.
+    /// Continues with a part that an earlier process wrote. The first `bytes` bytes remain, and later bytes are cut
+    /// off. Throws DamageError if the file is shorter or missing.
     void resume(std::uint32_t part, std::uint64_t bytes);
 
     void sync(std::span<const std::uint32_t> parts) override;
@@ -58,7 +59,7 @@ private:
     std::uint32_t ownPart_;
     File own_;
     mutable std::mutex mutex_;
-    mutable std::map<std::uint32_t, std::shared_ptr<File>> others_; // the open files of other processes
+    mutable std::map<std::uint32_t, std::shared_ptr<File>> others_; // open files of other processes, by part
 };
 
 } // namespace gnomon::scratch

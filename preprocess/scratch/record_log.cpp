@@ -10,7 +10,7 @@ namespace gnomon::scratch {
 
 namespace {
 
-using Frame = std::array<std::uint64_t, 2>; // length and checksum, before each record
+using Frame = std::array<std::uint64_t, 2>; // the bytes before each record: its length and its checksum
 
 Frame frameOf(std::span<const std::byte> record) {
     return {record.size(), hierarchy::checksum64(record)};

@@ -1,4 +1,5 @@
-// A log of checksummed records for long work. The log remains readable if the process is killed during a write.
+// A log of records with checksums for long computations. The log remains readable if the process is killed during a
+// write.
 #pragma once
 
 #include "core/file.h"
@@ -10,14 +11,14 @@
 
 namespace gnomon::scratch {
 
-/// An append-only file of records with lengths and checksums. A reader ignores an incomplete last record.
+/// An append-only file of records. Each record has a length and a checksum. A reader ignores an incomplete last record.
 class RecordLog {
 public:
     /// Creates an empty log at `path`.
     static RecordLog create(const std::string& path);
 
-    /// Opens the log that an earlier process left at `path` and cuts it after its last complete record. Returns nothing
-    /// if there is no file.
+    /// Opens the log that an earlier process wrote to `path`. Removes the bytes after its last complete record. Returns
+    /// nullopt if the file does not exist.
     static std::optional<RecordLog> reopen(const std::string& path);
 
     /// Returns the records that `reopen` found, in order.
@@ -26,7 +27,7 @@ public:
     /// Appends one record at the end of the file.
     void append(std::span<const std::byte> record);
 
-    /// Flushes the records to the device.
+    /// Flushes the file to the device, so that a power cut does not lose the records.
     void sync() { file_.sync(); }
 
     /// Returns the size of the file in bytes.

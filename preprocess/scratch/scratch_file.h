@@ -1,4 +1,5 @@
-// A scratch file for temporary data: an append-only file, on disk or in memory, that can free single blocks.
+// A scratch file for temporary data, on disk or in memory. It is append-only, but the space of single blocks can be
+// freed.
 #pragma once
 
 #include "core/file.h"
@@ -17,7 +18,7 @@
 
 namespace gnomon::scratch {
 
-/// A counter of the temporary space of all scratch files of a build. It reports each change to `progress`.
+/// Counts the temporary space of all scratch files of a build. It reports each change to `progress`.
 class TemporarySpace {
 public:
     explicit TemporarySpace(Progress& progress) : progress_(progress) {}
@@ -25,8 +26,8 @@ public:
     void take(std::uint64_t bytes);
     void giveBack(std::uint64_t bytes);
 
-    /// Counts bytes that other processes wrote in the same space. This process may have freed such bytes before, so
-    /// that the sum can be negative for a while.
+    /// Adds bytes that other processes wrote. This process may have freed these bytes earlier, so the total can be
+    /// negative for a while.
     void takeOfOthers(std::uint64_t bytes);
 
     std::uint64_t bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(bytes_, 0)); }
@@ -35,16 +36,16 @@ public:
 
     void countRead(std::uint64_t bytes) { read_ += bytes; }
 
-    /// Limits the rate of reads and writes to `bytesPerSecond`, over all files and threads. The limit simulates a
-    /// slower disk or network.
+    /// Limits the rate of all reads and writes together to `bytesPerSecond`. The limit simulates a slower disk or
+    /// network.
     void limitRate(std::uint64_t bytesPerSecond) { bytesPerSecond_ = bytesPerSecond; }
 
-    /// Waits until the rate limit permits `bytes` more bytes. Returns at once if there is no limit.
+    /// Waits until the rate limit permits another `bytes` bytes. Returns at once if there is no limit.
     void pace(std::uint64_t bytes);
 
     std::uint64_t bytesRead() const { return read_; }
 
-    /// Returns the number of bytes that this process ever wrote.
+    /// Returns the number of bytes that this process has written since its start.
     std::uint64_t bytesWritten() const { return written_; }
 
 private:
@@ -55,13 +56,13 @@ private:
     std::atomic<std::uint64_t> written_{0};
     std::uint64_t bytesPerSecond_ = 0;
     std::mutex paceMutex_;
-    std::chrono::steady_clock::time_point free_; // time at which the last permitted transfer ends
+    std::chrono::steady_clock::time_point free_; // time at which the last permitted transfer would end
 };
 
-/// A scratch file that any number of threads can append to and read at once.
+/// A scratch file. Any number of threads can append to it and read it at the same time.
 class ScratchFile {
 public:
-    /// Creates a scratch file whose first byte has the offset `begin`.
+    /// Creates a scratch file. The offset of its first byte is `begin`.
     explicit ScratchFile(TemporarySpace& space, std::uint64_t begin = 0) : space_(space), end_(begin) {}
 
     virtual ~ScratchFile() = default;
@@ -70,41 +71,42 @@ public:
     ScratchFile(ScratchFile&&) = delete;
     ScratchFile& operator=(ScratchFile&&) = delete;
 
-    /// Appends `bytes` as one block. Throws Error if the disk is full.
+    /// Appends `bytes` as one block and returns the block. Throws Error, for example if the disk is full.
     Block append(std::span<const std::byte> bytes);
 
-    /// Reads `block` into `out`, which has the size of the block. Throws DamageError if the bytes differ from the
-    /// appended bytes.
+    /// Reads `block` into `out`, which must have the size of the block. Throws DamageError if the bytes differ from the
+    /// bytes that were appended.
     void read(const Block& block, std::span<std::byte> out) const;
 
-    /// Returns the bytes of `blocks`, one block after the other. Throws DamageError.
+    /// Returns the bytes of `blocks`, one block after the other. Throws DamageError like the function above.
     std::vector<std::byte> read(std::span<const Block> blocks) const;
 
-    /// Publishes the appended bytes to processes on other hosts. A file of one process does nothing.
+    /// Makes the appended bytes readable by processes on other hosts. This function does nothing if only one process
+    /// uses the file.
     virtual void handOver() const {}
 
-    /// Makes the bytes that other processes published readable in this process.
+    /// Prepares this process to read the bytes that other processes handed over.
     virtual void reopenOthers() {}
 
-    /// Flushes the data of `parts` to the device, so that a power cut does not lose them. A file of one part ignores
-    /// this.
+    /// Flushes the data of the given parts to the device, so that a power cut does not lose them. A scratch file with
+    /// one part ignores `parts`.
     virtual void sync(std::span<const std::uint32_t> /*parts*/) {}
 
-    /// Frees the space of `block`. Its bytes are lost.
+    /// Frees the space of `block`. Its bytes can no longer be read.
     void release(const Block& block);
 
-    /// Returns the offset of the next appended byte.
+    /// Returns the offset that the next appended byte will have.
     std::uint64_t end() const { return end_; }
 
 protected:
-    /// Reads from `file`. Throws DamageError if the file is too short.
+    /// Reads bytes at `offset` from `file`. Throws DamageError if the file is too short.
     static void loadFrom(const File& file, std::uint64_t offset, std::span<std::byte> out);
 
     virtual void load(std::uint64_t offset, std::span<std::byte> out) const = 0;
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
     virtual void forget(std::uint64_t offset, std::uint64_t bytes) = 0;
 
-    /// Returns the description of the byte at `offset` for error messages.
+    /// Returns a text for error messages that says where the byte at `offset` is.
     virtual std::string placeText(std::uint64_t offset) const = 0;
 
     TemporarySpace& space() { return space_; }

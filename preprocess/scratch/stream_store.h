@@ -1,4 +1,4 @@
-// Many byte streams that grow at the same time and are read one by one, stored in blocks of one scratch file.
+// Stores many byte streams in blocks of one scratch file. The streams grow at the same time and are read one by one.
 #pragma once
 
 #include "preprocess/scratch/scratch_file.h"
@@ -10,7 +10,8 @@
 
 namespace gnomon::scratch {
 
-/// Calls `take` for each value of type T in `bytes`, in order. The size of `bytes` must be a multiple of sizeof(T).
+/// Calls `take(value)` for each value of type T in `bytes`, in order. The size of `bytes` must be a multiple of
+/// sizeof(T).
 template <class T, class Take>
 void forEachRecord(std::span<const std::byte> bytes, const Take& take) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -21,15 +22,15 @@ void forEachRecord(std::span<const std::byte> bytes, const Take& take) {
     }
 }
 
-/// A set of append-only streams, numbered from 0. A stream returns its bytes in the order in which they were appended.
-/// This order does not depend on the block size.
+/// A set of append-only byte streams, numbered from 0. A stream returns its bytes in the order in which they were
+/// appended. This order does not depend on the block size.
 class StreamStore {
 public:
-    /// Creates `streamCount` empty streams. Each stream in use buffers up to `blockBytes` in memory until the next
-    /// `flush`.
+    /// Creates `streamCount` empty streams. A stream buffers up to `blockBytes` bytes in memory. `flush` empties the
+    /// buffers.
     StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size_t blockBytes);
 
-    /// Restores the streams of an earlier process from its `directory`.
+    /// Restores the streams that an earlier process described by `directory`.
     StreamStore(ScratchFile& file, std::span<const std::byte> directory);
 
     /// Appends `bytes` to a stream.
@@ -41,11 +42,11 @@ public:
         append(stream, std::as_bytes(std::span(&value, 1)));
     }
 
-    /// Writes the buffered bytes to the scratch file and frees the buffers.
+    /// Writes all buffered bytes to the scratch file and frees the buffers.
     void flush();
 
-    /// Appends a block that another process wrote to the scratch file. The caller must call `flush` first if the stream
-    /// has buffered bytes.
+    /// Appends a block that another process wrote to the scratch file. If the stream has buffered bytes, the caller
+    /// must call `flush` first.
     void adopt(std::uint32_t stream, const Block& block) { streams_[stream].blocks.push_back(block); }
 
     const Blocks& blocks(std::uint32_t stream) const { return streams_[stream].blocks; }
@@ -57,7 +58,7 @@ public:
     /// Returns all bytes of a stream. After `flush`, many threads can call this at once.
     std::vector<std::byte> read(std::uint32_t stream) const;
 
-    /// Returns all values of a stream of values of type T.
+    /// Returns all values of a stream whose bytes are values of type T.
     template <class T>
     std::vector<T> readAs(std::uint32_t stream) const {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -66,8 +67,8 @@ public:
         return values;
     }
 
-    /// Calls `take(bytes)` for each block of a stream, in order. Bytes of one `append` are in one block. After `flush`,
-    /// many threads can call this at once.
+    /// Calls `take(bytes)` for each block of a stream, in order. All bytes of one `append` are in one block. After
+    /// `flush`, many threads can call this at once.
     template <class Take>
     void readBlocks(std::uint32_t stream, const Take& take) const {
         std::vector<std::byte> bytes;
@@ -78,14 +79,14 @@ public:
         }
     }
 
-    /// A sequential reader of a stream with one block in memory. Other streams may grow during the reading.
+    /// Reads a stream value by value, with one block in memory. Other streams may grow during the reading.
     class Reader {
     public:
         Reader(const StreamStore& store, std::uint32_t stream) : store_(store), stream_(stream) {}
 
         bool isAtEnd();
 
-        /// Returns the next value. A check fails at the end of the stream.
+        /// Reads the next value. A check fails at the end of the stream.
         template <class T>
         T take() {
             T value{};
@@ -103,16 +104,18 @@ public:
         std::size_t place_ = 0;
     };
 
-    /// Empties a stream and returns its blocks. The caller must free their space.
+    /// Empties a stream and returns its blocks. The caller must free the space of these blocks.
     Blocks takeBlocks(std::uint32_t stream) { return std::exchange(streams_[stream].blocks, {}); }
 
-    /// Frees the space of a stream.
+    /// Frees the space of a stream's blocks.
     void release(std::uint32_t stream);
 
-    /// Returns the blocks of all streams as bytes for another process. The caller must call `flush` before.
+    /// Returns the blocks of all streams, encoded as bytes. Another process can restore the streams from them. The
+    /// caller must call `flush` before.
     std::vector<std::byte> directory() const;
 
-    /// Returns the blocks of each stream of a `directory`. Throws hierarchy::Damage if the bytes are malformed.
+    /// Returns the blocks of each stream from the bytes of `directory()`. Throws hierarchy::Damage if the bytes are
+    /// malformed.
     static std::vector<Blocks> blocksOf(std::span<const std::byte> directory);
 
 private:

@@ -15,7 +15,7 @@ struct StarFace {
     std::uint32_t c;
 };
 
-/// The star of one collapse at a time. The results of its tests are valid until `mesh` changes after `gather`.
+/// The star of one collapse at a time. The results of the tests are valid until `mesh` changes.
 class CollapseStar {
 public:
     CollapseStar(const Patch& patch, SimplificationMesh& mesh) : patch_(patch), mesh_(mesh) {}

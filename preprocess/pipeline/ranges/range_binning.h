@@ -1,5 +1,5 @@
-// Sorts a source into chunks by ranges of its rows, in parallel tasks. For sources without ranges, chunk/survey and
-// chunk/binning do this in one process.
+// Sorts a source into chunks with parallel tasks. Each task handles a range of the source's rows. For sources without
+// ranges, chunk/survey and chunk/binning do the same work in one process.
 #pragma once
 
 #include "preprocess/chunk/binning.h"
@@ -10,37 +10,37 @@
 
 namespace gnomon::pipeline {
 
-/// The resources of the range binning. All must outlive it.
+/// The objects and limits of the range binning. All objects must outlive it.
 struct RangeMeans {
     read::MeshSource& source;
     scratch::ScratchFile& scratch;
     TaskRunner& runner;
     const Perform& perform;
     Progress& progress;
-    Bytes room;                  // memory for tasks in each process
+    Bytes room;                  // memory for tasks, per process
     std::size_t threads = 1;     // threads of this process
-    std::uint32_t processes = 1; // number of processes with about as many threads
+    std::uint32_t processes = 1; // number of processes; each has about `threads` threads
     chunk::Strays strays = chunk::Strays::Leave;
 };
 
-/// A binning by ranges of rows. It stores the data of each vertex in the scratch file, one block per range of vertices:
-/// first the number of corners at the vertex, later its chunk.
+/// A binning by ranges of rows. It stores the data of each vertex in the scratch file, in one block per range of
+/// vertices. These data are first the number of triangle corners at the vertex, and later its chunk.
 class RangeBinning {
 public:
     explicit RangeBinning(const RangeMeans& means);
 
-    /// Returns the result of chunk::surveySource without the valence. Returns nothing if the source has a defect or
-    /// does not match its header. The caller must then use whole passes.
+    /// Returns the result of chunk::surveySource, but without the valence. Returns nullopt if the source has a defect
+    /// or does not match its header. The caller must then use whole passes.
     std::optional<chunk::SourceSurvey> survey();
 
-    /// Returns the result of chunk::planChunks.
+    /// Returns the same result as chunk::planChunks.
     chunk::ChunkTree plan(const chunk::SourceSurvey& survey, std::uint32_t chunkTriangles);
 
-    /// Returns the result of chunk::binSource, for a tree without heavy points.
+    /// Returns the same result as chunk::binSource. The tree must not have heavy points.
     chunk::BinnedSize bin(const chunk::SourceSurvey& survey, const chunk::ChunkTree& tree, scratch::StreamStore& bins);
 
-    /// Returns the valence for chunk::binSource, which handles trees with heavy points. Frees the blocks in the scratch
-    /// file.
+    /// Returns the corner counts (valence) for chunk::binSource, which handles trees with heavy points. Frees their
+    /// blocks in the scratch file.
     chunk::VertexTable<std::uint8_t> takeValence();
 
 private:
@@ -50,8 +50,8 @@ private:
     RowRange rangeOf(std::uint32_t task, bool isOfFaces) const;
     std::uint32_t rangeCount(bool isOfFaces) const;
 
-    /// Collects the edge samples of all parts and the corner counts of vertex pages, by range. Returns false if the
-    /// source is irregular.
+    /// Collects the edge samples of all ranges, and the corner counts of the vertices in `pages`. Returns false if the
+    /// source is irregular (FaceCount::isRegular).
     bool countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sample, std::vector<Mail>& pages);
     Box measure(
         const std::vector<Mail>& pages,
@@ -64,12 +64,12 @@ private:
 
     RangeMeans means_;
     std::size_t atOnce_ = 1;
-    std::uint64_t tableBytes_ = 0; // per task
+    std::uint64_t tableBytes_ = 0; // peak bytes of the tables of one task
     std::uint64_t verticesOfRange_ = 0;
     std::uint64_t facesOfRange_ = 0;
-    Blocks index_; // index of the source's rows
+    Blocks index_; // row index of the source
     bool hasPolygons_ = false;
-    std::vector<Blocks> valence_; // per range of vertices
+    std::vector<Blocks> valence_; // per range of vertices: blocks with the corner counts
 };
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,5 @@
-// The inputs and results of tasks that sort a source by ranges of its rows, with their encoding as bytes.
+// The inputs and results of the tasks that sort a source by ranges of its rows. They are encoded as bytes for other
+// processes.
 #pragma once
 
 #include "core/box.h"
@@ -14,57 +15,57 @@ namespace gnomon::pipeline {
 struct RowRange {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
-    Blocks index; // index of the whole source
+    Blocks index; // blocks with the row index of the whole source
 };
 
-/// The input of CountFaces.
+/// The input of TaskKind::CountFaces.
 struct CountInput {
     RowRange faces;
     std::uint64_t maxPages = 1; // max number of vertex pages in memory
 };
 
-/// The result of CountFaces.
+/// The result of TaskKind::CountFaces.
 struct FaceCount {
     bool isRegular = false; // whether all faces were readable; if false, all following members are invalid
     std::uint64_t triangles = 0;
-    std::uint64_t notAPolygon = 0; // faces that are not polygons
+    std::uint64_t notAPolygon = 0; // number of faces that are not polygons
     bool hasPolygons = false;
-    Mail pages;    // per page of vertices: number of corners at each vertex, max 255; a page can occur several times
+    Mail pages;    // per page of vertices: number of corners per vertex, at most 255; a page can occur several times
     Blocks sample; // entries of an EdgeSample
 };
 
-/// The input of MeasureVertices.
+/// The input of TaskKind::MeasureVertices.
 struct MeasureInput {
     RowRange vertices;
-    Mail pages;     // corner counts of these vertices
-    Blocks sampled; // ascending vertex numbers whose positions are needed
+    Mail pages;     // corner counts of the vertices of this range
+    Blocks sampled; // ascending numbers of the vertices whose positions are needed
 };
 
-/// The result of MeasureVertices.
+/// The result of TaskKind::MeasureVertices.
 struct VertexMeasure {
-    Box box; // bounds of the used vertices
+    Box box; // bounds of the vertices that triangles use
     std::vector<std::array<double, 2>> fields;
-    std::uint64_t badNormals = 0; // of all vertices of the range
-    Blocks valence;               // a byte for each vertex of the range
-    Blocks positions;             // that were asked for
+    std::uint64_t badNormals = 0; // number of invalid normals of all vertices of the range
+    Blocks valence;               // one byte per vertex of the range: its corner count
+    Blocks positions;             // positions of the vertices in MeasureInput::sampled
 };
 
-/// The grid of a source and the max used grid coordinate per axis (`furthest`). The measurement of its vertices finds
-/// both.
+/// The grid of a source, and `furthest`, the max grid coordinates that triangles use. Both are known after the
+/// measurement of the vertices.
 struct SortFacts {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest;
 };
 
-/// The input of CountCells. The result is a block with the weights of CellCounts.
+/// The input of TaskKind::CountCells. The result of this task is a block with CellCounts::openWeights.
 struct CellsInput {
     RowRange vertices;
     SortFacts facts;
     Blocks valence;
-    Blocks shape; // shape of the cells
+    Blocks shape; // CellCounts::shape
 };
 
-/// The input of BinVertices.
+/// The input of TaskKind::BinVertices.
 struct BinVerticesInput {
     RowRange vertices;
     SortFacts facts;
@@ -74,25 +75,26 @@ struct BinVerticesInput {
     std::uint64_t blockBytes = 0;
 };
 
-/// The input of BinFaces.
+/// The input of TaskKind::BinFaces.
 struct BinFacesInput {
     RowRange faces;
     std::uint32_t chunkCount = 0;
-    Blocks chunks;                // one block per page of vertices: the chunk of each vertex, in 2 or 4 bytes
-    std::uint64_t maxPages = 1;   // max number of these pages in memory
-    std::uint64_t maxCorners = 0; // max number of corners of polygons in several chunks in memory; 0 without polygons
+    Blocks chunks;              // per page of vertices: the chunk of each vertex, in 2 or 4 bytes
+    std::uint64_t maxPages = 1; // max number of these pages in memory
+    // max number of polygon corners in memory, for polygons in several chunks; 0 without polygons
+    std::uint64_t maxCorners = 0;
     std::uint64_t blockBytes = 0;
 };
 
-/// The result of BinVertices and BinFaces.
+/// The result of TaskKind::BinVertices and TaskKind::BinFaces.
 struct BinnedRange {
-    Mail streams; // blocks for the streams of chunks
+    Mail streams; // blocks to append to the streams of chunks
     std::vector<std::pair<std::uint32_t, chunk::PartSize>> sizes;
     chunk::Strayed strayed; // BinVertices sets only the corners, BinFaces only the triangles
-    Blocks chunks;          // of BinVertices: chunks of the range's vertices, as in BinFacesInput
+    Blocks chunks;          // only of BinVertices: chunks of the range's vertices, as in BinFacesInput
 };
 
-/// Encodes inputs and results as bytes.
+/// Encode the inputs and results of tasks as bytes.
 std::vector<std::byte> encoded(const read::RowIndex& index);
 std::vector<std::byte> encoded(const CountInput& input);
 std::vector<std::byte> encoded(const FaceCount& count);
@@ -103,7 +105,7 @@ std::vector<std::byte> encoded(const BinVerticesInput& input);
 std::vector<std::byte> encoded(const BinFacesInput& input);
 std::vector<std::byte> encoded(const BinnedRange& range);
 
-/// Decode the results of `encoded`. They throw hierarchy::Damage if the bytes are malformed.
+/// Decode the bytes that `encoded` returned. The functions throw hierarchy::Damage if the bytes are malformed.
 read::RowIndex decodedRowIndex(std::span<const std::byte> bytes);
 CountInput takeCountInput(hierarchy::ByteReader& in);
 FaceCount decodedFaceCount(std::span<const std::byte> bytes);

@@ -16,10 +16,10 @@ using Corners = chunk::VertexTable<std::uint8_t>;
 
 static_assert(kPageVertices == Corners::kPageVertices);
 
-constexpr std::uint64_t kSparseBytes = 3; // bytes per used vertex in a page with few used vertices
+constexpr std::uint64_t kSparseBytes = 3; // bytes per used vertex, for a page with few used vertices
 
-/// Packs the corner counts of a page of vertices: one byte per vertex, or the index and the count of each used vertex
-/// if that is smaller.
+/// Encodes the corner counts of a page of vertices. The result has one byte per vertex, or the index and the count of
+/// each used vertex if this is smaller.
 std::vector<std::byte> packedPage(std::span<const std::uint8_t> corners) {
     const auto used = static_cast<std::uint64_t>(
         std::count_if(corners.begin(), corners.end(), [](std::uint8_t count) { return count > 0; }));
@@ -33,7 +33,7 @@ std::vector<std::byte> packedPage(std::span<const std::uint8_t> corners) {
     return packed;
 }
 
-/// Adds the counts of `packedPage`. The sum is at most 255 per vertex.
+/// Decodes corner counts that `packedPage` returned and adds them to `corners`. A sum is at most 255.
 void addPage(std::span<std::uint8_t> corners, std::span<const std::byte> packed) {
     const auto add = [&](std::size_t vertex, std::byte count) {
         corners[vertex] = static_cast<std::uint8_t>(std::min(255U, corners[vertex] + std::to_integer<unsigned>(count)));
@@ -54,7 +54,7 @@ std::vector<T> valuesOf(std::span<const std::byte> bytes) {
     return values;
 }
 
-/// Moves the blocks that a task wrote for the streams of chunks into its result.
+/// Moves the blocks that a task wrote to `store` into its result `range`.
 void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer, BinnedRange& range) {
     for (std::uint32_t stream = 0; stream < store.streamCount(); ++stream)
         for (const scratch::Block& block : store.blocks(stream))
@@ -67,7 +67,7 @@ void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer
 
 } // namespace
 
-/// Counts the table bytes that a task holds.
+/// Adds the bytes of a task's tables to the counter of all tasks.
 class RangeWork::Held {
 public:
     explicit Held(const RangeWork& work) : work_(work) {}
@@ -80,7 +80,8 @@ public:
     Held& operator=(Held&&) = delete;
 
     void set(std::uint64_t bytes) {
-        const std::uint64_t all = work_.tableBytes_ += bytes - std::exchange(bytes_, bytes); // wraps around
+        // unsigned arithmetic wraps around if the size decreases
+        const std::uint64_t all = work_.tableBytes_ += bytes - std::exchange(bytes_, bytes);
         std::uint64_t before = work_.maxTableBytes_;
         while (all > before && !work_.maxTableBytes_.compare_exchange_weak(before, all)) {
         }
@@ -189,7 +190,8 @@ Blocks RangeWork::countCells(const CellsInput& input) const {
 
 namespace {
 
-/// Appends the chunk numbers of vertices to `scratch`, one block for each page of kPageVertices.
+/// Stores the chunk numbers of vertices in the scratch file, one block per page of kPageVertices vertices. Returns the
+/// blocks.
 template <class Number>
 std::vector<scratch::Block> storedPages(const std::vector<Number>& numbers, scratch::ScratchFile& scratch) {
     const std::span<const std::byte> bytes = std::as_bytes(std::span(numbers));
@@ -245,7 +247,7 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
 
 namespace {
 
-/// The chunk numbers of vertices. Pages are read at their first use.
+/// The chunk numbers of vertices. A page of them is read from the scratch file at its first use.
 template <class Number>
 class ChunkNumbers {
 public:
@@ -275,10 +277,11 @@ private:
     std::uint64_t vertices_;
     scratch::ScratchFile& scratch_;
     chunk::VertexTable<Number> numbers_;
-    std::size_t maxHeld_ = 0; // peak number of pages
+    std::size_t maxHeld_ = 0; // peak number of pages in memory
 };
 
-/// Bins faces. One step processes as many faces as the positions of their polygons fit in memory.
+/// Sorts faces into chunks. One call of `bin` processes as many faces as possible. The limit is the memory for the
+/// positions of polygon corners.
 template <class Number>
 class FaceBins {
 public:
@@ -295,7 +298,7 @@ public:
           progress_(progress),
           refiner_(progress) {}
 
-    /// Bins faces from `begin` on. Returns the first face that it did not process.
+    /// Sorts faces from `begin` on into chunks. Returns the first face that it did not process.
     std::uint64_t bin(std::uint64_t begin) {
         std::uint64_t end = input_.faces.end;
         std::vector<std::uint64_t> corners;
@@ -315,7 +318,7 @@ public:
         return end;
     }
 
-    /// Returns the peak size of its tables in bytes.
+    /// Returns the peak size of the chunk number tables in bytes.
     std::uint64_t maxBytes() const { return chunkOf_.maxBytes(); }
 
 private:
@@ -334,7 +337,8 @@ private:
         return chunk::isInOneChunk(fan, [&](std::uint64_t vertex) { return chunkOf_(vertex); });
     }
 
-    /// Collects the corners of polygons in several chunks. Returns the first face that it did not process.
+    /// Collects the corners of the polygons whose corners are in several chunks. Returns the first face that it did not
+    /// process.
     std::uint64_t findCorners(std::uint64_t begin, std::vector<std::uint64_t>& corners) {
         std::uint64_t end = begin;
         readFaces(begin, input_.faces.end, [&](const read::TriangleBlock& block) {

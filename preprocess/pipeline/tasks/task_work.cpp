@@ -16,7 +16,7 @@ namespace {
 using hierarchy::ByteReader;
 using hierarchy::ByteWriter;
 
-/// A store with the streams of one chunk, the input of a task.
+/// The streams of one chunk, restored from the input of a task.
 class OneChunk {
 public:
     OneChunk(const ChunkStreams& streams, const TaskFacts& facts, scratch::ScratchFile& scratch)
@@ -59,7 +59,7 @@ levels::OpenClusters openClusters(const NodeInput& input, const TaskFacts& facts
     return merger.take();
 }
 
-/// Appends each message to the scratch file and returns the blocks.
+/// Appends each message to the scratch file. Returns the blocks with their streams.
 Mail posted(const StreamBytes& messages, scratch::ScratchFile& scratch) {
     Mail mail;
     for (const auto& [stream, bytes] : messages)
@@ -78,7 +78,7 @@ std::uint64_t inputBytes(const NodeInput& input) {
     return sum;
 }
 
-/// Stores the result of a node in the scratch file and its record.
+/// Appends the result of a node to the scratch file and stores the blocks in its record.
 void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& scratch) {
     for (levels::NodeLevel& level : made.levels) {
         NodeRecord::LevelOfNode& own = record.levels.emplace_back();
@@ -143,7 +143,7 @@ std::vector<std::byte> TaskWork::answer(TaskKind kind, ByteReader& in) const {
                                          ? chunk::answerVertices(chunk.source(), 0)
                                          : chunk::answerNormals(chunk.source(), chunk.borders(), 0, progress_);
     Mail mail;
-    for (const chunk::Message& message : messages) // no message is empty
+    for (const chunk::Message& message : messages) // each message has at least one byte
         mail.emplace_back(message.chunk, scratch_.append(message.bytes));
     ByteWriter out;
     putMail(out, mail);
@@ -151,10 +151,11 @@ std::vector<std::byte> TaskWork::answer(TaskKind kind, ByteReader& in) const {
 }
 
 std::vector<std::byte> TaskWork::buildNode(ByteReader& in) const {
-    // Bytes; such a node takes much longer than trimming the heap.
+    // Min bytes of a large input. A node of this size takes much longer than trimming the heap.
     constexpr std::uint64_t kLarge = std::uint64_t{4} << 20U;
     const NodeInput input = takeNode(in);
-    if (inputBytes(input) > kLarge) returnFreedMemory(); // removes the fragments that the previous node left
+    // returns the heap fragments of the previous node to the system
+    if (inputBytes(input) > kLarge) returnFreedMemory();
     NodeRecord record;
     record.round = input.round;
     record.node = input.node;

@@ -1,4 +1,4 @@
-// The implementation of the tasks of a build. Each process can run them.
+// Runs the tasks of a build. Each process can run them.
 #pragma once
 
 #include "core/progress.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::pipeline {
 
-/// Runs tasks. Many threads can call it at once. All arguments must outlive it.
+/// Runs tasks. Many threads can call `perform` at once. All constructor arguments must outlive the object.
 class TaskWork {
 public:
     TaskWork(
@@ -21,10 +21,11 @@ public:
     /// Sets the grid and the vertex format that tasks of chunks and nodes use. No task may run during the call.
     void tell(const TaskFacts& facts) { facts_ = facts; }
 
-    /// Returns the peak size of the per-vertex tables of all concurrent tasks, in bytes.
+    /// Returns the peak size in bytes of the per-vertex tables of all tasks that ran at the same time.
     std::uint64_t maxTableBytes() const { return ranges_.maxTableBytes(); }
 
-    /// Runs a task and returns its result. Large data are appended to the scratch file and published.
+    /// Runs a task and returns its result. Large results are appended to the scratch file, where other processes can
+    /// read them.
     std::vector<std::byte> perform(TaskKind kind, std::span<const std::byte> input) const;
 
 private:

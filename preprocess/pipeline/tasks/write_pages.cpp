@@ -24,8 +24,8 @@ EncodedPage readPage(const PagesToWrite& pages, const PageInfo& info, std::uint6
     return page;
 }
 
-/// Returns the size of a range of pages. Each process gets several ranges, so that all end at about the same time. A
-/// range is large enough to make the cost of its sync small.
+/// Returns the number of bytes per range of pages. Each process writes several ranges, so that all processes end at
+/// about the same time. A range is so large that the cost of its sync is small.
 std::uint64_t bytesOfRange(const CheckpointLog& log, std::uint32_t processes) {
     constexpr std::uint64_t kMinRangeBytes = std::uint64_t{64} << 10U;
     constexpr std::uint64_t kMaxRangeBytes = std::uint64_t{16} << 20U;
@@ -69,7 +69,7 @@ void writePagesInTasks(
     phase.kind = TaskKind::WritePages;
     phase.tasks.resize(ranges.size());
     std::iota(phase.tasks.begin(), phase.tasks.end(), 0U);
-    phase.atOnce = ranges.size(); // a task holds one page at a time
+    phase.atOnce = ranges.size(); // no memory limit, because a task has only one page in memory
     phase.weight = [&](std::uint32_t range) {
         return (range + 1 < ranges.size() ? ranges[range + 1].offset : end) - ranges[range].offset;
     };

@@ -1,4 +1,4 @@
-// Writes the pages of a model from scratch files to their places in the file, by this process or by all processes.
+// Copies the pages of a model from scratch files to their places in the model file. One process or all processes copy.
 #pragma once
 
 #include "core/progress.h"
@@ -11,21 +11,21 @@
 
 namespace gnomon::pipeline {
 
-/// The source and the destination of the pages.
+/// The scratch file with the pages, their order, and the model file.
 struct PagesToWrite {
     const CheckpointLog& log;
     const scratch::ScratchFile& scratch;
     hierarchy::ModelWriter& writer;
     Progress& progress;
-    std::function<bool(const hierarchy::PageInfo&)> isSeen; // whether `see` needs a page
+    std::function<bool(const hierarchy::PageInfo&)> isSeen; // returns whether `see` must receive a page
     std::function<void(const hierarchy::EncodedPage&)> see;
 };
 
-/// Appends all pages to the writer.
+/// Appends all pages to the model file.
 void appendPages(const PagesToWrite& pages);
 
-/// Writes all pages with tasks of `runner`, one per range of the file, several per process. The writer must have an
-/// unfinished file. Messages call it `displayPath`.
+/// Writes all pages with tasks of `runner`. Each task writes a range of the file, and each process runs several tasks.
+/// The writer must have an unfinished file. Error messages call the file `displayPath`.
 void writePagesInTasks(
     const PagesToWrite& pages,
     const std::string& displayPath,

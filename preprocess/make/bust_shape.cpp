@@ -11,13 +11,14 @@ namespace {
 
 using glm::dvec3;
 
-/// Returns the smooth union of two distances. The crease is rounded over `k` metres.
+/// Returns the distance to the smooth union of two shapes with the distances `a` and `b`. The crease between the shapes
+/// is rounded over `k` metres.
 double blend(double a, double b, double k) {
     const double h = std::max(k - std::abs(a - b), 0.0) / k;
     return std::min(a, b) - h * h * k * 0.25;
 }
 
-/// Returns the distance of `a` minus `b` (smooth difference). The edge is rounded over `k` metres.
+/// Returns the distance to shape a minus shape b (smooth difference). The edge is rounded over `k` metres.
 double carve(double a, double b, double k) {
     return -blend(-a, b, k);
 }
@@ -46,12 +47,12 @@ double ramp(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
-/// Returns the direction (x, y) as turns in [0, 1), with an error of up to a hundredth of a turn. It replaces atan2,
-/// whose results differ between libraries.
+/// Returns the approximate angle of the direction (x, y) in turns, in [0, 1). The error is up to a hundredth of a turn.
+/// The function replaces atan2, whose results differ between maths libraries.
 double diamondTurns(double x, double y) {
     const double sum = std::abs(x) + std::abs(y);
     if (sum == 0) return 0;
-    const double along = x / sum; // 1 to -1 over half a turn
+    const double along = x / sum; // from 1 to -1 over half a turn
     return y >= 0 ? 0.25 * (1 - along) : 0.75 + 0.25 * along;
 }
 
@@ -71,7 +72,7 @@ BustShape::BustShape(std::uint64_t seed) : noiseSeed_(static_cast<std::uint32_t>
 }
 
 double BustShape::strands(const dvec3& p) const {
-    // Locks of hair follow a slow swirl, so that they wave. A second, finer set of locks divides them.
+    // The locks of hair follow a slow swirl, so that they are wavy. A second, finer set of locks divides them.
     const auto noise = [&](const dvec3& q, std::uint32_t salt) {
         return static_cast<double>(gradientNoise(
             static_cast<float>(q.x + 64),
@@ -87,7 +88,7 @@ double BustShape::strands(const dvec3& p) const {
 }
 
 double BustShape::folds(const dvec3& p) const {
-    // Drapery hangs from a clasp on the left shoulder: folds fan out from there and bend as they fall.
+    // The drapery hangs from a clasp on the left shoulder. Folds fan out from the clasp and bend as they fall.
     const dvec3 clasp{0.14, 0.435, 0.05};
     const dvec3 q = p - clasp;
     const double fall = glm::length(q);
@@ -97,7 +98,7 @@ double BustShape::folds(const dvec3& p) const {
     const auto wander = static_cast<double>(gradientNoise(
         static_cast<float>(at.x * 9), static_cast<float>(at.y * 9), static_cast<float>(at.z * 9), noiseSeed_ + 7));
     const double wave = 0.5 + 0.5 * sinTurns(turns * foldCount_ + foldTwist_ * fall * 2 + wander * 2.4);
-    const double depth = 0.011 + 0.026 * std::abs(wander); // some folds are deep, others shallow
+    const double depth = 0.011 + 0.026 * std::abs(wander); // the folds differ in depth
     return (wave * wave * (3 - 2 * wave) - 0.35) * depth * std::min(1.0, fall * fall / (0.20 * 0.20));
 }
 
@@ -125,7 +126,7 @@ double BustShape::headDistance(const dvec3& p) const {
     double d = ellipsoid(p, {0, 0.665, -0.012}, {0.076, 0.098, 0.096});
     d = blend(d, ellipsoid(p, {0, 0.598, 0.030}, {0.059, 0.090, 0.068}), 0.05);
     d = faceDistance(p, d);
-    // Hair: a cap over the skull, divided by locks, without the face.
+    // The hair is a cap over the skull that locks divide. The face remains free.
     double hair = ellipsoid(p, {0, 0.668, -0.022}, {0.087, 0.103, 0.103});
     hair = blend(hair, ellipsoid(p, {0, 0.585, -0.062}, {0.062, 0.075, 0.046}), 0.03);
     const double forehead = ellipsoid(p, {0, 0.618, 0.088}, {0.066, 0.085, 0.070});
@@ -133,16 +134,16 @@ double BustShape::headDistance(const dvec3& p) const {
     const dvec3 m = mirrored(p);
     double beard = ellipsoid(p, {0, 0.528 - 0.5 * beardLength_, 0.066}, {0.056, 0.062 + 0.5 * beardLength_, 0.043});
     beard = blend(beard, capsule(m, {0.062, 0.610, 0.022}, {0.042, 0.545, 0.055}, 0.013, 0.027), 0.02);
-    beard = carve(beard, ellipsoid(p, {0, 0.5635, 0.112}, {0.024, 0.0105, 0.03}), 0.006); // the mouth remains free
+    beard = carve(beard, ellipsoid(p, {0, 0.5635, 0.112}, {0.024, 0.0105, 0.03}), 0.006); // the mouth remains visible
     d = blend(d, beard - 0.9 * locks, 0.006);
     const double moustache = capsule(m, {0.004, 0.5815, 0.106}, {0.040, 0.556, 0.086}, 0.0075, 0.006);
     return blend(d, moustache - 0.35 * locks, 0.004);
 }
 
 double BustShape::cloaked(const dvec3& p, double naked) const {
-    if (naked > 0.1) return naked - 0.07; // too far away for folds to matter
+    if (naked > 0.1) return naked - 0.07; // at this distance the folds have no influence
     double d = naked;
-    // The cloak covers all but the right side of the chest.
+    // The cloak covers everything except the right side of the chest.
     const double bare = ramp(-0.03, 0.03, 0.62 * p.x + 0.55 * (0.40 - p.y) + 0.075);
     const double drapery = folds(p);
     const double cloak = d - 0.010 - drapery;
@@ -161,7 +162,7 @@ double BustShape::bodyDistance(const dvec3& p) const {
     d = blend(d, capsule(m, {0.05, 0.435, -0.02}, {shoulderWidth_, 0.375, -0.012}, 0.055, 0.078), 0.06);
     d = blend(d, capsule(m, {shoulderWidth_, 0.375, -0.012}, {shoulderWidth_ + 0.02, 0.27, 0.0}, 0.078, 0.062), 0.04);
     d = cloaked(p, d);
-    // The lower end is a curve that joins the plinth.
+    // The lower end of the body is a curve that joins the plinth.
     d = blend(d, capsule(p, {0, 0.06, -0.01}, {0, 0.22, -0.01}, 0.080, 0.115), 0.06);
     const double stem = roundedBox(p, {0, 0.075, -0.01}, {0.125, 0.022, 0.105}, 0.010);
     const double base = roundedBox(p, {0, 0.030, -0.01}, {0.155, 0.030, 0.130}, 0.008);

@@ -1,4 +1,5 @@
-// The shape of the statue without its stone grain: a bearded, draped bust on a plinth, as a signed distance field.
+// The shape of the statue without the grain of its stone, as a signed distance field. The statue is a bearded, draped
+// bust on a plinth.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,9 +14,9 @@ class BustShape {
 public:
     explicit BustShape(std::uint64_t seed);
 
-    /// Returns the approximate distance of `p` from the surface in metres, negative inside. Near the surface the slope
-    /// is below 1.6 at 95% of all points. A ray march with steps of 0.6 times the distance therefore skips only the
-    /// sharpest folds.
+    /// Returns the approximate distance in metres from `p` to the surface, negative inside. Near the surface the slope
+    /// of the result is below 1.6 at 95% of all points. A ray march with steps of 0.6 times the distance therefore
+    /// misses only the sharpest folds.
     double distance(const glm::dvec3& p) const;
 
 private:

@@ -1,4 +1,5 @@
-// A procedural model as a sequence of blocks, which can be written in order, in parallel and in bounded memory.
+// A procedural model as a sequence of blocks. The blocks can be computed in parallel and written in order in bounded
+// memory.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,10 +11,10 @@
 
 namespace gnomon::make {
 
-/// The corners of a triangle as vertex indices of the whole model, counter-clockwise seen from outside.
+/// The corners of a triangle as vertex indices of the whole model. They are counter-clockwise, seen from outside.
 using MadeTriangle = std::array<std::uint64_t, 3>;
 
-/// The receiver of a block's vertices and triangles, both in order.
+/// Receives the vertices and the triangles of a block, both in order.
 class MeshSink {
 public:
     MeshSink() = default;
@@ -41,8 +42,8 @@ struct MeshSize {
     auto operator<=>(const MeshSize&) const = default;
 };
 
-/// A model that is made block by block. Blocks are pure functions of the model: any order and any thread give the same
-/// bytes.
+/// A model that is computed block by block. A block depends only on the model, so the bytes do not depend on the order
+/// of the blocks or on the threads.
 class MadeModel {
 public:
     MadeModel() = default;
@@ -54,8 +55,8 @@ public:
 
     virtual std::size_t blockCount() const = 0;
 
-    /// Returns the size of a block. The function is cheap, because it determines the file layout before any block is
-    /// made.
+    /// Returns the size of a block. The function must be cheap, because the file layout needs all sizes before the
+    /// first block is computed.
     virtual MeshSize blockSize(std::size_t block) const = 0;
 
     /// Writes exactly `blockSize(block)` vertices and triangles to `sink`. `firstVertex` is the number of vertices in
@@ -63,7 +64,7 @@ public:
     virtual void makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& sink) const = 0;
 };
 
-/// Returns the sum over all blocks.
+/// Returns the total size of all blocks.
 MeshSize modelSize(const MadeModel& model);
 
 } // namespace gnomon::make

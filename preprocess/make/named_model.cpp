@@ -27,7 +27,7 @@ std::unique_ptr<MadeModel> make(std::uint64_t triangles, std::uint64_t seed) {
 constexpr std::array<Kind, 3> kKinds{{
     {"statue", Statue::kMinTriangles, 1'000'000, make<Statue>},
     {"plant", Plant::kMinTriangles, 1'000'000, make<Plant>},
-    {"planes", Planes::kMinTriangles, 275'500, make<Planes>}, // 18,000 per aeroplane
+    {"planes", Planes::kMinTriangles, 275'500, make<Planes>}, // about 18,000 triangles per aeroplane
 }};
 
 const Kind& kindOf(const std::string& name) {

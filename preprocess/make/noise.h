@@ -1,4 +1,5 @@
-// Noise, sine and cosine from additions and multiplications only, so that each machine makes the same model.
+// Noise, sine and cosine functions that use only additions and multiplications. Each machine therefore computes the
+// same model.
 #pragma once
 
 #include "core/random.h"
@@ -10,8 +11,8 @@
 
 namespace gnomon::make {
 
-/// Returns the sine of `turns` full turns, with an error below 1e-9. Unlike the result of libm, it is identical on all
-/// CPUs.
+/// Returns the sine of an angle of `turns` full turns. The error is below 1e-9. The result is identical on all CPUs,
+/// unlike the result of the C library.
 inline double sinTurns(double turns) {
     double x = turns - std::floor(turns + 0.5); // in [-1/2, 1/2)
     if (x > 0.25) x = 0.5 - x;
@@ -21,13 +22,13 @@ inline double sinTurns(double turns) {
     return a * (1 - b / 6 * (1 - b / 20 * (1 - b / 42 * (1 - b / 72 * (1 - b / 110 * (1 - b / 156 * (1 - b / 210)))))));
 }
 
-/// Returns the cosine of `turns` full turns.
+/// Returns the cosine of an angle of `turns` full turns.
 inline double cosTurns(double turns) {
     return sinTurns(turns + 0.25);
 }
 
-/// Returns gradient noise (Perlin 2002) at a point with coordinates in [0, 2^22). The mean is zero, the standard
-/// deviation is about kNoiseDeviation, the lattice spacing is 1, and the function is C2.
+/// Returns gradient noise (Perlin 2002) at a point with coordinates in [0, 2^22). Its mean is zero and its standard
+/// deviation is about kNoiseDeviation. The lattice spacing is 1. The function is twice continuously differentiable.
 inline float gradientNoise(float x, float y, float z, std::uint32_t seed) {
     const auto ix = static_cast<std::int32_t>(x);
     const auto iy = static_cast<std::int32_t>(y);

@@ -1,4 +1,4 @@
-// Simple solids and sheets for plants and aeroplanes. The same code counts or makes them.
+// Simple solids and sheets for the plant and the aeroplanes. The same code can count their vertices or create them.
 #pragma once
 
 #include "preprocess/make/made_model.h"
@@ -7,25 +7,26 @@
 
 namespace gnomon::make {
 
-/// A receiver of parts that either only counts them or makes them, so that both results always agree. A part is a list
-/// of vertices and the triangles between them.
+/// Receives parts and either only counts them or writes them. The counted size therefore always agrees with the written
+/// size. A part is a list of vertices and the triangles between them.
 class PartSink {
 public:
     /// Creates a sink that only counts.
     PartSink() = default;
 
-    /// Creates a sink that writes parts to `sink`. Its next vertex has the index `firstVertex` in the whole model.
+    /// Creates a sink that writes parts to `sink`. The next vertex has the index `firstVertex` in the whole model.
     PartSink(MeshSink& sink, std::uint64_t firstVertex) : sink_(&sink), firstVertex_(firstVertex) {}
 
-    /// Sets the frame of the next parts: their origin, and their axes as the columns of `axes` (a rotation).
+    /// Sets the frame of the next parts: the origin, and the axes as the columns of the rotation `axes`.
     void place(const glm::dvec3& origin, const glm::dmat3& axes);
 
-    /// Begins a part of exactly this size. Returns false if the sink only counts. The caller must then end the part.
+    /// Begins a part with these numbers of vertices and triangles. Returns false if the sink only counts. The caller
+    /// must then add neither vertices nor triangles.
     bool begin(std::uint64_t vertices, std::uint64_t triangles);
 
     void vertex(const glm::dvec3& position);
 
-    /// Adds a triangle, counter-clockwise seen from outside. Corners count from the part's first vertex.
+    /// Adds a triangle, counter-clockwise seen from outside. Corners are vertex numbers within the part.
     void triangle(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
         if (triangles_.size() >= kHeldBack) finish();
         triangles_.push_back({part_ + a, part_ + b, part_ + c});
@@ -36,7 +37,7 @@ public:
         triangle(a, c, d);
     }
 
-    /// Writes the buffered data. The caller must call it once at the end.
+    /// Writes the buffered vertices and triangles. The caller must call this function once at the end.
     void finish();
 
     const MeshSize& size() const { return size_; }
@@ -46,7 +47,7 @@ private:
 
     MeshSink* sink_ = nullptr;
     std::uint64_t firstVertex_ = 0;
-    std::uint64_t part_ = 0; // the part's first vertex
+    std::uint64_t part_ = 0; // index of the part's first vertex
     glm::dvec3 origin_{0};
     glm::dmat3 axes_{1};
     MeshSize size_;
@@ -54,10 +55,11 @@ private:
     std::vector<MadeTriangle> triangles_;
 };
 
-/// Returns axes rotated by `turns` quarter turns about y. One quarter turn maps x to -z. The result is exact.
+/// Returns the rotation by `turns` quarter turns about the y axis, as a matrix with exact numbers. One quarter turn
+/// maps x to -z.
 glm::dmat3 quarterTurned(int turns);
 
-/// Whether a sheet has one side or two. Many exporters write two.
+/// Whether a sheet has triangles on one side or on both. Many exporters write both sides.
 enum class Sides { One, Both };
 
 /// Whether the ends of a tube are open or closed.
@@ -66,15 +68,16 @@ enum class Ends { Open, Closed };
 /// Adds an axis-aligned box of 12 triangles.
 void addBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max);
 
-/// Adds an axis-aligned box of six sheets without shared vertices, 12 triangles.
+/// Adds an axis-aligned box of 12 triangles. Its six sides share no vertices.
 void addUnweldedBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max);
 
-/// Adds a rectangle of 2 triangles with the corner `corner` and the edges `u` and `v`. It faces u x v.
+/// Adds a rectangle of 2 triangles with the corner `corner` and the edges `u` and `v`. Its front is on the side of u x
+/// v.
 void addSheet(
     PartSink& sink, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::One);
 
-/// A rectangle of n by m cells with waves. A wave of `waveDepth` displaces the vertices along u x v, with one ridge per
-/// two cells of u.
+/// A rectangle of n by m cells, optionally with waves. The waves displace the vertices by up to `waveDepth` along u x
+/// v, with one ridge per two cells along u.
 struct Panel {
     glm::dvec3 corner{0};
     glm::dvec3 u{0};
@@ -85,19 +88,19 @@ struct Panel {
     Sides sides = Sides::One;
 };
 
-/// Adds a panel.
+/// Adds the triangles of `panel`.
 void addPanel(PartSink& sink, const Panel& panel);
 
-/// Adds a steel I-section from `a` to `b`, `depth` high along `up`, with open ends. It has 24 triangles.
+/// Adds a steel I-beam from `a` to `b` with open ends. Its height along `up` is `depth`. It has 24 triangles.
 void addIBeam(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& up, double depth);
 
-/// Adds an angle section: two sheets that share the line from `a` to `b`. It has 4 triangles.
+/// Adds an angle beam from `a` to `b`: two sheets with a common edge on this line. It has 4 triangles.
 void addAngle(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& up, double width);
 
 /// Adds a tube with `sides` sides along `path`.
 void addTube(PartSink& sink, std::span<const glm::dvec3> path, double radius, std::uint64_t sides, Ends ends);
 
-/// Adds a straight tube.
+/// Adds a straight tube from `a` to `b`.
 void addRod(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint64_t sides, Ends ends);
 
 /// Adds a torus around `axis` through `center`.
@@ -109,13 +112,13 @@ void addRing(
     double thickness,
     std::uint64_t segments);
 
-/// A station of a lathed body: the position along the axis and the radius.
+/// A point of the profile of a body of revolution: its position along the axis and its radius.
 struct Station {
     double along = 0;
     double radius = 0;
 };
 
-/// Adds a body of revolution about the line from `origin` along the unit vector `axis`. `turn` rotates the first side.
+/// Adds a body of revolution around the line from `origin` along the unit vector `axis`. `turn` rotates its first side.
 /// An end of radius 0 becomes a point and closes the body.
 void addLathe(
     PartSink& sink,
@@ -125,8 +128,8 @@ void addLathe(
     std::uint64_t sides,
     double turn = 0);
 
-/// Adds a closed skin over rings. Ring i of `rings` has `around` points shape(i / (rings - 1), j / around),
-/// counter-clockwise seen from the last ring. Both ends are closed with a fan around their centre.
+/// Adds a closed skin over `rings` rings of `around` points. The points of ring i are shape(i / (rings - 1), j /
+/// around). They are counter-clockwise, seen from the last ring. A fan of triangles closes each end.
 template <class Shape>
 void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Shape& shape) {
     if (!sink.begin(rings * around + 2, 2 * around * rings)) return;
@@ -152,7 +155,7 @@ void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Sh
     }
 }
 
-/// Returns the path through `corners`. Each right angle is rounded with `radius` in `steps` steps.
+/// Returns the path through `corners` with rounded right angles. Each arc has the radius `radius` and `steps` steps.
 std::vector<glm::dvec3> roundedPath(std::span<const glm::dvec3> corners, double radius, std::uint64_t steps);
 
 } // namespace gnomon::make

@@ -12,7 +12,7 @@ using glm::dvec3;
 
 namespace {
 
-/// A cross-section of the fuselage at `z`, from `low` to `high`. `width` is half its width.
+/// A cross-section of the fuselage at `z`. It extends from `low` to `high` in y. `width` is half its width.
 struct Section {
     double z = 0;
     double width = 0;
@@ -20,7 +20,7 @@ struct Section {
     double high = 0;
 };
 
-/// The sections from the tail to the back plate of the spinner. The nose points along +z.
+/// The cross-sections of the fuselage from the tail to the back plate of the spinner. The nose points along +z.
 constexpr std::array<Section, 10> kFuselage{{
     {-5.6, 0.02, 0.20, 0.28},
     {-5.0, 0.10, -0.02, 0.36},
@@ -34,7 +34,8 @@ constexpr std::array<Section, 10> kFuselage{{
     {3.8, 0.30, -0.30, 0.30},
 }};
 
-/// Returns the section of the fuselage at `u` in [0, 1], a spline through the table (Catmull, Rom 1974).
+/// Returns the cross-section of the fuselage at `u` in [0, 1]. It interpolates kFuselage with a spline (Catmull, Rom
+/// 1974).
 Section sectionAt(double u) {
     const double x = u * static_cast<double>(kFuselage.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(x), kFuselage.size() - 2);
@@ -51,17 +52,18 @@ Section sectionAt(double u) {
     return {spline(&Section::z), spline(&Section::width), spline(&Section::low), spline(&Section::high)};
 }
 
-/// Returns half the thickness of a symmetric four-digit NACA section of thickness 1 at position `x` of its chord. The
-/// section is closed at both ends.
+/// Returns half the thickness of a symmetric four-digit NACA wing section at the position `x` of its chord. The full
+/// thickness of the section is scaled to 1. The section is closed at both ends.
 double nacaHalfThickness(double x) {
     return std::max(0.0, 5 * (0.2969 * std::sqrt(x) - x * (0.1260 + x * (0.3516 - x * (0.2843 - x * 0.1036)))));
 }
 
-/// A wing, a tailplane or a fin: sections along `span` whose chord extends from the leading edge to -z.
+/// A wing, a tailplane or a fin. Its sections follow each other along `span`. Their chords extend from the leading edge
+/// to -z.
 struct Foil {
-    dvec3 root{0};  // the leading edge at the root
-    dvec3 span{0};  // from the leading edge of the root to that of the tip
-    dvec3 thick{0}; // unit normal of the foil's plane, along z x span
+    dvec3 root{0};  // root end of the leading edge
+    dvec3 span{0};  // from the root end to the tip of the leading edge
+    dvec3 thick{0}; // unit normal of the foil's plane, in the direction z x span
     double rootChord = 1;
     double tipChord = 1;
     double thickness = 0.12;
@@ -86,7 +88,7 @@ private:
     void addFoil(const Foil& foil, double rings, double around) {
         addSkin(parts_, steps(rings, 3), steps(around, 6), [&](double u, double v) {
             const double taper = foil.rootChord + (foil.tipChord - foil.rootChord) * u;
-            const double tip = std::max(0.0, u - 0.9) * 10; // the last tenth is rounded
+            const double tip = std::max(0.0, u - 0.9) * 10; // the last tenth of the span is rounded
             const double chord = taper * std::sqrt(std::max(0.02, 1 - tip * tip));
             const double x = 0.5 + 0.5 * cosTurns(v);
             const double side = v < 0.5 ? 1 : -1;
@@ -147,13 +149,13 @@ private:
             }
             for (int i = 0; i < 3; ++i) { // guns
                 const double x = side * (2.2 + 0.25 * i);
-                const double y = -0.42 + 0.45 * (std::abs(x) - 0.25) / 5.2; // in the plane of the wing
+                const double y = -0.42 + 0.45 * (std::abs(x) - 0.25) / 5.2; // y of the wing's plane at x
                 addRod(parts_, {x, y, 0.9}, {x, y, 1.45}, 0.03, steps(8, 3), Ends::Closed);
             }
             addBox(parts_, {side * 2.9 - 0.04, -0.27, -0.95}, {side * 2.9 + 0.04, -0.17, -0.45}); // flap hinge
         }
-        addRod(parts_, {0, 0.9, -1.0}, {0, 1.5, -1.1}, 0.012, steps(6, 3), Ends::Closed); // the aerial's mast
-        addRod(parts_, {0, 1.5, -1.1}, {0, 1.6, -4.4}, 0.004, 3, Ends::Open);             // its wire
+        addRod(parts_, {0, 0.9, -1.0}, {0, 1.5, -1.1}, 0.012, steps(6, 3), Ends::Closed); // mast of the aerial
+        addRod(parts_, {0, 1.5, -1.1}, {0, 1.6, -4.4}, 0.004, 3, Ends::Open);             // wire of the aerial
     }
 
     void addPropeller(double turns) {
@@ -166,7 +168,7 @@ private:
             const dvec3 out(cosTurns(at), sinTurns(at), 0);
             const dvec3 across(-out.y, out.x, 0);
             addSkin(parts_, steps(18, 4), steps(14, 6), [&](double u, double v) {
-                const double pitch = 0.17 - 0.11 * u; // in turns; steep at the hub
+                const double pitch = 0.17 - 0.11 * u; // pitch in turns; steep at the hub
                 const dvec3 chord = across * cosTurns(pitch) + dvec3(0, 0, sinTurns(pitch));
                 const dvec3 thick = dvec3(0, 0, cosTurns(pitch)) - across * sinTurns(pitch);
                 const double width = (0.10 + 0.12 * u) * std::sqrt(std::max(0.03, 1 - u * u * u * u));
@@ -183,7 +185,8 @@ private:
 constexpr double kPlaneShare = 0.98;
 constexpr double kGroundHalf = 250;
 
-/// Returns the axes of an aeroplane with a small deviation in course, pitch and bank.
+/// Returns the axes of an aeroplane in level flight, turned by small angles in course, pitch and bank. All angles are
+/// in turns.
 glm::dmat3 flightAxes(double courseTurns, double pitchTurns, double bankTurns) {
     const dvec3 nose = glm::normalize(dvec3(sinTurns(courseTurns), sinTurns(pitchTurns), cosTurns(courseTurns)));
     const dvec3 level = glm::normalize(glm::cross(dvec3(0, 1, 0), nose));
@@ -201,7 +204,7 @@ Planes::Planes(std::uint64_t triangles, std::uint64_t seed)
     for (std::size_t i = 0; i < kCount; ++i) {
         const auto column = static_cast<double>(i % 5) - 2;
         const std::size_t row = i / 5;
-        // Braces fix the order in which the random numbers are drawn, unlike parentheses.
+        // Braces guarantee the order in which the random numbers are drawn. Parentheses do not.
         const dvec3 origin{
             17 * column + random.uniform(-2, 2),
             random.uniform(4, 14),

@@ -1,4 +1,4 @@
-// Fifteen aeroplanes above the ground: the scene of Lloyd et al. 2006, figure 14.
+// Test model: fifteen aeroplanes above the ground, like the scene of Lloyd et al. 2006, figure 14.
 #pragma once
 
 #include "preprocess/make/parts.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::make {
 
-/// A loose formation of single-engine fighters with 11 m span, 4 to 14 m above rolling ground of 500 m. The y axis
-/// points up, and the unit is metres. The aeroplanes have 98% of the triangles.
+/// A loose formation of single-engine fighters. Their span is 11 m, and they are 4 to 14 m above rolling ground of 500
+/// m. The y axis points up, and the unit is metres. 98% of the triangles belong to the aeroplanes.
 class Planes final : public MadeModel {
 public:
     static constexpr std::size_t kCount = 15;
@@ -17,7 +17,7 @@ public:
     /// Creates the scene with `triangles` triangles, within 1%. `triangles` is at least kMinTriangles.
     Planes(std::uint64_t triangles, std::uint64_t seed);
 
-    /// Returns one block per aeroplane and one for the ground.
+    /// Returns the number of blocks: one per aeroplane and one for the ground.
     std::size_t blockCount() const override { return kCount + 1; }
 
     MeshSize blockSize(std::size_t block) const override;
@@ -31,7 +31,7 @@ private:
     };
 
     std::vector<Place> places_;
-    double fineness_ = 1; // 1 is about 18,000 triangles per aeroplane
+    double fineness_ = 1; // factor of the detail; at 1 an aeroplane has about 18,000 triangles
     MeshSize planeSize_;
     std::uint64_t groundColumns_ = 1;
     std::uint64_t groundRows_ = 1;

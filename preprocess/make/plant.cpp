@@ -16,14 +16,16 @@ using glm::dvec3;
 
 namespace {
 
-/// The lots from north to south and from west to east: K tanks, P pipes on sleepers, R pipe rack, T turbine hall, B
-/// boiler house, C chimney, X transformers, H heat exchangers, A cooling tower, G gas turbine, Y store.
+/// The units on the lots, from north to south and from west to east. K: tanks, P: pipes on sleepers, R: pipe rack, T:
+/// turbine hall, B: boiler house, C: chimney, X: transformers, H: heat exchangers, A: cooling tower, G: gas turbine, Y:
+/// store.
 constexpr std::array<std::string_view, 8> kMap{
     "KKPRYGGX", "KKPRTTTX", "KKPRTTTX", "HHPRBBCX", "HHPRBBCY", "HHPRGGYY", "AAARHHKK", "AAARYYKK"};
 constexpr std::size_t kLots = 64;
 constexpr double kYardHalf = 200;
 
-/// A gravel bed, below transformers or along the inside of the fence, by centre and half extents.
+/// A bed of gravel, given by its centre and its half extents. Beds are below transformers and along the inside of the
+/// fence.
 struct Bed {
     dvec3 center{0};
     double halfX = 0;
@@ -55,7 +57,7 @@ void whole(Site& site, std::uint64_t /*piece*/) {
 }
 
 void addGround(Site& site, std::uint64_t /*piece*/) {
-    // Neighbouring tiles have different cells, so that their border vertices do not match.
+    // The number of cells is random, so that the border vertices of neighbouring tiles do not match.
     Panel tile;
     tile.corner = {-0.5 * kLotPitch, 0, 0.5 * kLotPitch};
     tile.u = {kLotPitch, 0, 0};
@@ -85,13 +87,13 @@ void addYardEdge(Site& site, std::uint64_t /*piece*/) {
 constexpr std::uint64_t kStoneTriangles = 24;
 constexpr std::uint64_t kStoneVertices = 17;
 constexpr std::uint64_t kStonesPerJob = 8192;
-constexpr std::uint64_t kStonesPerCopy = 40; // one of 40 stones is repeated
+constexpr std::uint64_t kStonesPerCopy = 40; // one copy per this number of stones
 
-/// Adds a stone on the ground: a dome of two rings and a tip, open below.
+/// Adds a stone on the ground. It is a dome of two rings and a tip, without a bottom.
 void addStone(PartSink& parts, const Bed& bed, double radius, std::uint64_t seed) {
     if (!parts.begin(kStoneVertices, kStoneTriangles)) return;
     Random random(mix64(seed));
-    // Braces fix the order in which the random numbers are drawn, unlike parentheses.
+    // Braces guarantee the order in which the random numbers are drawn. Parentheses do not.
     const dvec3 place{bed.halfX * random.uniform(-1, 1), 0, bed.halfZ * random.uniform(-1, 1)};
     const dvec3 center = bed.center + place;
     const double size = radius * random.uniform(0.5, 1.2);
@@ -118,7 +120,7 @@ void addStones(PartSink& parts, std::uint64_t count, double radius, std::uint64_
     }
 }
 
-/// The share of all triangles for parts other than gravel.
+/// The share of all triangles for parts other than gravel. Gravel uses the rest.
 constexpr double kPartShare = 0.94;
 constexpr double kHighestLevel = 4096;
 constexpr double kLowestLevel = 1.0 / 64;
@@ -128,7 +130,8 @@ constexpr double kLowestLevel = 1.0 / 64;
 Plant::Plant(std::uint64_t triangles, std::uint64_t seed) {
     GNOMON_CHECK_OP(triangles, >=, kMinTriangles);
     const auto aim = static_cast<std::uint64_t>(kPartShare * static_cast<double>(triangles));
-    // First find the max number of lots that fits at the lowest level, then the highest level that fits.
+    // The code first finds the max number of lots that fits at the lowest level of detail. Then it finds the highest
+    // level that fits for these lots.
     std::size_t lots = kLots;
     for (layOut(seed, lots); lots > 0 && countParts(kLowestLevel) > aim; layOut(seed, lots))
         lots = lots > 8 ? lots - 8 : lots - 1;
@@ -183,7 +186,7 @@ void Plant::layOut(std::uint64_t seed, std::size_t lotsBuilt) {
             kLotPitch * (static_cast<double>(column) - 3.5), 0, kLotPitch * (static_cast<double>(row) - 3.5));
         const std::uint64_t lotSeed = mix64(seed * kLots + lot);
         jobs_.push_back({addGround, 0, center, static_cast<int>(lotSeed & 3U), lotSeed, {}});
-        // A small plant uses lots that are spread over the whole yard, because 27 and 64 have no common factor.
+        // The lots of a small plant are spread over the whole yard, because 27 and 64 have no common factor.
         if (lot * 27 % kLots < lotsBuilt) addLot(kMap.at(row).at(column), center, lotSeed);
     }
 }

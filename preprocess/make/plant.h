@@ -1,4 +1,5 @@
-// The power plant: units on lots in a wide, fenced yard, with many small, open, unwelded and duplicate parts.
+// Test model: a power plant. Its units are on lots in a wide, fenced yard. It has many small, open, unwelded and
+// duplicate parts.
 #pragma once
 
 #include "preprocess/make/plant_kit.h"
@@ -7,9 +8,9 @@
 
 namespace gnomon::make {
 
-/// A plant of 320 m in a yard of 400 m. The y axis points up, the ground is at 0, and the unit is metres. With more
-/// triangles the plant first gets more parts (bars, bolts, tubes, fins, gravel), then rounder parts. With fewer than
-/// about 300,000 triangles some lots are empty.
+/// A power plant of 320 m in a yard of 400 m. The y axis points up, the ground is at y = 0, and the unit is metres.
+/// With more triangles the plant first gets more parts (bars, bolts, tubes, fins, gravel), and then rounder parts. With
+/// fewer than about 300,000 triangles some lots are empty.
 class Plant final : public MadeModel {
 public:
     static constexpr std::uint64_t kMinTriangles = 20'000;
@@ -26,9 +27,9 @@ public:
 private:
     using MakeParts = void (*)(Site& site, std::uint64_t piece);
 
-    /// A block: one unit, one piece of a unit, or a bed of gravel.
+    /// The content of a block: one unit, one piece of a unit, or a bed of gravel.
     struct Job {
-        MakeParts make = nullptr; // null: gravel
+        MakeParts make = nullptr; // null for gravel
         std::uint64_t piece = 0;  // index of the piece of the unit; for gravel the number of stones
         glm::dvec3 origin{0};
         int quarterTurns = 0;

@@ -37,11 +37,12 @@ std::uint64_t Detail::bend() const {
 void addGrating(Site& site, const dvec3& min, const dvec3& max) {
     const double width = max.x - min.x;
     const double length = max.z - min.z;
-    // Panels of 1 m by about 3 m, each with its own bars, like real gratings.
+    // The grating consists of panels of 1 m by about 3 m. Each panel has its own bars, like a real grating.
     const std::uint64_t across = pieces(width, 3.0);
     const std::uint64_t along = pieces(length, 1.0);
     const std::uint64_t bars = site.detail.amount(1.6, 1, 34);
-    const std::uint64_t cuts = site.detail.amount(3, 1, 30); // a bar has vertices at each welded cross bar
+    // a bar has vertices at each cross bar that is welded to it
+    const std::uint64_t cuts = site.detail.amount(3, 1, 30);
     const std::uint64_t crossBars = site.detail.amount(1.2, 1, 30);
     const double height = 0.03;
     for (std::uint64_t i = 0; i < across; ++i)
@@ -148,7 +149,7 @@ void addFlange(Site& site, const dvec3& center, const dvec3& axis, double radius
 void addPipe(Site& site, std::span<const dvec3> corners, double radius) {
     std::vector<dvec3> path;
     for (const dvec3& next : roundedPath(corners, 2.5 * radius, site.detail.bend())) {
-        // Long pipes are welded from pieces. Each weld is a ring of vertices.
+        // A long pipe consists of welded pieces. Each weld is a ring of vertices.
         const dvec3 last = path.empty() ? next : path.back();
         const std::uint64_t lengths = pieces(glm::distance(last, next), kPipeLength);
         for (std::uint64_t i = 1; i < lengths; ++i)

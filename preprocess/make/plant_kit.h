@@ -1,4 +1,4 @@
-// Standard parts of all units of the plant: gratings, rails, ladders, stairs, pipes, valves, fences.
+// Standard parts of all units of the plant, for example gratings, rails, ladders, stairs, pipes, valves and fences.
 #pragma once
 
 #include "core/random.h"
@@ -9,7 +9,7 @@ namespace gnomon::make {
 /// The up axis.
 inline const glm::dvec3 kUp(0, 1, 0);
 
-/// Returns the position of element i of n in [0, 1).
+/// Returns the position of element `i` of `n` evenly spaced elements, in [0, 1).
 inline double share(std::uint64_t i, std::uint64_t n) {
     return static_cast<double>(i) / static_cast<double>(n);
 }
@@ -21,62 +21,64 @@ public:
 
     double level() const { return level_; }
 
-    /// Returns the number of parts, `base` at level 1, clamped to `minAmount` and `maxAmount`.
+    /// Returns the number of parts at this level. It is `base` at level 1, and is clamped to `minAmount` and
+    /// `maxAmount`.
     std::uint64_t amount(double base, std::uint64_t minAmount = 1, std::uint64_t maxAmount = 1U << 20U) const;
 
-    /// Returns the number of sides of a round part with this radius in metres, from 3 to 256.
+    /// Returns the number of sides, from 3 to 256, of a round part with this radius in metres.
     std::uint64_t sides(double radius) const;
 
-    /// Returns the number of steps of a bend.
+    /// Returns the number of steps of a pipe bend.
     std::uint64_t bend() const;
 
 private:
     double level_;
-    double growth_; // level^(3/4); roundness gets the rest of the growth
+    double growth_; // level^(3/4); the rest of the level increases roundness
 };
 
-/// The context of a unit: the receiver of its parts, the level of detail, and its random numbers.
+/// The objects for creating a unit: the receiver of its parts, the level of detail, and its random numbers.
 struct Site {
     PartSink& parts;
     const Detail& detail;
     Random random{0};
 };
 
-/// Adds a floor of flat bars over the rectangle [min.x, max.x] x [min.z, max.z] at height min.y.
+/// Adds a grating of flat bars as a floor. It covers the rectangle [min.x, max.x] x [min.z, max.z] at the height min.y.
 void addGrating(Site& site, const glm::dvec3& min, const glm::dvec3& max);
 
-/// Adds posts and rails from `a` to `b`, 1.1 m high.
+/// Adds a handrail from `a` to `b`: posts and rails, 1.1 m high.
 void addHandrail(Site& site, const glm::dvec3& a, const glm::dvec3& b);
 
-/// Adds handrails around a rectangle at height min.y.
+/// Adds handrails around the rectangle [min.x, max.x] x [min.z, max.z] at the height min.y.
 void addHandrails(Site& site, const glm::dvec3& min, const glm::dvec3& max);
 
-/// Adds a ladder with rungs at `foot`, `height` metres high, with its back to a wall at -z. It has a cage above 3 m.
+/// Adds a ladder with rungs at `foot`. It is `height` metres high, and its back is at a wall at -z. Above 3 m it has a
+/// cage.
 void addLadder(Site& site, const glm::dvec3& foot, double height);
 
-/// Adds a flight of stairs from `foot` to `head`, 0.9 m wide, with stringers and rails.
+/// Adds a flight of stairs from `foot` to `head`. It is 0.9 m wide and has stringers and rails.
 void addStairs(Site& site, const glm::dvec3& foot, const glm::dvec3& head);
 
-/// Adds a pipe through `corners` (right angles) with flanges at its ends.
+/// Adds a pipe through `corners` with flanges at its ends. The path has right angles.
 void addPipe(Site& site, std::span<const glm::dvec3> corners, double radius);
 
 /// Adds a flange with bolts at `center`.
 void addFlange(Site& site, const glm::dvec3& center, const glm::dvec3& axis, double radius);
 
-/// Adds a valve with a hand wheel on top, in a pipe along `axis`.
+/// Adds a valve with a hand wheel on top. The valve is part of a pipe along `axis`.
 void addValve(Site& site, const glm::dvec3& center, const glm::dvec3& axis, double radius);
 
-/// Adds a motor and a pump on a plinth, along x.
+/// Adds a motor and a pump, one after the other along x, on a plinth.
 void addPump(Site& site, const glm::dvec3& foot, double size);
 
 /// Adds a vessel with dished ends from `a` to `b`.
 void addVessel(Site& site, const glm::dvec3& a, const glm::dvec3& b, double radius);
 
-/// Adds a rectangle of sheet metal with pressed ridges, for example a fin, a louvre or a packing.
+/// Adds a rectangle of sheet metal with pressed ridges, for example for a fin, a louvre or a packing.
 void addRidgedSheet(
     Site& site, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::One);
 
-/// Adds a fence from `a` to `b`, 2.2 m high: posts, wires and a mesh of flat bars.
+/// Adds a fence from `a` to `b`. It is 2.2 m high and consists of posts, wires and a mesh of flat bars.
 void addFence(Site& site, const glm::dvec3& a, const glm::dvec3& b);
 
 /// Adds a wall of corrugated sheets from `corner` along `u` and `v`. Some sheets are double-sided.

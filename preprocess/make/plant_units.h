@@ -1,4 +1,4 @@
-// The units of a power plant. Each unit is on a lot of 40 m, including half the width of the road around it.
+// The units of a power plant. Each unit is on a lot of 40 m. The lot includes half the width of the road around it.
 #pragma once
 
 #include "preprocess/make/plant_kit.h"
@@ -7,9 +7,9 @@ namespace gnomon::make {
 
 inline constexpr double kLotPitch = 40;
 
-/// Add one unit each at the origin of the site.
+/// Each function adds one unit at the origin of the site.
 void addTankFarm(Site& site);
-void addPipeRack(Site& site); // covers the whole length of the lot in z, so that racks join
+void addPipeRack(Site& site); // covers the whole length of the lot in z, so that neighbouring racks join
 void addPipeSleepers(Site& site);
 void addExchangers(Site& site);
 void addTransformers(Site& site);
@@ -19,7 +19,7 @@ void addCoolingTower(Site& site);
 void addStore(Site& site);
 void addGasTurbine(Site& site);
 
-/// The number of storeys of the boiler house. Each storey is a unit, and storey 0 is on the ground.
+/// The number of storeys of the boiler house. Each storey is a separate unit. Storey 0 is on the ground.
 inline constexpr std::uint64_t kBoilerStoreys = 8;
 void addBoilerStorey(Site& site, std::uint64_t storey);
 

@@ -10,18 +10,19 @@ namespace gnomon::make {
 
 namespace {
 
-/// The number of vertices that are made together. A batch fits into the fastest caches.
+/// The number of vertices that are computed together. Such a batch fits into the fastest caches.
 constexpr std::size_t kBatch = 1024;
 
 /// The min number of grid vertices of a block.
 constexpr std::uint64_t kBlockVertices = 1U << 15U;
 
 /// The coarsest lattice spacing of the grain in metres, and the slope of all octaves (deviation / spacing). With a
-/// smaller slope, the height of the finest octave would be below 0.3 edges. A larger slope would hide the carving.
+/// smaller slope, the height of the finest octave would be below 0.3 edge lengths. A larger slope would hide the
+/// carving.
 constexpr double kCoarsestSpacing = 0.08;
 constexpr double kGrainSlope = 0.042;
 
-/// The min lattice spacing in edges. The mesh could not resolve a smaller spacing.
+/// The min lattice spacing in edge lengths. The triangles could not represent a smaller spacing.
 constexpr double kFinestSpacingEdges = 2.83;
 
 std::vector<GrainOctave> grain(double meanEdge, std::uint64_t seed) {
@@ -32,7 +33,8 @@ std::vector<GrainOctave> grain(double meanEdge, std::uint64_t seed) {
     return octaves;
 }
 
-/// Returns a random shift in (-0.5, 0.5) * `reach` from bits of a hash, because scanners do not sample on a grid.
+/// Returns a random shift in (-0.5, 0.5) * `reach`, computed from bits of a hash. Vertices are shifted because scanners
+/// do not sample on a regular grid.
 double jitter(std::uint64_t bits, double reach) {
     return (static_cast<double>(bits & 0xFFFFFFU) * 0x1p-24 - 0.5) * reach;
 }
@@ -50,7 +52,7 @@ Statue::Statue(std::uint64_t triangles, std::uint64_t seed, std::shared_ptr<cons
     const double sideLength =
         surface_->meridian() * (static_cast<double>(surface_->crownBegin()) - static_cast<double>(surface_->baseEnd()));
     const double girth = surface_->area() / surface_->meridian();
-    const double ratio = 4 * sideLength / girth; // rows per cell, for squares on average
+    const double ratio = 4 * sideLength / girth; // rows per column width, so that the cells are square on average
     const auto count = static_cast<double>(triangles);
     cells_ = std::max<std::uint64_t>(2, static_cast<std::uint64_t>(std::llround(std::sqrt(count / (8 * ratio + 4)))));
     const double rows = (count / 4 - static_cast<double>(cells_ * cells_)) / (2 * static_cast<double>(cells_));
@@ -64,9 +66,9 @@ void Statue::dropFinestOctaves(std::size_t count) {
     octaves_.resize(octaves_.size() - std::min(count, octaves_.size()));
 }
 
-// Returns the grid rows of a block. The parts in order are the lid of the base, the side from its lowest to its highest
-// row of vertices, and the lid of the crown. A lid has vertices only inside its border, because the side contains the
-// border.
+// Returns the grid rows of a block. The parts are in this order: the lid of the base, the side from its lowest to its
+// highest row of vertices, and the lid of the crown. A lid contains only the vertices inside its border, because the
+// side contains the border.
 
 Statue::Rows Statue::rowsOf(std::size_t block) const {
     const auto blocksOf = [&](std::uint64_t rows) { return (rows + rowsPerBlock_ - 1) / rowsPerBlock_; };
@@ -92,7 +94,7 @@ MeshSize Statue::blockSize(std::size_t block) const {
         const std::uint64_t cellRows = std::min(rows.end, rows_) - rows.begin;
         return {count * 4 * cells_, cellRows * 8 * cells_};
     }
-    const std::uint64_t inner = count - (rows.begin == 0 ? 1 : 0); // row 0 is on the border
+    const std::uint64_t inner = count - (rows.begin == 0 ? 1 : 0); // the vertices of row 0 are on the border
     return {inner * (cells_ - 1), count * 2 * cells_};
 }
 
@@ -130,7 +132,8 @@ Statue::GridPlace Statue::lidPlace(Part lid, std::uint64_t i, std::uint64_t k) c
     const std::uint64_t bits = mix64(seed_ ^ mix64(lidVertex(lid, i, k)));
     const double x = (static_cast<double>(i) + jitter(bits, kJitterCells)) * 2 / static_cast<double>(cells_) - 1;
     const double z = (static_cast<double>(k) + jitter(bits >> 32U, kJitterCells)) * 2 / static_cast<double>(cells_) - 1;
-    const double m = std::max(std::abs(x), std::abs(z)); // the square ring of the point
+    // selects the square ring around the centre that contains the point
+    const double m = std::max(std::abs(x), std::abs(z));
     double around = 0;
     if (m > 0) {
         if (x == m)
@@ -184,7 +187,7 @@ void Statue::makeVertices(const Rows& rows, MeshSink& sink) const {
         count = 0;
     };
     const bool side = rows.part == Part::Side;
-    const std::uint64_t firstColumn = side ? 0 : 1; // a lid's border belongs to the side
+    const std::uint64_t firstColumn = side ? 0 : 1; // the border of a lid belongs to the side
     const std::uint64_t lastColumn = side ? 4 * cells_ : cells_;
     for (std::uint64_t row = std::max(rows.begin, firstColumn); row < rows.end; ++row)
         for (std::uint64_t column = firstColumn; column < lastColumn; ++column) {

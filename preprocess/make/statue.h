@@ -1,4 +1,5 @@
-// The statue: a closed, watertight bust of weathered stone. Its shape does not depend on the number of triangles.
+// Test model: a statue. It is a closed, watertight bust of weathered stone. Its shape does not depend on the number of
+// triangles.
 #pragma once
 
 #include "preprocess/make/made_model.h"
@@ -8,15 +9,16 @@
 
 namespace gnomon::make {
 
-/// One octave of the stone's grain: gradient noise with lattice spacing `spacing` and standard deviation `deviation`,
-/// both in metres.
+/// One octave of the stone's grain. It is gradient noise with the lattice spacing `spacing` and the standard deviation
+/// `deviation`, both in metres.
 struct GrainOctave {
     double spacing = 0;
     double deviation = 0;
     std::uint32_t seed = 0;
 };
 
-/// A closed 2-manifold with the grid of a box: a ring of 4 * cells columns and `rows` rows, and two square lids.
+/// A statue as a closed 2-manifold. Its vertices form the grid of a box: a side of 4 * cells columns and `rows` rows,
+/// and two square lids.
 class Statue final : public MadeModel {
 public:
     static constexpr std::uint64_t kMinTriangles = 2000;
@@ -24,30 +26,31 @@ public:
     /// Creates the statue with `triangles` triangles, within 2%. `triangles` is at least kMinTriangles.
     Statue(std::uint64_t triangles, std::uint64_t seed);
 
-    /// Creates the statue with an existing surface. The surface depends only on the seed.
+    /// Creates the statue with an existing surface, which depends only on the seed.
     Statue(std::uint64_t triangles, std::uint64_t seed, std::shared_ptr<const StatueSurface> surface);
 
     std::size_t blockCount() const override;
     MeshSize blockSize(std::size_t block) const override;
     void makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& sink) const override;
 
-    /// Returns the edge length of the equilateral triangles that would cover the surface without grain.
+    /// Returns the edge length of the equilateral triangles that would cover the surface without grain. The number of
+    /// these triangles is that of the statue.
     double meanEdge() const { return meanEdge_; }
 
-    /// Returns the octaves from coarse to fine. All statues of a seed share their octaves. A larger statue only has
-    /// more of them. The finest spacing is at least 2.8 and below 5.7 mean edges.
+    /// Returns the octaves of the grain from coarse to fine. All statues of a seed have the same octaves, but a statue
+    /// with more triangles has additional fine ones. The finest spacing is at least 2.8 and below 5.7 mean edges.
     const std::vector<GrainOctave>& octaves() const { return octaves_; }
 
     /// Removes the `count` finest octaves, so that a test can measure their effect.
     void dropFinestOctaves(std::size_t count);
 
 private:
-    /// The part of the grid that a block covers: whole rows of one of the three parts.
+    /// The part of the grid to which the rows of a block belong: a lid or the side.
     enum class Part { Base, Side, Crown };
 
     struct Rows {
         Part part = Part::Side;
-        std::uint64_t begin = 0; // rows of vertices and, except the last row, of cells
+        std::uint64_t begin = 0; // first row of vertices and, except for the last row, of cells
         std::uint64_t end = 0;
     };
 

@@ -14,15 +14,16 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t kRows = 576;
-constexpr std::size_t kColumns = 512; // a multiple of 4, so that the corners of the grid's ring are on columns
+constexpr std::size_t kColumns = 512; // a multiple of 4, so that the corners of the grid's side are on columns
 
-/// A ray towards the axis. The surface point is its first hit from outside.
+/// A ray from outside towards the axis of the statue. The surface point is its first hit.
 struct Ray {
     dvec3 origin{0};
     dvec3 outward{0};
 };
 
-/// Returns the ray at `s` in [0, 3] (base, side, crown) and `around` in quarter turns.
+/// Returns a ray. `s` is in [0, 3]: the base up to 1, the side up to 2, and then the crown. `around` is in quarter
+/// turns.
 Ray rayAt(double s, double around) {
     constexpr double kBaseSlope = -0.36;
     constexpr double kCrownSlope = 0.62;
@@ -36,8 +37,8 @@ Ray rayAt(double s, double around) {
         ray.outward = ring * s + dvec3(0, -(1 - s * s) + kBaseSlope * s * s, 0);
     } else if (s <= 2) {
         const double t = s - 1;
-        // The rays are steep at both ends and horizontal at the shoulders, where the slope of the stone is between
-        // both.
+        // The slope of the rays changes from the base to the crown. The rays are horizontal at the shoulders. There the
+        // slope of the stone is between the slopes at both ends.
         const double slope = kBaseSlope + (kCrownSlope - kBaseSlope) * t;
         const double forward = -0.01 + 0.014 * t * t;
         ray.origin = {0, kLowest + (kHighest - kLowest) * t, forward};
@@ -53,7 +54,7 @@ Ray rayAt(double s, double around) {
 
 dvec3 firstHit(const BustShape& shape, const Ray& ray) {
     constexpr int kSteps = 60;
-    constexpr double kNear = 0.006; // the secant method starts at this distance
+    constexpr double kNear = 0.006; // metres; nearer to the surface the secant method replaces the ray march
     double t = 0.34;
     double distance = shape.distance(ray.origin + t * ray.outward);
     double slope = 1;
@@ -89,7 +90,7 @@ const StatueSurface::Texel& StatueSurface::texel(std::size_t row, std::size_t co
 }
 
 void StatueSurface::sampleMeridian(const BustShape& shape) {
-    // Averages the lengths of many meridians, so that the rows of the table are evenly spaced on the stone.
+    // The code averages the lengths of many meridians, so that the rows of the table are evenly spaced on the stone.
     constexpr std::size_t kSamples = 768;
     constexpr std::size_t kMeridians = 32;
     std::vector<std::array<dvec3, kMeridians>> points(kSamples + 1);
@@ -102,7 +103,7 @@ void StatueSurface::sampleMeridian(const BustShape& shape) {
     for (std::size_t i = 1; i <= kSamples; ++i) {
         double sum = 0;
         for (std::size_t j = 0; j < kMeridians; ++j)
-            // Excludes jumps between surface parts.
+            // The limit excludes jumps between two parts of the surface.
             sum += std::min(0.02, glm::distance(points[i][j], points[i - 1][j]));
         length[i] = length[i - 1] + sum / kMeridians;
     }
@@ -131,8 +132,8 @@ void StatueSurface::castRays(const BustShape& shape) {
 }
 
 void StatueSurface::findOutward() {
-    // Cross products over a few texels, then a blur. The direction field must be smooth, so that the displaced stone
-    // does not fold.
+    // The directions are cross products over a few table entries, and then blurred. The direction field must be smooth,
+    // so that the displaced stone does not fold.
     constexpr std::size_t kReach = 3;
     std::vector<glm::vec3> raw(texels_.size());
     tbb::parallel_for(std::size_t{0}, kRows, [&](std::size_t row) {
@@ -185,8 +186,8 @@ SurfacePoint StatueSurface::at(float along, float around) const {
     glm::vec4 position(0);
     glm::vec4 outward(0);
     for (std::size_t i = 0; i < 4; ++i) {
-        // The meridian continues on the other side of a pole, so that the spline is smooth there.
-        const std::size_t r = row + i; // one more than the row's index
+        // Beyond a pole, the meridian continues on the other side, so that the spline is smooth at the pole.
+        const std::size_t r = row + i; // index of the row plus one
         const bool across = r == 0 || r > kRows;
         const std::size_t tableRow = r == 0 ? 1 : (r > kRows ? kRows - 2 : r - 1);
         const std::size_t shift = column + kColumns - 1 + (across ? kColumns / 2 : 0);

@@ -1,5 +1,5 @@
-// The surface of the statue as a fixed table of points and directions over (meridian, ring). The table is the same for
-// each resolution.
+// The surface of the statue as a table of points and directions. The table is indexed by (meridian, ring) and is the
+// same for all numbers of triangles.
 #pragma once
 
 #include "preprocess/make/bust_shape.h"
@@ -16,29 +16,29 @@ struct SurfacePoint {
     glm::vec3 outward{0};
 };
 
-/// The carved surface without grain, C2 except at the two poles. The constructor takes about a second. Any thread can
-/// read the surface.
+/// The carved surface of the statue without grain. It is twice continuously differentiable except at the two poles. The
+/// constructor takes about a second. Any thread can read the surface.
 class StatueSurface {
 public:
     explicit StatueSurface(std::uint64_t seed);
 
-    /// Returns the point at `along` in [0, 1] from the centre of the base to the crown, evenly spaced on average, and
-    /// at `around` in [0, 4), one unit per quarter turn.
+    /// Returns a point of the surface. `along` is in [0, 1], from the centre of the base to the crown, with even
+    /// spacing on average. `around` is in [0, 4), with one unit per quarter turn.
     SurfacePoint at(float along, float around) const;
 
-    /// Return the end of the flat base and the start of the crown, as `along`.
+    /// Return the values of `along` at the end of the flat base and at the start of the crown.
     float baseEnd() const { return baseEnd_; }
 
     float crownBegin() const { return crownBegin_; }
 
-    /// Return the area (square metres) and the meridian length (metres) of the surface of the table.
+    /// Return the area in square metres and the length of a meridian in metres, both computed from the table.
     double area() const { return area_; }
 
     double meridian() const { return meridian_; }
 
 private:
     struct Texel {
-        glm::vec4 position{0}; // w is unused, so that four floats load at once
+        glm::vec4 position{0}; // w is unused; with it, one instruction loads four floats
         glm::vec4 outward{0};
     };
 
@@ -48,7 +48,7 @@ private:
     void measure();
     const Texel& texel(std::size_t row, std::size_t column) const;
 
-    std::vector<double> rayAlong_; // per row, the ray parameter in [0, 3]
+    std::vector<double> rayAlong_; // per row: the ray parameter in [0, 3] (see rayAt)
     std::vector<Texel> texels_;
     float baseEnd_ = 0;
     float crownBegin_ = 1;

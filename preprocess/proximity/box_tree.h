@@ -1,4 +1,4 @@
-// A bounding volume hierarchy of labelled boxes that finds the boxes that overlap a given box and have another label.
+// A bounding volume hierarchy of boxes with labels. It finds the boxes that overlap a given box and have another label.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -33,11 +33,11 @@ struct TreeBox {
     }
 };
 
-/// A binary tree of boxes. The boxes are sorted by the Morton codes of their centres, and each inner node splits its
-/// boxes into two halves of equal count.
+/// A binary tree of boxes. The boxes are sorted by the Morton codes of their centres. Each inner node divides its boxes
+/// into two halves of equal count.
 class BoxTree {
 public:
-    /// Builds the tree over `boxes`, where box i has the label `labels[i]`. Both arrays must outlive the tree.
+    /// Builds the tree over `boxes`. Box i has the label `labels[i]`. Both arrays must outlive the tree.
     BoxTree(std::span<const TreeBox> boxes, std::span<const std::uint32_t> labels)
         : boxes_(boxes), labels_(labels), order_(boxes.size()) {
         if (order_.empty()) return;
@@ -46,8 +46,8 @@ public:
         build(0, static_cast<std::uint32_t>(order_.size()));
     }
 
-    /// Calls `visit(index)` for each box that overlaps `box` and has a label other than `label`. The order of the calls
-    /// is always the same.
+    /// Calls `visit(index)` for each box that overlaps `box` and whose label differs from `label`. The order of the
+    /// calls is deterministic.
     template <class Visit>
     void forEachOther(const TreeBox& box, std::uint32_t label, Visit visit) const {
         std::array<std::uint32_t, 64> stack{};
@@ -93,7 +93,8 @@ private:
             order_[i] = static_cast<std::uint32_t>(keys[i]);
     }
 
-    /// Returns the lowest ten bits of `cell` with two zero bits after each bit, for a Morton code.
+    /// Returns the lowest ten bits of `cell` with two zero bits between neighbouring bits, as one coordinate of a
+    /// Morton code.
     static std::uint32_t spread(double cell) {
         auto bits = static_cast<std::uint32_t>(cell);
         bits = (bits | bits << 16U) & 0x030000FFU;

@@ -9,7 +9,7 @@ namespace gnomon::proximity {
 
 namespace {
 
-constexpr std::uint32_t kSearched = 12; // max points of a leaf; a query tests each point of a leaf
+constexpr std::uint32_t kSearched = 12; // max number of points per leaf; a query tests each point of a leaf
 
 } // namespace
 
@@ -37,13 +37,14 @@ void PointTree::build(std::uint32_t begin, std::uint32_t end) {
         if (high[other] - low[other] > high[axis] - low[axis]) axis = other;
     const double plane = low[axis] + (high[axis] - low[axis]) * 0.5;
     std::uint32_t middle = begin;
-    for (std::uint32_t i = begin; i < end; ++i) { // no branch, because the CPU cannot predict the side of a point
+    for (std::uint32_t i = begin; i < end; ++i) { // no branch, because the CPU cannot predict on which side a point is
         const Point point = points_[i];
         points_[i] = points_[middle];
         points_[middle] = point;
         middle += point.place[axis] < plane ? 1 : 0;
     }
-    if (middle == begin || middle == end) return; // no number lies between the two coordinates
+    // no number between the two coordinates exists, so the points cannot be split
+    if (middle == begin || middle == end) return;
     nodes_[index].plane = plane;
     nodes_[index].axis = static_cast<std::uint32_t>(axis);
     build(begin, middle);

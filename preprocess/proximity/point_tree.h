@@ -1,4 +1,5 @@
-// A kd-tree of points that belong to components. It finds the nearest point of another component.
+// A kd-tree of points. Each point belongs to a component of a mesh. The tree finds the nearest point of another
+// component.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,16 +11,17 @@
 
 namespace gnomon::proximity {
 
-/// A kd-tree that splits each box at the centre of its longest side until a leaf has at most 12 points (Bentley,
-/// "Multidimensional binary search trees", 1975). Bentley splits at the median point. A split at the centre is faster
-/// to build.
+/// A kd-tree whose leaves have at most 12 points (Bentley, "Multidimensional binary search trees", 1975). Each box is
+/// split at the centre of its longest side. Bentley splits at the median point, but a split at the centre is faster to
+/// build.
 class PointTree {
 public:
-    /// Builds the tree over finite `points`, where point i belongs to component `components[i]`.
+    /// Builds the tree over `points`, whose coordinates must be finite. Point i belongs to the component
+    /// `components[i]`.
     PointTree(std::span<const glm::dvec3> points, std::span<const std::uint32_t> components);
 
-    /// Returns the index of the point nearest to `place` that is outside `component`. Among points at equal distance it
-    /// returns the smallest index. Returns kNone if all points are in `component`.
+    /// Returns the index of the point nearest to `place` that does not belong to `component`. Among points at equal
+    /// distance it returns the smallest index. Returns kNone if all points belong to `component`.
     std::uint32_t nearest(const glm::dvec3& place, std::uint32_t component) const;
 
 private:
@@ -36,7 +38,8 @@ private:
         std::uint32_t end = 0;
         double plane = 0;
         std::uint32_t axis = 0;
-        // Index of the child on or above the plane; the child below it follows its parent; 0 for a leaf.
+        // Index of the child on or above the splitting plane; 0 for a leaf. The child below the plane follows its
+        // parent.
         std::uint32_t right = 0;
     };
 

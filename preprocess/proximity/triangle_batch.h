@@ -1,4 +1,4 @@
-// Squared distances from one point to up to 16 triangles at once, in vector lanes.
+// Computes the squared distances from one point to up to 16 triangles at once, with one triangle per SIMD lane.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,7 +8,7 @@
 
 namespace gnomon::proximity {
 
-/// A batch of up to kCapacity triangles, stored as one row per corner and coordinate.
+/// A batch of up to kCapacity triangles. Each coordinate of each corner is stored in one row over all triangles.
 class TriangleBatch {
 public:
     static constexpr std::size_t kCapacity = 16;
@@ -28,8 +28,8 @@ public:
         ++count_;
     }
 
-    /// Writes the squared distance from `point` to triangle i into `squares[i]`. The result is identical to the bit
-    /// with `squaredDistance` (triangle_distance.h). The values behind the last triangle are undefined.
+    /// Writes the squared distance from `point` to triangle i into `squares[i]`. The results are bit-identical to
+    /// `squaredDistance` (triangle_distance.h). The values after the last triangle are undefined.
     void squaredDistances(const glm::dvec3& point, Row& squares) const;
 
 private:

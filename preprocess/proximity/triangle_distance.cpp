@@ -30,7 +30,7 @@ TriangleDistance PreparedTriangle::distanceToEdge(const glm::dvec3& p, std::uint
 }
 
 TriangleDistance PreparedTriangle::distanceTo(const glm::dvec3& p) const {
-    // The nearest point to a point outside the triangle lies on an edge whose outer side contains the point.
+    // The nearest point is on an edge whose outer side contains `p`, because `p` is outside the triangle.
     TriangleDistance best{std::numeric_limits<double>::infinity()};
     bool isInside = area_ > 0;
     for (std::uint32_t i = 0; i < 3; ++i) {

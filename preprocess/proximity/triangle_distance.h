@@ -1,4 +1,4 @@
-// Distances from a point to a triangle, with the nearest feature of the triangle.
+// Computes the distance from a point to a triangle, and the feature of the triangle that is nearest to the point.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,7 +13,8 @@ inline double squaredLength(const glm::dvec3& v) {
     return glm::dot(v, v);
 }
 
-/// The feature of a triangle that contains the point nearest to a query point: the face, an edge or a corner.
+/// A feature of a triangle (the face, an edge or a corner). It contains the point of the triangle that is nearest to a
+/// query point.
 enum class TriangleFeature : std::uint8_t {
     Face,
     Edge0,
@@ -24,13 +25,14 @@ enum class TriangleFeature : std::uint8_t {
     Corner2
 }; // edge i goes from corner i to corner (i + 1) % 3
 
-/// The squared distance of a point from a triangle, and the nearest feature.
+/// The squared distance from a point to a triangle, and the nearest feature of the triangle.
 struct TriangleDistance {
     double square = 0; // squared distance
     TriangleFeature feature = TriangleFeature::Face;
 };
 
-/// A triangle with precomputed edges and normals for distances from many points. The triangle may be degenerate.
+/// A triangle with precomputed edges and normals. It is fast for distances from many points. The triangle may be
+/// degenerate.
 class PreparedTriangle {
 public:
     PreparedTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
@@ -38,12 +40,12 @@ public:
     TriangleDistance distanceTo(const glm::dvec3& p) const;
 
 private:
-    /// Returns the distance from `p` to the edge between corner `i` and the next corner.
+    /// Returns the squared distance from `p` to the edge from corner `i` to the next corner.
     TriangleDistance distanceToEdge(const glm::dvec3& p, std::uint32_t i) const;
 
     std::array<glm::dvec3, 3> corners_;
-    std::array<glm::dvec3, 3> edges_; // from each corner to the next
-    // Inward normal of each edge in the plane of the triangle; 0 for a degenerate triangle.
+    std::array<glm::dvec3, 3> edges_; // from each corner to the next corner
+    // Per edge: its normal in the plane of the triangle, towards the inside; 0 for a degenerate triangle.
     std::array<glm::dvec3, 3> inwards_;
     glm::dvec3 normal_;
     double area_ = 0; // square of twice the triangle's area

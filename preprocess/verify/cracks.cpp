@@ -18,8 +18,8 @@ using namespace hierarchy;
 
 namespace {
 
-/// A view that refines a group if its error exceeds `threshold` times the distance from `eye`. The threshold is in
-/// world units of error per unit of distance.
+/// A view that refines a group if the group's error exceeds `threshold` times the distance from `eye`. The threshold is
+/// an error in world units per unit of distance.
 struct View {
     glm::dvec3 eye{0}; // local space
     double threshold = 0;
@@ -27,8 +27,8 @@ struct View {
     bool operator()(double error, const Sphere& bounds) const { return error > threshold * distance(bounds, eye); }
 };
 
-/// Draws various random views: near, on, inside and far from the model. The threshold is the exact limit of a random
-/// group of a random level.
+/// Draws random views: near the model, on it, inside it and far from it. The threshold of a view is such that a random
+/// group of a random level is exactly at the limit.
 class ViewSource {
 public:
     /// Creates a source of views. `surfacePoint(random)` returns a random vertex of the model.
@@ -83,13 +83,14 @@ private:
     Grid grid_;
     std::function<GridPoint(Random&)> surfacePoint_;
     Box bounds_;
-    std::vector<std::vector<const Group*>> groups_; // groups with finite errors, by level
+    std::vector<std::vector<const Group*>> groups_; // per level: groups with finite errors
 };
 
-/// The triangles of one cut at the locked edges. The object is reused, and only its touched entries are cleared.
+/// The triangles of one cut at the locked edges. The object is reused for many cuts. Only the entries that a cut used
+/// are cleared.
 struct CutEdges {
     std::vector<std::uint32_t> triangles;
-    std::vector<std::uint64_t> levels; // bit l: a triangle of the surface of level l is at the edge
+    std::vector<std::uint64_t> levels; // per edge: bit l is set if a triangle of the surface of level l is there
     std::vector<std::uint32_t> touched;
 };
 
@@ -140,8 +141,8 @@ CutResult judge(const LockedEdges& edges, CutEdges& cut) {
     return result;
 }
 
-/// Tests the locked edges of `cell` in all views. `model` must contain all pages that overlap the cell. Returns the
-/// number of these edges.
+/// Tests the locked edges of `cell` in all views and adds the results to `results`. `model` must contain all pages that
+/// overlap the cell. Returns the number of locked edges.
 std::size_t lookAt(
     const LoadedModel& model,
     const GridBox& cell,
@@ -157,7 +158,7 @@ std::size_t lookAt(
         if (results[i].cracks == 0) results[i].detail = found.detail;
         results[i].tested += found.tested;
         results[i].cracks += found.cracks;
-        progress.advance(0); // polls for interruption
+        progress.advance(0); // polls for an interruption
     });
     return edges.count();
 }

@@ -1,4 +1,5 @@
-// Finds cracks in random view-dependent cuts: locked edges between groups that do not match.
+// Finds cracks in random view-dependent cuts. A crack is a locked edge between groups at which the number of triangles
+// is wrong.
 #pragma once
 
 #include "preprocess/verify/check.h"
@@ -8,15 +9,16 @@
 
 namespace gnomon::verify {
 
-/// Draws `cuts` random view-dependent cuts and tests each locked edge (locked_edges.h) in them. A cut refines a group
-/// if its error exceeds the threshold times the distance to the eye. An edge locked at a level is tested in each cut
-/// that has a triangle there of the surface of that level or the next coarser one. The number of triangles at the edge,
-/// compared by position, must be equal to the number at the locked level. The worst value is the max number of cracks
-/// in one cut.
+/// Draws `cuts` random view-dependent cuts of `model` and tests the locked edges (locked_edges.h) in each cut. A cut
+/// refines a group if the group's error exceeds a threshold times the distance to the eye. An edge that is locked at a
+/// level is tested in a cut if one of the cut's triangles there belongs to the surface of this level or of the next
+/// coarser level. The number of the cut's triangles at the edge must then be equal to the number in the locked level.
+/// Edges are compared by position. The worst value of the result is the max number of cracks in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
 
-/// Runs the same check on a file and loads one cell of `cells` (from crackCells) at a time. `facts` are the facts of
-/// the file. The result is identical, except that the text may describe another crack of a cut.
+/// Makes the same check as the function above, but reads the model from `file` and loads only one cell of `cells` (from
+/// crackCells) at a time. `facts` are the facts of the file. The result is identical, except that its text may describe
+/// another crack of the same cut.
 Check checkCracks(
     const hierarchy::ModelFile& file,
     const ModelFacts& facts,

@@ -18,12 +18,15 @@ using namespace hierarchy;
 namespace {
 
 constexpr std::size_t kMaxCuts = 8;
-constexpr std::size_t kPointSamples = 60'000;  // samples by area per direction and cut, and the same number of corners
-constexpr std::size_t kDenseGroups = 150;      // groups per cut
-constexpr std::uint32_t kDensePoints = 4;      // points per triangle, in addition to its corners
-constexpr std::size_t kDenseCorners = 150'000; // corners of level 0 below the densely sampled groups of a cut
+// random samples per direction and cut, and also the number of sampled corners
+constexpr std::size_t kPointSamples = 60'000;
+constexpr std::size_t kDenseGroups = 150; // densely sampled groups per cut
+constexpr std::uint32_t kDensePoints = 4; // samples per triangle of these groups, in addition to its corners
+// max number of measured corners of level 0 below the densely sampled groups of a cut
+constexpr std::size_t kDenseCorners = 150'000;
 
-/// The tolerance of comparisons. Coordinates are below 2^31 steps, so smaller differences are rounding.
+/// The tolerance of comparisons of distances. Coordinates are below 2^31 grid steps, so smaller differences are
+/// rounding errors.
 constexpr double kRounding = 1e-9;
 
 /// A point on a triangle of a soup.
@@ -32,7 +35,7 @@ struct Sample {
     glm::dvec3 point{0};
 };
 
-/// Returns a random point of a triangle, uniform by area.
+/// Returns a random point on a triangle, uniformly distributed over its area.
 Sample onTriangle(const TriangleSoup& soup, std::uint32_t triangle, Random& random) {
     double u = random.unit();
     double v = random.unit();
@@ -43,7 +46,8 @@ Sample onTriangle(const TriangleSoup& soup, std::uint32_t triangle, Random& rand
     return {triangle, soup.point(triangle, u, v)};
 }
 
-/// Returns `kPointSamples` points, uniform by area, and as many random corners, sorted by triangle.
+/// Returns kPointSamples points that are uniformly distributed over the area of `soup`, and as many random corners. The
+/// samples are sorted by triangle.
 std::vector<Sample> drawSamples(const TriangleSoup& soup, Random& random) {
     std::vector<Sample> samples;
     if (soup.triangles.empty()) return samples;
@@ -62,7 +66,7 @@ std::vector<Sample> drawSamples(const TriangleSoup& soup, Random& random) {
     return samples;
 }
 
-/// Returns the nearest triangle of `tree` for each sample.
+/// Returns for each sample the nearest triangle of `tree`.
 std::vector<TriangleTree::Nearest> nearestTo(const std::vector<Sample>& samples, const TriangleTree& tree) {
     std::vector<TriangleTree::Nearest> found(samples.size());
     constexpr std::size_t kRun = 256;
@@ -76,8 +80,8 @@ std::vector<TriangleTree::Nearest> nearestTo(const std::vector<Sample>& samples,
     return found;
 }
 
-/// Returns the errors of the tested cuts: a selection of the max errors of the levels, including the finest and the
-/// coarsest.
+/// Returns the error limits of the tested cuts: some of the max errors of the levels, including the finest and the
+/// coarsest level.
 std::vector<double> cutErrors(const ModelSummary& summary) {
     std::set<double> errors;
     for (const LevelInfo& level : summary.levels)
@@ -89,7 +93,7 @@ std::vector<double> cutErrors(const ModelSummary& summary) {
     return thinned;
 }
 
-/// The comparison of one model with its source.
+/// Compares one model with its source.
 class Comparison {
 public:
     Comparison(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed)
@@ -127,7 +131,8 @@ public:
     }
 
 private:
-    /// Returns the group that a cluster of a cut was simplified from, numbered across pages, or kNone at level 0.
+    /// Returns the group that a cluster of a cut was simplified from, or kNone at level 0. Groups are numbered across
+    /// pages.
     std::uint32_t refinedGroup(const UniformCut::Part& part) {
         const Page& page = model_.pages[part.page];
         const std::uint32_t refinement = page.clusters[part.cluster].refinement;
@@ -177,9 +182,10 @@ private:
         if (!nearest.empty()) check_.cuts.back().sampledRms = std::sqrt(squares / static_cast<double>(nearest.size()));
     }
 
-    /// Returns the triangles of level 0 below the densely sampled groups, as ranges of triangles in the finest cut.
+    /// Returns the triangles of level 0 from which the densely sampled groups were simplified, as ranges of triangles
+    /// of the finest cut.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> partsBelow() const {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> parts; // first triangle and count
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> parts; // first triangle and number of triangles
         std::vector<std::uint32_t> open = dense_;
         std::vector<bool> isKnown(model_.firstGroup.back());
         while (!open.empty()) {
@@ -203,8 +209,9 @@ private:
         return parts;
     }
 
-    /// Measures the distance of level 0 from the cut below the densely sampled groups. The vertices of level 0 are
-    /// source vertices. A removed part has no points in the cut, and random source points seldom hit it.
+    /// Measures the distances from level 0 to the cut, below the densely sampled groups. This finds parts that the
+    /// simplification removed: they have no points in the cut, and random source points seldom hit them. The vertices
+    /// of level 0 are vertices of the source.
     void compareBelow(const UniformCut& cut) {
         std::size_t corners = 0;
         const auto parts = partsBelow();
@@ -228,8 +235,8 @@ private:
         largest = std::max(largest, distance);
     }
 
-    /// Chooses a few random groups and returns sample points on the triangles of the cut that were simplified from
-    /// them: the corners and several points inside each triangle.
+    /// Selects a few random groups. Returns sample points on the triangles of the cut that were simplified from these
+    /// groups: their corners and several points inside each triangle.
     std::vector<Sample> denseSamples(const UniformCut& cut) {
         std::map<std::uint32_t, std::vector<const UniformCut::Part*>> byGroup;
         for (const UniformCut::Part& part : cut.parts)
@@ -265,12 +272,12 @@ private:
     TriangleTree sourceTree_;
     UniformCut finest_;
     Random random_;
-    std::map<std::uint32_t, std::uint32_t> finestPart_; // by cluster across pages: its first triangle in `finest_`
+    std::map<std::uint32_t, std::uint32_t> finestPart_; // per cluster across pages: its first triangle in `finest_`
     std::vector<std::uint32_t> groupOfCluster_;         // per cluster across pages
     std::vector<Sample> sourceSamples_;
-    std::vector<TriangleTree::Nearest> finestNearest_; // for the source's samples
-    std::map<std::uint32_t, double> errorOf_;          // stored error per group
-    std::map<std::uint32_t, double> largest_;          // largest sampled distance per group in the current cut
+    std::vector<TriangleTree::Nearest> finestNearest_; // per sample of the source
+    std::map<std::uint32_t, double> errorOf_;          // per group: stored error
+    std::map<std::uint32_t, double> largest_;          // per group: largest sampled distance in the current cut
     std::vector<std::uint32_t> dense_;
     std::vector<double> ratios_;
     Check check_{"error_bound"};

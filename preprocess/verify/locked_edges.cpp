@@ -15,7 +15,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// A use of an edge or a vertex by its owner: a group of the current level, or a deferred cluster.
+/// A use of an edge or a vertex. Its owner is a group of the current level or a deferred cluster.
 struct Use {
     std::uint64_t what = 0;
     std::uint64_t owner = 0;
@@ -27,8 +27,8 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
 }
 
-/// Calls `take(a, b)` with the position numbers of both ends of each triangle edge of `cluster`. Edges of zero length
-/// are skipped.
+/// Calls `take(a, b)` for each edge of the triangles of `cluster`. `a` and `b` are the position numbers of the ends.
+/// Edges of zero length are skipped.
 template <class OfVertex, class Take>
 void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVertex, const Take& take) {
     for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
@@ -42,7 +42,7 @@ void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVer
     }
 }
 
-/// Calls `take(page, cluster, owner)` for each cluster of the surface of a level. The owner is the group of the
+/// Calls `take(page, cluster, owner)` for each cluster in the surface of a level. The owner is the group of the
 /// cluster, or the cluster itself if it is deferred.
 template <class Take>
 void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uint32_t level, const Take& take) {
@@ -60,7 +60,7 @@ void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uin
     }
 }
 
-/// Calls `take(run)` for each run of entries of the same edge or vertex with more than one owner.
+/// Calls `take(run)` for each edge or vertex with more than one owner. `run` contains all of its uses.
 template <class Take>
 void forEachShared(std::vector<Use>& uses, const Take& take) {
     tbb::parallel_sort(uses.begin(), uses.end());
@@ -131,7 +131,7 @@ void LockedEdges::findLocks(const LoadedModel& model) {
     std::vector<FoundLock> found;
     for (std::uint32_t level = 0; level < model.summary.levels.size(); ++level)
         findLocksOfLevel(model, level, found);
-    // The sort is stable, so that the locks of an edge remain in level order.
+    // The sort must be stable, so that the locks of an edge remain in level order.
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [edge, lock] : found) {
         if (edges_.empty() || edges_.back() != edge) {

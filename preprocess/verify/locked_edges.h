@@ -1,6 +1,6 @@
 // The locked edges of each level, and the triangles of clusters at these edges. The surface of a level consists of its
-// groups and of the clusters that it defers to a coarser level. An edge is locked if several of them share it. A locked
-// edge does not change from this surface to the next coarser one.
+// groups and of the clusters that it defers to a coarser level. An edge is locked if several of these groups and
+// deferred clusters share it. A locked edge does not change between this surface and the next coarser one.
 #pragma once
 
 #include "preprocess/verify/loaded_model.h"
@@ -11,40 +11,41 @@
 
 namespace gnomon::verify {
 
-/// A level at which an edge is locked, and the number of triangles at the edge in this level.
+/// The lock of an edge at one level, with the number of triangles that the edge has in this level.
 struct EdgeLock {
     std::uint32_t level = 0;
     std::uint32_t triangles = 0;
 };
 
-/// The box of the whole grid.
+/// The box that contains the whole grid.
 inline constexpr hierarchy::GridBox kWholeGrid{
     {0, 0, 0}, {hierarchy::kMaxGridCoordinate, hierarchy::kMaxGridCoordinate, hierarchy::kMaxGridCoordinate}};
 
-/// The locked edges of a model whose lower end (compared by x, y, z) is in a cell of the grid. An edge is defined by
-/// positions, not vertices: its ends are numbers of distinct positions. All pages whose box overlaps the cell must be
-/// loaded.
+/// The locked edges of a model in a cell of the grid. An edge belongs to the cell of its lower end (compared by x, y,
+/// z). Edges are defined by positions instead of vertices: each end is the number of a distinct position. All pages
+/// whose boxes overlap the cell must be loaded.
 class LockedEdges {
 public:
     explicit LockedEdges(const LoadedModel& model, const hierarchy::GridBox& cell = kWholeGrid);
 
     std::size_t count() const { return edges_.size(); }
 
-    /// Returns the locks of an edge, by level.
+    /// Returns the locks of an edge, one per level at which it is locked, in level order.
     std::span<const EdgeLock> locks(std::uint32_t edge) const {
         return std::span(locks_).subspan(firstLock_[edge], firstLock_[edge + 1] - firstLock_[edge]);
     }
 
-    /// Returns a bit set of the levels whose surface contains a cluster (numbered across pages).
+    /// Returns the levels whose surface contains a cluster, as a set of bits. Clusters are numbered across pages.
     std::uint64_t levelsOf(std::uint32_t cluster) const { return levelsOf_[cluster]; }
 
-    /// Returns the edges at the triangles of a cluster (numbered across pages), with one entry per triangle and edge.
+    /// Returns the edges of the triangles of a cluster, with one entry per triangle and edge. Clusters are numbered
+    /// across pages.
     std::span<const std::uint32_t> edgesOf(std::uint32_t cluster) const {
         return std::span(incidences_)
             .subspan(firstIncidence_[cluster], firstIncidence_[cluster + 1] - firstIncidence_[cluster]);
     }
 
-    /// Returns an end of an edge.
+    /// Returns the position of the first or the second end of an edge.
     hierarchy::GridPoint end(std::uint32_t edge, bool second) const {
         return positions_[second ? static_cast<std::uint32_t>(edges_[edge]) : edges_[edge] >> 32U];
     }
@@ -63,10 +64,10 @@ private:
     hierarchy::GridBox cell_;
     std::vector<std::uint64_t> levelsOf_;    // per cluster
     std::vector<std::uint32_t> firstVertex_; // per page
-    std::vector<std::uint32_t> positionOf_;  // per vertex across pages
+    std::vector<std::uint32_t> positionOf_;  // per vertex across pages: the number of its position
     std::vector<hierarchy::GridPoint> positions_;
     std::vector<std::uint64_t> edges_;     // lower end << 32 | higher end, ascending
-    std::vector<std::uint32_t> firstEdge_; // by lower end
+    std::vector<std::uint32_t> firstEdge_; // per lower end: its first edge
     std::vector<std::uint32_t> firstLock_;
     std::vector<EdgeLock> locks_;
     std::vector<std::uint64_t> firstIncidence_;

@@ -13,7 +13,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// Builds the text for a failed test of a group.
+/// Creates the text that names a group in the description of a failed test.
 class GroupName {
 public:
     GroupName(std::size_t page, std::size_t group) : page_(page), group_(group) {}

@@ -1,5 +1,5 @@
-// The facts of a model that the rules between pages need: its groups, its refinements, and the check results of single
-// pages.
+// The properties of a model that the checks between pages need: its groups, its refinements, and the results of the
+// checks within single pages.
 #pragma once
 
 #include "core/progress.h"
@@ -12,34 +12,34 @@
 
 namespace gnomon::verify {
 
-/// The facts of one page.
+/// The properties of one page.
 struct PageFacts {
     std::uint32_t level = 0;
-    hierarchy::LevelInfo sums;        // sums of this page
-    std::uint64_t rootTriangles = 0;  // triangles of clusters in root groups
-    std::optional<std::string> fault; // the violated rule of page.h, if any
+    hierarchy::LevelInfo sums;        // totals of this page
+    std::uint64_t rootTriangles = 0;  // number of triangles of clusters in root groups
+    std::optional<std::string> fault; // the rule of page.h that the page violates, if any
     std::vector<hierarchy::Group> groups;
     std::vector<hierarchy::Refinement> refinements;
     std::vector<bool> isUsed; // per refinement: whether a cluster uses it
-    Check nesting;            // nesting of the page's groups
+    Check nesting;            // result of the nesting check within the page
     Check monotoneError;
 };
 
-/// Returns the facts of page `number`.
+/// Returns the properties of `page`, whose page number is `number`.
 PageFacts factsOf(const hierarchy::Page& page, std::size_t number, const hierarchy::Grid& grid);
 
-/// The facts of all pages of a model.
+/// The properties of all pages of a model.
 struct ModelFacts {
     hierarchy::ModelSummary summary;
-    std::vector<PageFacts> pages;    // without groups if the page is damaged
+    std::vector<PageFacts> pages;    // a damaged page has no groups here
     std::vector<std::string> damage; // one line per damaged page
 };
 
-/// Reads each page of `file` once, on all threads. The facts need about 200 bytes per group. Throws Error if a page is
-/// unreadable. A damaged page does not throw.
+/// Reads each page of `file` once, on all threads. The result needs about 200 bytes per group. Throws Error if a page
+/// is unreadable, but not if a page is damaged.
 ModelFacts readFacts(const hierarchy::ModelFile& file, Progress& progress);
 
-/// Returns the approximate memory of the facts.
+/// Returns the approximate memory of the ModelFacts for these pages.
 Bytes factsBytes(std::span<const hierarchy::PageInfo> pages);
 
 } // namespace gnomon::verify

@@ -1,22 +1,22 @@
-// The rules between pages: structure, nested bounds and monotone errors.
+// Checks the rules between pages: structure, nested bounds and monotone errors.
 #pragma once
 
 #include "preprocess/verify/model_facts.h"
 
 namespace gnomon::verify {
 
-/// Returns true if each refinement names an existing group of a finer page. All other checks need this.
+/// Returns true if each refinement refers to an existing group of a finer page. All other checks require this.
 bool refinementsResolve(const ModelFacts& model);
 
-/// Checks each page, the references between pages, copied values, and the sums of the summary.
+/// Checks each page, the references between pages, the values that are stored twice, and the totals in the summary.
 Check checkStructure(const ModelFacts& model);
 
-/// Checks that the bounds of each group contain its box and the bounds of all its refinements. The worst value is the
-/// largest excess in world units.
+/// Checks that the bounding sphere of each group contains the group's box and the bounds of all its refinements. The
+/// worst value is the largest distance outside the sphere, in world units.
 Check checkNesting(const ModelFacts& model);
 
-/// Checks that errors never decrease towards the root and are at least the snap error of the grid. The worst value is
-/// the largest decrease in world units.
+/// Checks that stored errors never decrease towards the root and are at least the snap error of the grid. The worst
+/// value is the largest decrease in world units.
 Check checkMonotoneError(const ModelFacts& model);
 
 } // namespace gnomon::verify

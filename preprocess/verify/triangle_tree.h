@@ -1,4 +1,4 @@
-// Exact queries for the triangle nearest to a point: a bounding volume hierarchy over indexed triangles.
+// A bounding volume hierarchy over indexed triangles. It finds exactly the triangle that is nearest to a point.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,8 @@
 
 namespace gnomon::verify {
 
-/// A triangle soup with its own positions. Coordinates near the origin (local space) preserve double precision.
+/// A triangle soup with its own positions. Positions are in local space (near the origin), which preserves double
+/// precision.
 struct TriangleSoup {
     std::vector<glm::dvec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -22,7 +23,7 @@ struct TriangleSoup {
         return 0.5 * glm::length(glm::cross(corner(triangle, 1) - a, corner(triangle, 2) - a));
     }
 
-    /// Returns the point with barycentric coordinates 1 - u - v, u, v.
+    /// Returns the point of a triangle with the barycentric coordinates 1 - u - v, u, v.
     glm::dvec3 point(std::uint32_t triangle, double u, double v) const {
         return corner(triangle, 0) * (1 - u - v) + corner(triangle, 1) * u + corner(triangle, 2) * v;
     }
@@ -32,7 +33,7 @@ struct TriangleSoup {
 /// Collision Detection", 2005, section 5.1.5).
 double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// A tree over a soup. The soup must outlive it.
+/// A tree over the triangles of a soup. The soup must outlive it.
 class TriangleTree {
 public:
     explicit TriangleTree(const TriangleSoup& soup);
@@ -42,13 +43,13 @@ public:
         std::uint32_t triangle = 0xFFFFFFFFU;
     };
 
-    /// Returns the triangle nearest to `point`. A good `hint` only makes the query faster. The distance is infinite for
-    /// an empty soup.
+    /// Returns the triangle nearest to `point` and its distance. `hint` can name a triangle that is probably near. It
+    /// makes the query faster but does not change the distance. The distance is infinite for an empty soup.
     Nearest nearest(const glm::dvec3& point, std::uint32_t hint = 0xFFFFFFFFU) const;
 
 private:
     struct Bounds {
-        std::array<float, 3> min{}; // rounded outwards
+        std::array<float, 3> min{}; // rounded outwards to floats
         std::array<float, 3> max{};
 
         double squaredDistance(const glm::dvec3& point) const;
@@ -56,7 +57,8 @@ private:
 
     struct Node {
         Bounds bounds;
-        // Leaf: its first triangle in order_; inner node: its right child (the left child follows the node).
+        // For a leaf, the first of its triangles in order_. For an inner node, the index of its right child. The left
+        // child follows its parent.
         std::uint32_t next = 0;
         std::uint32_t count = 0; // number of triangles of a leaf; 0 for an inner node
     };

@@ -11,7 +11,7 @@ namespace gnomon::exporter {
 
 /// Settings for a .glb file that is a tile of a tileset, instead of a whole cut.
 struct GlbTile {
-    glm::dvec3 anchor{0};  /// /< world space; the origin of the file; positions are stored relative to another origin
+    glm::dvec3 anchor{0};  ///< world space; the origin of the file; positions have their own origin
     bool isPacked = false; ///< lossless compression by EXT_meshopt_compression; may rotate the corners of a triangle
 };
 

@@ -1,4 +1,4 @@
-// Buffers that collect vertices and triangles into the blocks that the sinks of a MeshSource receive.
+// Buffers that collect vertices and triangles into blocks. The sinks of a MeshSource receive these blocks.
 #pragma once
 
 #include "preprocess/read/mesh_source.h"
@@ -9,13 +9,14 @@
 
 namespace gnomon::read {
 
-/// The number of rows or triangles of a full block. A block of this size fits into the second-level cache.
+/// The number of vertices or triangles of a full block. A block of this size fits into the second-level cache.
 constexpr std::size_t kBlockRows = 16384;
 
-/// The max number of corners of a polygon. A longer list means a damaged file, and it would exceed the bound on memory.
+/// The max number of corners of a polygon. A file with a longer list is damaged, and the list would exceed the bound on
+/// memory.
 constexpr std::uint64_t kMaxPolygonCorners = std::uint64_t{1} << 20U;
 
-/// Returns `normal` if it is finite, else the zero vector, which means "no normal".
+/// Returns `normal` if it is finite. Otherwise returns the zero vector, which means "no normal".
 inline glm::vec3 finiteOrZero(const glm::vec3& normal) {
     return std::isfinite(normal.x + normal.y + normal.z) ? normal : glm::vec3(0);
 }
@@ -23,8 +24,8 @@ inline glm::vec3 finiteOrZero(const glm::vec3& normal) {
 /// Collects vertices and passes them to a sink in blocks.
 class VertexBuffer {
 public:
-    /// The memory of appended rows, which the caller fills. The spans of attributes that the input does not have are
-    /// empty.
+    /// The memory of the appended vertices, which the caller fills. Spans of attributes that the input does not have
+    /// are empty.
     struct Rows {
         std::span<glm::dvec3> positions;
         std::span<glm::vec3> normals;
@@ -32,31 +33,31 @@ public:
         std::span<double> fields; // fieldCount values per vertex
     };
 
-    /// The attributes of vertices besides positions.
+    /// The attributes of vertices in addition to their positions.
     struct Attributes {
         bool hasNormals = false;
         bool hasColors = false;
         std::size_t fieldCount = 0;
     };
 
-    /// Creates a buffer for vertices whose indices start at `first`.
+    /// Creates a buffer that passes vertices to `sink`. The first vertex has the index `first`.
     VertexBuffer(const VertexSink& sink, const Attributes& attributes, std::uint64_t first = 0);
 
-    /// Returns the number of rows that fit into the current block, at least 1.
+    /// Returns the number of vertices that fit into the current block, at least 1.
     std::size_t room() const { return kBlockRows - size_; }
 
-    /// Appends `count` rows (at most room()). The caller fills them and then calls flushIfFull.
+    /// Appends memory for `count` vertices (at most room()). The caller fills the memory and then calls flushIfFull.
     Rows append(std::size_t count);
 
-    /// Passes the block to the sink if it is full. Call this after the rows of `append` are filled.
+    /// Passes the block to the sink if it is full. The caller must have filled all vertices of the last `append`.
     void flushIfFull() {
         if (size_ == kBlockRows) flush();
     }
 
-    /// Adds `count` to the number of appended normals that are not finite.
+    /// Adds `count` to the number of normals in the block that are not finite.
     void countBadNormals(std::uint64_t count) { badNormals_ += count; }
 
-    /// Passes the remaining rows to the sink.
+    /// Passes the remaining vertices to the sink.
     void flush();
 
 private:
@@ -74,7 +75,7 @@ private:
 /// Collects triangles and polygons, and passes them to a sink in blocks. Counts faces with fewer than three corners.
 class TriangleBuffer {
 public:
-    /// Creates a buffer for triangles whose source indices start at `first`.
+    /// Creates a buffer that passes triangles to `sink`. The first triangle has the source index `first`.
     explicit TriangleBuffer(const TriangleSink& sink, std::uint64_t first = 0);
 
     void add(const TriangleCorners& corners) {
@@ -82,10 +83,10 @@ public:
         if (size_ >= kBlockRows) flush();
     }
 
-    /// Adds a face with any number of corners, given as vertex indices.
+    /// Adds a face with any number of corners. `corners` are vertex indices.
     void addPolygon(std::span<const std::uint64_t> corners);
 
-    /// Returns the unused triangles of the block. A caller can write triangles there and then `commit` their number.
+    /// Returns the unused triangles of the block. A caller can write triangles there and then call `commit`.
     std::span<TriangleCorners> room() { return std::span(triangles_).subspan(size_); }
 
     /// Adds `count` triangles that the caller has written to room().

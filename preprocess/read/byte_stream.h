@@ -1,4 +1,4 @@
-// Sequential reading of a file in large blocks. A parser reads from a contiguous window of bytes.
+// Reads a file sequentially in large blocks. A parser reads from a contiguous window of bytes in memory.
 #pragma once
 
 #include "preprocess/read/input_file.h"
@@ -9,25 +9,25 @@
 
 namespace gnomon::read {
 
-/// A forward window over a file. It has one buffer of at most kBufferBytes, independent of the size of the file.
+/// A window over a file that only moves forward. Its buffer has at most kBufferBytes, for any size of the file.
 class ByteStream {
 public:
     static constexpr std::size_t kBufferBytes = std::size_t{2} << 20U;
 
     ByteStream(const InputFile& file, std::uint64_t offset);
 
-    /// Returns the bytes from the current position on that are in memory; see available().
+    /// Returns the bytes from the current position on that are in memory. Their number is available().
     const std::byte* data() const { return buffer_.data() + begin_; }
 
     std::size_t available() const { return end_ - begin_; }
 
-    /// Makes at least `count` bytes available (at most kBufferBytes). Returns false if the file ends before.
+    /// Reads until at least `count` bytes (at most kBufferBytes) are available. Returns false if the file ends before.
     bool fill(std::size_t count) { return available() >= count || refill(count); }
 
     /// Skips `count` available bytes.
     void consume(std::size_t count) { begin_ += count; }
 
-    /// Skips `count` bytes (at most remaining()). Does not read bytes that are not yet in memory.
+    /// Skips `count` bytes (at most remaining()). It does not read skipped bytes that are not in memory yet.
     void skip(std::uint64_t count);
 
     /// Goes back to the start of the file.

@@ -1,4 +1,4 @@
-// Input files that are read several times, with a check that they do not change meanwhile.
+// Input files that are read several times. They are checked for changes between the reads.
 #pragma once
 
 #include "core/file.h"
@@ -11,11 +11,11 @@
 
 namespace gnomon::read {
 
-/// Throws Error if `path` is a pipe, a socket or a device, because a source is read several times. A missing file is
-/// not an error here; opening it reports the error.
+/// Throws Error if `path` is a pipe, a socket or a device, because they cannot be read several times. A missing file is
+/// not an error here. Opening the file reports that error.
 void requireRereadable(const std::string& path);
 
-/// A file that is read several times. Another process may change the file meanwhile, and a build must not mix both
+/// A file that is read several times. Another process may change the file between two reads. A build must not mix both
 /// versions.
 class InputFile {
 public:
@@ -27,8 +27,9 @@ public:
     /// Returns the size of the file in bytes at the time of opening.
     std::uint64_t size() const { return size_; }
 
-    /// Reads up to `out.size()` bytes from `offset` and returns their number. Returns fewer only at the original end of
-    /// the file. Throws Error if the file has become shorter. Polls the progress of pollWith.
+    /// Reads up to `out.size()` bytes from `offset` and returns their number. The number is smaller only at the end
+    /// that the file had when it was opened. Throws Error if the file has become shorter. Polls the progress of
+    /// pollWith.
     std::size_t readSomeAt(std::uint64_t offset, std::span<std::byte> out) const;
 
     /// Fills `out` with the bytes from `offset` on. Throws Error if the file ends before.
@@ -37,7 +38,7 @@ public:
     /// Throws Error if the size or the modification time has changed since the file was opened.
     void requireUnchanged() const;
 
-    /// Makes all later calls of readSomeAt poll `progress`, which must outlive them.
+    /// Makes all later calls of readSomeAt poll `progress`. `progress` must outlive these calls.
     void pollWith(Progress& progress) { progress_ = &progress; }
 
 private:

@@ -71,7 +71,8 @@ private:
 } // namespace
 
 void requireRoomForWhole(const std::string& path, std::uint64_t fileBytes, Bytes memoryLimit) {
-    // Arrays, unused capacity of growing arrays, and tables of vertices. Short lines of text need most memory per byte.
+    // Max memory per byte of a file. It contains arrays, the unused capacity of growing arrays, and tables of vertices.
+    // Files with short lines of text need most memory per byte.
     constexpr std::uint64_t kBytesPerFileByte = 12;
     if (fileBytes <= memoryLimit.count / kBytesPerFileByte) return;
     throw Error(

@@ -1,4 +1,4 @@
-// A mesh in memory as a MeshSource.
+// A mesh in memory that can be read as a MeshSource.
 #pragma once
 
 #include "core/units.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::read {
 
-/// A mesh of polygons as plain arrays.
+/// A mesh of polygons, stored as plain arrays.
 struct MemoryMesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;       ///< empty, or one per vertex
@@ -20,17 +20,17 @@ struct MemoryMesh {
     std::vector<std::string> fieldNames{};                    ///< as in MeshSummary
     std::vector<double> fields{};                             ///< values of all vertices, as in VertexBlock
     std::vector<std::string> remarks{};                       ///< as in MeshSummary
-    /// Faces that the reader skipped, in addition to faces with fewer than 3 corners in faceSizes.
+    /// Number of faces that the reader skipped. Faces with fewer than 3 corners in faceSizes are counted separately.
     std::uint64_t notAPolygon = 0;
 };
 
-/// Returns the memory of an array in bytes.
+/// Returns the allocated memory of an array in bytes.
 template <class T>
 std::uint64_t bytesOf(const std::vector<T>& values) {
     return values.capacity() * sizeof(T);
 }
 
-/// Throws Error if reading a file of `fileBytes` bytes into memory could need more than `memoryLimit`.
+/// Throws Error if reading a file of `fileBytes` bytes into memory could need more memory than `memoryLimit`.
 void requireRoomForWhole(const std::string& path, std::uint64_t fileBytes, Bytes memoryLimit);
 
 /// Returns a source that owns `mesh`. `path` names the source in errors, and `fileBytes` is its size on disk. Throws

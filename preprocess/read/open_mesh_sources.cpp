@@ -166,7 +166,7 @@ private:
         return block;
     }
 
-    /// Returns `block` with shifted indices. Its triangles are stored in `shifted`.
+    /// Returns `block` with shifted vertex and triangle indices. `shifted` stores its triangles.
     static TriangleBlock joined(
         TriangleBlock block,
         std::uint64_t firstVertex,
@@ -192,7 +192,7 @@ bool startsWith(const std::string& path, std::string_view magic) {
     return count >= magic.size() && std::memcmp(begin.data(), magic.data(), magic.size()) == 0;
 }
 
-/// A format that is not read, with advice for the error message.
+/// A format that Gnomon does not read, with advice for the error message.
 struct OtherFormat {
     std::string_view suffix;
     const char* advice;
@@ -225,7 +225,7 @@ constexpr std::array kOtherFormats = {
         suffix.empty() ? "a name without suffix" : "the suffix " + quotedForMessage(suffix));
 }
 
-/// Opens `path` with the reader for its first bytes, else for its suffix.
+/// Opens `path` with the reader that its first bytes select, or otherwise with the reader for its suffix.
 std::unique_ptr<MeshSource> openByFormat(
     const std::string& path,
     Bytes room,

@@ -10,20 +10,20 @@
 
 namespace gnomon::read {
 
-/// The treatment of textures: sample them at the vertices, or ignore them.
+/// The treatment of textures. Bake samples them at the vertices, and Off ignores them.
 enum class Textures { Bake, Off };
 
-/// Opens all `paths` and joins them to one source. Vertices and triangles follow one another in the order of `paths`,
-/// and indices are shifted accordingly. A block has vertices of one input only. The joined source has normals only if
-/// all inputs have normals. It has colours if any input has colours; blocks of other inputs then have none.
+/// Opens all files `paths` and joins them to one source. Vertices and triangles are in the order of `paths`, and
+/// indices are shifted accordingly. A block has vertices of only one input. The joined source has normals only if all
+/// inputs have normals. It has colours if any input has colours. Blocks of inputs without colours then have no colours.
 ///
-/// Detects PLY and .glb by their first bytes, the other formats by the suffix of the name. PLY and OBJ are streamed,
-/// except a PLY whose faces have colours. Such a PLY, glTF, STL and OFF are read into memory; throws Error if this
-/// could need more than `memoryLimit`. All errors name the file.
+/// PLY and .glb are detected by the first bytes of the file, the other formats by the suffix of the name. PLY and OBJ
+/// are streamed, except PLY files with face colours. Such PLY files, glTF, STL and OFF are read into memory. The
+/// function throws Error if this could need more memory than `memoryLimit`. All errors name the file.
 ///
-/// `fields` are scalar vertex properties to read in addition; every input must be a PLY that has them. Buffers, images
-/// and material libraries must be in the folder `sourceRoot`, or in the folder of the input if `sourceRoot` is empty
-/// (see SourceRoot).
+/// `fields` are scalar vertex properties to read in addition. Each input must then be a PLY that has these properties.
+/// Buffers, images and material libraries must be in the folder `sourceRoot`. If `sourceRoot` is empty, they must be in
+/// the folder of the input (see SourceRoot).
 std::unique_ptr<MeshSource> openMeshSources(
     const std::vector<std::string>& paths,
     Bytes memoryLimit,

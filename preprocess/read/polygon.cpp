@@ -19,8 +19,8 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Returns Newell's normal of the closed loop (Sutherland, Sproull, Schumacker 1974). Its components are twice the
-// projected areas.
+// Returns Newell's normal of the closed loop `corners` (Sutherland, Sproull, Schumacker 1974). Its components are twice
+// the projected areas.
 glm::dvec3 newellNormal(std::span<const glm::dvec3> corners) {
     glm::dvec3 normal(0);
     glm::dvec3 last = corners.back() - corners.front();
@@ -32,7 +32,7 @@ glm::dvec3 newellNormal(std::span<const glm::dvec3> corners) {
     return normal;
 }
 
-// Returns the loop in 2D, with a positive area. Removes the coordinate of the axis nearest to the normal.
+// Projects the loop to 2D along the axis nearest to `normal`. The result has a positive area.
 std::vector<glm::dvec2> flatten(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -55,8 +55,8 @@ bool isStrictlyConvex(std::span<const glm::dvec2> loop) {
     return true;
 }
 
-/// Finds the points in a triangle with a k-d tree, without a test of all points. Points can be removed. A long and
-/// narrow triangle intersects few boxes of the tree.
+/// Finds points in a triangle with a k-d tree, without testing all points. Points can be removed. A long and narrow
+/// triangle intersects few boxes of the tree.
 class PointTree {
 public:
     PointTree(std::span<const glm::dvec2> points, std::vector<std::uint32_t> indices)
@@ -66,8 +66,9 @@ public:
             placeOf_[sorted_[place]] = place;
     }
 
-    /// Calls `test(index)` for each point that can be in the triangle, until one call returns true. Returns whether one
-    /// did. The triangle must turn left. Adds the number of visited boxes and points to `work`.
+    /// Calls `test(index)` for each point that may be in the triangle, until a call returns true. Returns true if a
+    /// call returned true. The corners of the triangle must be in counter-clockwise order (left turns). Adds the number
+    /// of visited boxes and points to `work`.
     template <class Test>
     bool any(const std::array<glm::dvec2, 3>& triangle, std::uint64_t& work, Test test) {
         if (nodes_.empty()) return false;
@@ -90,7 +91,7 @@ public:
         return false;
     }
 
-    /// Removes a point, which must be in the tree.
+    /// Removes a point. The point must be in the tree.
     void remove(std::uint32_t index) {
         std::uint32_t node = 0;
         while (true) {
@@ -113,8 +114,9 @@ private:
 
     static constexpr std::uint32_t kLeafPoints = 8;
 
-    /// Returns whether the box does not intersect the triangle's box, or is on the outer side of an edge. The test uses
-    /// the corner of the box with the largest turn. Rounding is monotone, so no point in the box has a larger turn.
+    /// Returns true if the box of `node` is outside the triangle. This is true if it does not intersect the triangle's
+    /// box, or if it is on the outer side of an edge. For each edge, the test uses the box corner with the largest
+    /// `turn`. Rounding is monotone, so no point in the box has a larger `turn`.
     static bool isApart(const Node& node, const std::array<glm::dvec2, 3>& triangle) {
         const glm::dvec2 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
         const glm::dvec2 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
@@ -201,8 +203,8 @@ public:
         while (left_ > 3 && work_ < maxWork_) {
             pollNowAndThen();
             if (candidates.empty()) {
-                // Clipping can turn far corners into ears. So all corners are tested again before the loop counts as
-                // bad.
+                // Clipping can make distant corners ears. All corners are therefore tested again before the loop counts
+                // as bad.
                 if (!foundSinceScan) clipOfBadLoop();
                 candidates = remaining();
                 work_ += candidates.size();
@@ -224,11 +226,12 @@ public:
     }
 
 private:
-    // Simple loops need less work: a star of a million spikes with random lengths needs less than half.
+    // Max steps per corner. Loops without crossings need less: a star of a million spikes with random lengths needs
+    // less than half of this.
     static constexpr std::uint64_t kMaxWorkPerCorner = 2'000;
 
-    // The work that remains for a loop with corners without area or with crossings. A loop that crosses itself
-    // everywhere needs a scan of all corners per triangle, and none of its triangulations is correct.
+    // Max further steps per corner for a loop with corners without area, and for a loop with crossings. A loop that
+    // crosses itself everywhere needs a scan of all corners per triangle, and none of its triangulations is correct.
     static constexpr std::uint64_t kMaxWorkPerFlatCorner = 1'000;
     static constexpr std::uint64_t kMaxWorkPerCrossingCorner = 100;
 
@@ -245,7 +248,7 @@ private:
         return turn(points_[links_[i].previous], points_[i], points_[links_[i].next]) > 0;
     }
 
-    /// Returns the remaining corners in loop order.
+    /// Returns the corners that are not clipped yet, in loop order.
     std::deque<std::uint32_t> remaining() {
         while (links_[first_].isGone)
             ++first_;
@@ -258,8 +261,8 @@ private:
         return result;
     }
 
-    // Returns whether corner `i` is an ear: a convex corner whose triangle contains no other corner. It is sufficient
-    // to test the corners that are not convex, because one of them enters the triangle first.
+    // Returns true if corner `i` is an ear: a convex corner whose triangle contains no other corner. The test checks
+    // only corners that are not convex, because one of them is always the first to enter the triangle.
     bool isEar(std::uint32_t i) {
         if (!isConvex(i)) return false;
         const glm::dvec2& a = points_[links_[i].previous];
@@ -277,8 +280,9 @@ private:
         const glm::dvec2& b = points_[corner];
         const glm::dvec2& c = points_[after];
         const glm::dvec2& p = points_[blocker];
-        // A loop can touch itself. On the bridge to a hole, a corner at the position of a neighbour of the ear does not
-        // block. A corner at the position of the ear's tip blocks if it is a notch that opens into the ear.
+        // A loop can touch itself, for example at a bridge to a hole. A corner at the position of a neighbour of the
+        // ear does not block the ear. A corner at the position of the ear's tip blocks the ear if it is a notch that
+        // opens into the ear.
         if (p == a || p == c) return false;
         if (p == b) {
             const auto leadsInside = [&](std::uint32_t other) {
@@ -295,8 +299,8 @@ private:
         progress_.advance(0);
     }
 
-    // Clips one corner of a loop without ears, which is degenerate or crosses itself. Prefers a corner without area,
-    // then a convex corner.
+    // Clips one corner of a loop without ears. Such a loop is degenerate or crosses itself. The function prefers a
+    // corner without area, and then a convex corner.
     void clipOfBadLoop() {
         const std::deque<std::uint32_t> corners = remaining();
         work_ += corners.size();
@@ -310,7 +314,7 @@ private:
         clip(convex != corners.end() ? *convex : corners.front());
     }
 
-    /// Lowers the limit of work for the rest of a bad loop. A lower limit remains.
+    /// Lowers the limit of steps for the rest of a bad loop. It never raises the limit.
     void allowOnly(std::uint64_t workPerCorner) {
         if (workPerCorner >= workPerCorner_) return;
         workPerCorner_ = workPerCorner;
@@ -337,9 +341,9 @@ private:
 
     std::vector<glm::dvec2> points_;
     std::vector<Link> links_;
-    std::optional<PointTree> blockers_; ///< the corners that are not convex; clipping adds none
+    std::optional<PointTree> blockers_; ///< the corners that are not convex; clipping never adds such corners
     std::size_t left_;
-    std::uint32_t first_ = 0; ///< no remaining corner comes before it
+    std::uint32_t first_ = 0; ///< all corners before this index are clipped
     std::uint64_t work_ = 0;  ///< number of visited corners and boxes
     std::uint64_t maxWork_;
     std::uint64_t nextPoll_ = 0;

@@ -1,4 +1,4 @@
-// Triangulation of convex and concave polygons.
+// Triangulates convex and concave polygons.
 #pragma once
 
 #include "core/progress.h"
@@ -14,23 +14,25 @@ namespace gnomon::read {
 using PolygonTriangle = std::array<std::uint32_t, 3>;
 
 /// Divides a polygon of n >= 3 corners into exactly n - 2 triangles with the same orientation, and appends them to
-/// `out`. A strictly convex polygon becomes the fan from corner 0. Any other polygon is cut by ear clipping (Meisters,
-/// "Polygons have ears", 1975) after a projection along the axis nearest to Newell's normal, which does not round. The
-/// result covers a simple polygon exactly. A polygon that crosses itself still gives n - 2 triangles.
+/// `out`. A strictly convex polygon becomes the fan from corner 0. Any other polygon is triangulated by ear clipping
+/// (Meisters, "Polygons have ears", 1975). For this, the polygon is projected along the coordinate axis nearest to
+/// Newell's normal, which causes no rounding. The result covers a simple polygon exactly. A polygon that crosses itself
+/// also gives n - 2 triangles.
 ///
-/// The time is about n log n for real outlines and bounded for any input. The limit is 2000 steps per corner. It drops
-/// to 1000 further steps per corner when corners without area block the clipping, and to 100 when the polygon turns out
-/// to cross itself. The remaining polygon then becomes a fan. Polls `progress`. All positions are relative to the first
-/// corner, so corners can be at any distance from the origin.
+/// The time is about n log n for real outlines and bounded for any input. The limit is 2000 steps per corner. It is
+/// reduced to 1000 further steps per corner if corners without area block the clipping, and to 100 if the polygon
+/// crosses itself. The part of the polygon that is left at the limit becomes a fan. The function polls `progress`. All
+/// computations are relative to the first corner, so corners can be at any distance from the origin.
 void triangulatePolygon(std::span<const glm::dvec3> corners, std::vector<PolygonTriangle>& out, Progress& progress);
 
-/// Replaces the fans of a TriangleBlock by correct triangulations. It reuses its memory between polygons.
+/// Replaces the fans of a TriangleBlock by correct triangulations. The object reuses its memory for all polygons.
 class PolygonRefiner {
 public:
-    /// Polls `progress`, so that the user can stop the work on many polygons.
+    /// Creates a refiner that polls `progress`, so that the user can interrupt the work.
     explicit PolygonRefiner(Progress& progress) : progress_(progress) {}
 
-    /// Rewrites `fan`, the triangles of one PolygonRun, in place. `positionOf(vertex index)` returns a glm::dvec3.
+    /// Replaces `fan`, the triangles of one PolygonRun, in place. `positionOf(vertex index)` returns the position as a
+    /// glm::dvec3.
     template <class PositionOf>
     void refine(std::span<TriangleCorners> fan, PositionOf positionOf) {
         vertices_.assign({fan.front()[0], fan.front()[1]});

@@ -1,4 +1,4 @@
-// The check of files that an input refers to: buffers and images of a glTF, material libraries of an OBJ.
+// Checks the files that an input refers to, for example buffers and images of a glTF or material libraries of an OBJ.
 #pragma once
 
 #include <filesystem>
@@ -6,19 +6,20 @@
 
 namespace gnomon::read {
 
-/// The folder that must contain all files that an input refers to. A mesh from an untrusted source must not choose
-/// which other files are read.
+/// The folder that must contain all files that an input refers to. Without this limit, a mesh from an untrusted source
+/// could make Gnomon read any file.
 class SourceRoot {
 public:
-    /// Uses the folder `root`, which the option --source-root names. If `root` is empty, uses the folder of `input`.
+    /// Uses the folder `root`, which is the value of the option --source-root. If `root` is empty, uses the folder of
+    /// `input`.
     SourceRoot(const std::string& input, const std::string& root);
 
-    /// Returns the path of the file `name`, which is absolute or relative to the folder of the input. The path has no
-    /// "..". Throws LimitError with the position `place` if the path is outside the root, and Error for a name with a
-    /// zero byte. Symbolic links are resolved first, because an unpacked archive can contain links.
+    /// Returns the path of the file `name`. `name` is absolute or relative to the folder of the input. The result has
+    /// no "..". Symbolic links are resolved first, because an unpacked archive can contain links. Throws LimitError
+    /// with the position `place` if the path is outside the root. Throws Error if the name contains a zero byte.
     std::string pathOf(const std::string& name, const std::string& place) const;
 
-    /// Returns whether `path` is inside the root after the links in both paths are resolved.
+    /// Returns true if `path` is inside the root. Links in both paths are resolved first.
     bool contains(const std::filesystem::path& path) const;
 
 private:

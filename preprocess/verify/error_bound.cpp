@@ -20,10 +20,9 @@ namespace {
 constexpr std::size_t kMaxCuts = 8;
 // random samples per direction and cut, and also the number of sampled corners
 constexpr std::size_t kPointSamples = 60'000;
-constexpr std::size_t kDenseGroups = 150; // densely sampled groups per cut
-constexpr std::uint32_t kDensePoints = 4; // samples per triangle of these groups, in addition to its corners
-// max number of measured corners of level 0 below the densely sampled groups of a cut
-constexpr std::size_t kDenseCorners = 150'000;
+constexpr std::size_t kDenseGroups = 150;      // densely sampled groups per cut
+constexpr std::uint32_t kDensePoints = 4;      // samples per triangle of these groups, in addition to its corners
+constexpr std::size_t kDenseCorners = 150'000; // max number of corners of level 0 below the dense groups of a cut
 
 /// The tolerance of comparisons of distances. Coordinates are below 2^31 grid steps, so smaller differences are
 /// rounding errors.

@@ -10,7 +10,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns the linear value of an sRGB value (IEC 61966-2-1). displayOf is its inverse.
+/// Converts an sRGB value to linear light (IEC 61966-2-1). displayOf is the inverse function.
 double linearOf(double display) {
     return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
 }
@@ -29,8 +29,8 @@ const std::array<double, 256>& linearBytes() {
     return table;
 }
 
-/// Returns the index of the texel for texel `at` of the infinitely repeated texture, whose side has `size` texels.
-/// `wrap` is the wrap mode of glTF.
+/// Returns the index of the texel that texel `at` of the infinitely repeated texture shows. The side of the texture has
+/// `size` texels. `wrap` is the wrap mode of glTF.
 int wrapped(double at, int size, int wrap) {
     if (!(std::abs(at) < 1e9)) return 0;
     const auto texel = static_cast<std::int64_t>(at);
@@ -41,21 +41,21 @@ int wrapped(double at, int size, int wrap) {
     return static_cast<int>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
 }
 
-/// Returns the array `key` of two numbers of an extension, or `otherwise` if it is missing.
+/// Returns the member `key` of an extension, an array of two numbers. Returns `otherwise` if it is missing.
 glm::dvec2 pairOf(const tinygltf::Value& object, const char* key, glm::dvec2 otherwise) {
     if (!object.Has(key) || !object.Get(key).IsArray() || object.Get(key).ArrayLen() != 2) return otherwise;
     return {object.Get(key).Get(0).GetNumberAsDouble(), object.Get(key).Get(1).GetNumberAsDouble()};
 }
 
-/// Returns the non-negative integer `key` of an extension, or `otherwise` if it is missing.
+/// Returns the member `key` of an extension, a non-negative integer. Returns `otherwise` if it is missing.
 int indexMember(const tinygltf::Value& object, const char* key, int otherwise) {
     if (!object.Has(key) || !object.Get(key).IsNumber()) return otherwise;
     const double value = object.Get(key).GetNumberAsDouble();
     return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : otherwise;
 }
 
-/// Applies KHR_texture_transform to the texture of `color`: coordinates are scaled, rotated, then translated. If the
-/// extension has a set of coordinates, it replaces the set of the texture.
+/// Applies the extension KHR_texture_transform to the texture of `color`. Coordinates are scaled, then rotated, then
+/// translated. If the extension names a set of texture coordinates, this set replaces the set of the texture.
 void applyTransform(const tinygltf::Value& transform, BaseColor& color) {
     if (!transform.IsObject()) return;
     const glm::dvec2 offset = pairOf(transform, "offset", {0, 0});
@@ -70,7 +70,7 @@ void applyTransform(const tinygltf::Value& transform, BaseColor& color) {
 
 constexpr const char* kTextureTransform = "KHR_texture_transform";
 
-/// Sets `color` to the diffuse colour of KHR_materials_pbrSpecularGlossiness.
+/// Sets `color` to the diffuse colour of the extension KHR_materials_pbrSpecularGlossiness.
 void takeDiffuse(const tinygltf::Value& surface, BaseColor& color) {
     if (!surface.IsObject()) return;
     const tinygltf::Value& factor = surface.Get("diffuseFactor");

@@ -27,14 +27,14 @@ bool beginsWith(std::span<const std::byte> bytes, std::span<const std::uint8_t> 
            });
 }
 
-/// Throws Error if `room` has too little memory for the pixels of an image and for `besides` bytes during decoding.
+/// Throws Error if `room` has too little memory for the pixels of an image plus `besides` bytes during decoding.
 void requireImageRoom(
     std::uint64_t width,
     std::uint64_t height,
     std::uint64_t besides,
     const MemoryRoom& room,
     const std::string& where) {
-    const std::uint64_t pixels = width * height; // both factors have at most 31 bits
+    const std::uint64_t pixels = width * height; // no overflow: both factors have at most 31 bits
     const std::uint64_t free = room.limit().count - room.taken().count;
     if (pixels <= free / 4 && besides <= free - pixels * 4) return;
     throw LimitError(
@@ -51,8 +51,8 @@ void takePixels(DecodedImage& image, MemoryRoom& room) {
     image.pixels.resize(pixels * 4);
 }
 
-/// Reads a PNG from memory. libpng leaves its functions by longjmp at an error. So no function that calls libpng here
-/// has local objects with destructors.
+/// Reads a PNG from memory. If an error occurs, libpng leaves its functions by longjmp. A function that calls libpng
+/// must therefore not have local objects with destructors.
 class PngReader {
 public:
     explicit PngReader(std::span<const std::byte> encoded)
@@ -67,11 +67,11 @@ public:
     PngReader(PngReader&&) = delete;
     PngReader& operator=(PngReader&&) = delete;
 
-    /// Reads the chunks before the pixels and selects RGBA8 as output. Returns false at an error.
+    /// Reads the chunks before the pixels and selects RGBA8 as output format. Returns false if an error occurs.
     bool readHeader() {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_read_fn(png_, this, read);
-        // Skips all chunks except the pixels: a text chunk can unpack to any size, and glTF ignores colour spaces (glTF
+        // Skips all chunks except the pixels. A text chunk can unpack to any size, and glTF ignores colour spaces (glTF
         // 2.0, section 3.8.3).
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_read_info(png_, info_);
@@ -88,7 +88,7 @@ public:
 
     std::uint64_t height() const { return png_get_image_height(png_, info_); }
 
-    /// Reads all rows into the memory `rows`. Returns false at an error.
+    /// Reads all rows of pixels into the memory that `rows` points to. Returns false if an error occurs.
     bool readRows(png_bytepp rows) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_read_image(png_, rows);
@@ -136,7 +136,7 @@ DecodedImage decodedPng(std::span<const std::byte> encoded, MemoryRoom& room, co
     return image;
 }
 
-/// Converts pixels from CMYK to RGBA. If `isInverted`, 255 means no ink.
+/// Converts pixels from CMYK to RGBA. If `isInverted` is true, 255 means no ink.
 void turnInksToLight(std::vector<std::uint8_t>& pixels, bool isInverted) {
     for (std::size_t i = 0; i < pixels.size(); i += 4) {
         const auto light = [&](std::size_t c) { return isInverted ? pixels[i + c] : 255U - pixels[i + c]; };

@@ -11,16 +11,16 @@
 
 namespace gnomon::read {
 
-/// An image in RGBA8, red first, rows from the top.
+/// A decoded image in RGBA8. Red is the first byte of a pixel, and the top row is first.
 struct DecodedImage {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels;
 };
 
-/// Decodes the PNG or JPEG in `encoded` by libpng or libjpeg-turbo. Converts a CMYK JPEG to RGB without a colour
-/// profile. Throws Error at `where` if the image is neither PNG nor JPEG, is damaged, has too many scans, or needs more
-/// memory than `room` has.
+/// Decodes the PNG or JPEG image `encoded` with libpng or libjpeg-turbo. A CMYK JPEG is converted to RGB without a
+/// colour profile. Throws Error, which names `where`, if the image is neither PNG nor JPEG, is damaged, has too many
+/// scans, or needs more memory than `room` has.
 DecodedImage decodedImage(std::span<const std::byte> encoded, MemoryRoom& room, const std::string& where);
 
 } // namespace gnomon::read

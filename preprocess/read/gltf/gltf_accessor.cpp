@@ -35,7 +35,7 @@ T loaded(std::span<const std::byte> bytes) {
     return value;
 }
 
-/// A number as stored, and the stored value that means 1 in a normalised accessor.
+/// A number as stored, and the stored number that means 1 if the accessor is normalised.
 struct Stored {
     double value = 0;
     double one = 1;
@@ -63,7 +63,7 @@ Stored stored(int type, std::span<const std::byte> bytes) {
     }
 }
 
-/// Elements in a buffer view. Each element is inside the bytes of the view.
+/// The elements of an accessor in a buffer view. Each element is completely inside the bytes of the view.
 struct Elements {
     std::span<const std::byte> bytes;
     std::size_t stride = 0;
@@ -74,8 +74,8 @@ struct Elements {
     }
 };
 
-/// Returns the elements of the accessor `layout`, each of `bytesEach` bytes. If `isPacked`, ignores the stride of the
-/// buffer view. Throws Error if they are outside the buffer view.
+/// Returns the elements of the accessor `layout`. Each element has `bytesEach` bytes. If `isPacked` is true, the stride
+/// of the buffer view is ignored. Throws Error if an element is outside the buffer view.
 Elements elementsIn(
     GltfFile& file, const std::string& place, const tinygltf::Accessor& layout, std::size_t bytesEach, bool isPacked) {
     const std::span<const std::byte> all = file.bufferView(layout.bufferView);
@@ -95,8 +95,8 @@ Elements elementsIn(
     return {all.subspan(layout.byteOffset), stride, layout.componentType};
 }
 
-/// Calls take(element, elements, index in `elements`) for all elements of an accessor, and then for the elements that
-/// its sparse part replaces.
+/// Calls take(element, elements, index in `elements`) for each element of an accessor. Then calls it for the elements
+/// that the sparse part of the accessor replaces.
 template <class Take>
 void visit(GltfFile& file, int index, Take take) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);
@@ -132,8 +132,8 @@ void visit(GltfFile& file, int index, Take take) {
     }
 }
 
-/// Writes the components [0, taken) of each element to `values`, where each element has `width` floats. Leaves the
-/// other floats unchanged.
+/// Writes the first `taken` components of each element to `values`. `values` has `width` floats per element. The other
+/// floats do not change.
 void takeNumbers(GltfFile& file, int index, std::size_t taken, std::size_t width, std::vector<float>& values) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);
     visit(file, index, [&](std::uint64_t element, const Elements& elements, std::uint64_t place) {
@@ -145,8 +145,8 @@ void takeNumbers(GltfFile& file, int index, std::size_t taken, std::size_t width
     });
 }
 
-/// Returns an array for all elements of an accessor, filled with `value`. Reserves its memory first. Throws Error for a
-/// component type that glTF does not have.
+/// Returns an array for all elements of an accessor, filled with `value`. Reserves its memory first. Throws Error if
+/// the component type does not exist in glTF.
 template <class T>
 std::vector<T> valuesFor(GltfFile& file, int index, std::size_t components, T value) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);

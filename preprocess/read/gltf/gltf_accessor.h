@@ -1,4 +1,4 @@
-// Reads the values of glTF accessors: any component type, interleaved, normalised, sparse.
+// Reads the values of glTF accessors. Accessors can have any component type and be interleaved, normalised or sparse.
 #pragma once
 
 #include "preprocess/read/gltf/gltf_file.h"
@@ -8,9 +8,9 @@
 
 namespace gnomon::read {
 
-/// Returns the elements of `accessor` one after the other, with `components` numbers per element. Takes the memory from
-/// the file's room. Throws Error that names the accessor if it has another number of components, or if elements are
-/// outside its buffer view. glTF 2.0, sections 3.6.2.2 to 3.6.2.4 and 3.11.
+/// Returns the elements of `accessor` one after the other. Each element has `components` numbers. Reserves the memory
+/// in the memory room of the file. Throws Error, which names the accessor, if the accessor has another number of
+/// components, or if elements are outside its buffer view. Source: glTF 2.0, sections 3.6.2.2 to 3.6.2.4 and 3.11.
 std::vector<float> numbersOf(GltfFile& file, int accessor, std::size_t components);
 
 /// Returns colours of three or four components as four components per colour. A missing fourth component is 1. Throws

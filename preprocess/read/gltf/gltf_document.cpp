@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Extensions that are read.
+/// The supported extensions.
 constexpr std::array<std::string_view, 5> kReadExtensions = {
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 5> kReadExtensions = {
     "KHR_mesh_quantization",
     "KHR_texture_transform"};
 
-/// Extensions that are not read, but change neither the surface nor its base colour. A file may require them.
+/// Unsupported extensions that change neither the surface nor its base colour. A file may require them.
 constexpr std::array<std::string_view, 22> kHarmlessExtensions = {
     "EXT_lights_ies",
     "EXT_lights_image_based",
@@ -47,7 +47,7 @@ constexpr std::array<std::string_view, 22> kHarmlessExtensions = {
     "KHR_xmp",
     "KHR_xmp_json_ld"};
 
-/// Extensions for textures in formats that are not read. They do not matter if no texture is read.
+/// Extensions for textures in unsupported formats. They do not matter if no texture is read.
 constexpr std::array<std::string_view, 6> kTextureExtensions = {
     "EXT_texture_avif",
     "EXT_texture_webp",
@@ -85,8 +85,8 @@ bool isIn(std::span<const std::string_view> names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Throws Error for meshes that only Draco's extension stores. A file can contain them without a required extension;
-/// the accessors of such meshes have no buffer view.
+/// Throws Error if a mesh is stored only in the extension of Draco. A file can contain such a mesh without requiring
+/// the extension. The accessors of such a mesh have no buffer view.
 void requireNoDraco(const json& document, const std::string& path) {
     const json accessors = arrayOf(document, "accessors", path);
     const auto hasBytes = [&](const json& primitive) {
@@ -104,7 +104,7 @@ void requireNoDraco(const json& document, const std::string& path) {
                     throw Error(path, "requires an unsupported glTF extension: \"KHR_draco_mesh_compression\"");
 }
 
-/// Counts parts of a document by their names.
+/// Counts unused parts of a document by their names.
 class PartCounter {
 public:
     /// Counts the members of `object` that are not in `used`.
@@ -114,14 +114,14 @@ public:
             if (!isIn(used, name)) ++counts_[name];
     }
 
-    /// Counts the lists of `document` that are not used, by their entries.
+    /// Counts the entries of the lists of `document` that are not used.
     void countLists(const json& document) {
         for (const auto& [name, value] : document.items())
             if (!isIn(kUsedLists, name) && !value.empty()) counts_[name] = value.is_array() ? value.size() : 1;
     }
 
-    /// Counts the extensions and extras of `value` and of all its descendants. Skips the asset, which only describes
-    /// the author of the file. The limits on JSON bound the depth of recursion.
+    /// Counts the extensions and extras of `value` and of all its descendants. Skips the member `asset`, which only
+    /// describes the author of the file. The recursion depth is bounded, because the nesting of JSON is limited.
     void countExtensions(const json& value) {
         if (value.is_array())
             for (const json& entry : value)
@@ -143,7 +143,7 @@ public:
         if (!isIn(kReadExtensions, name) && !isCountedElsewhere) ++counts_[name];
     }
 
-    /// Counts the extension `name`, which the document announces, unless an object with it was counted.
+    /// Counts the extension `name`, which the document announces, unless an object with this extension was counted.
     void countAnnounced(const std::string& name) {
         if (!counts_.contains(name)) countExtension(name);
     }

@@ -19,8 +19,8 @@ namespace gnomon::read {
 
 namespace {
 
-// The max memory of a parsed document per JSON value and per byte of text. The document temporarily exists twice. With
-// embedded buffers, most of the text is in strings.
+// The max memory of a parsed document, per JSON value and per byte of text. The document temporarily exists twice. If
+// buffers are embedded, most of the text is in strings.
 constexpr std::uint64_t kBytesPerJsonValue = 160;
 constexpr std::uint64_t kBytesPerJsonByte = 6;
 
@@ -73,7 +73,7 @@ Chunk chunkAt(const InputFile& file, std::uint64_t at, std::uint64_t end) {
     return chunk;
 }
 
-/// Returns the first line of a message of tinygltf, which can have many lines.
+/// Returns the first line of a message of tinygltf. Such a message can have many lines.
 std::string firstLineOf(const std::string& text) {
     const std::string line = text.substr(0, text.find('\n'));
     return line.empty() ? "no reason given" : line;
@@ -99,8 +99,8 @@ std::uint64_t GltfFile::fileBytes() const {
     return sum;
 }
 
-/// Returns the JSON text of the file. For a .glb, also reads the first binary chunk, and skips and counts all other
-/// chunks (glTF 2.0, section 4.4.3).
+/// Returns the JSON text of the file. For a .glb, the function also reads the first binary chunk. It skips and counts
+/// all other chunks (glTF 2.0, section 4.4.3).
 std::string GltfFile::readContainer() {
     const InputFile& file = *files_.front();
     std::array<std::byte, kGlbHeader> head{};
@@ -165,7 +165,7 @@ void GltfFile::parse(const std::string& text, bool readsTextures) {
         throw Error(path(), "not glTF 2.0: " + firstLineOf(error));
 }
 
-/// Counts the data that no model uses, and removes the parts that tinygltf must not parse.
+/// Counts the data that a model does not use, and removes the parts that tinygltf must not parse.
 void GltfFile::reject(Json& document) {
     rejected_.merge(unusedParts(document));
     images_ = arrayOf(document, "images", path());
@@ -198,8 +198,8 @@ std::vector<std::byte> GltfFile::bufferBytes(const Json& buffer, std::size_t ind
         bytes = ofUri(uri, place);
     else if (index == 0)
         bytes = std::move(embedded_);
-    // EXT_meshopt_compression uses a buffer without bytes as a placeholder for decoded data. Such a buffer is never
-    // read.
+    // EXT_meshopt_compression uses a buffer without bytes as a placeholder for decoded data. Such a buffer may be
+    // empty, because it is never read.
     if (bytes.size() < asked && !(uri.empty() && bytes.empty()))
         throw Error(place, "too short", std::to_string(asked) + " bytes", std::to_string(bytes.size()));
     return bytes;

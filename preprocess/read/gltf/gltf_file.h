@@ -19,32 +19,34 @@
 namespace gnomon::read {
 
 /// A parsed glTF file. tinygltf parses scenes, nodes, meshes, accessors and materials. This class itself reads buffers
-/// and images, checks their sizes and returns their bytes. It counts the data that no model uses, such as animations.
+/// and images, checks their sizes and returns their bytes. It counts the data that a model does not use, such as
+/// animations.
 class GltfFile {
 public:
     /// Opens and parses the file. Throws Error, which names the file, if it is not glTF 2.0, lacks a buffer, requires
-    /// an extension that is not read (such as Draco's), or can need more than `limit`. A required texture format that
-    /// is not read is an error only if `readsTextures`. Files that it refers to must satisfy the rule of SourceRoot.
+    /// an unsupported extension (such as Draco's), or could need more memory than `limit`. An unsupported texture
+    /// format is an error only if `readsTextures` is true. All files that it refers to must be in the folder
+    /// `sourceRoot` (see SourceRoot).
     GltfFile(const std::string& path, Bytes limit, bool readsTextures = true, const std::string& sourceRoot = {});
 
     const std::string& path() const { return files_.front()->path(); }
 
     const tinygltf::Model& model() const { return model_; }
 
-    /// Returns the bytes of a buffer view, decoded if it uses EXT_meshopt_compression. They are valid as long as this
-    /// object. Throws Error if they are outside their buffer or damaged.
+    /// Returns the bytes of a buffer view, decoded if it uses EXT_meshopt_compression. The bytes are valid as long as
+    /// this object exists. Throws Error if they are outside their buffer or damaged.
     std::span<const std::byte> bufferView(int index);
 
-    /// Returns the encoded bytes of image `index`; empty if its file is missing.
+    /// Returns the encoded bytes of image `index`. Returns an empty array if the file of the image is missing.
     std::vector<std::byte> image(int index);
 
-    /// Returns the cameras of the document as JSON, because tinygltf does not parse them.
+    /// Returns the cameras of the document as JSON. tinygltf does not parse them.
     const nlohmann::json& cameras() const { return cameras_; }
 
-    /// Returns the total size in bytes of this file and of all files that were read because it refers to them.
+    /// Returns the total size in bytes of this file and of all files that were read because this file refers to them.
     std::uint64_t fileBytes() const;
 
-    /// Returns the names and counts of the data that is not used.
+    /// Returns the names and counts of the data that a model does not use.
     const std::map<std::string, std::uint64_t>& rejected() const { return rejected_; }
 
     /// Returns the memory budget of the file.
@@ -54,7 +56,8 @@ public:
     /// be used afterwards.
     std::vector<std::unique_ptr<InputFile>> takeFiles() && { return std::move(files_); }
 
-    /// Returns element `index` of a list of the model. Throws Error, which calls the element `name`, if there is none.
+    /// Returns element `index` of a list of the model. Throws Error, which calls the element `name`, if the element
+    /// does not exist.
     template <class T>
     const T& elementOf(const std::vector<T>& list, int index, const char* name) const {
         if (index < 0 || static_cast<std::size_t>(index) >= list.size())
@@ -63,7 +66,7 @@ public:
         return list[static_cast<std::size_t>(index)];
     }
 
-    /// Returns "PATH: NAME N", the position of an error.
+    /// Returns the text "PATH: NAME N", which says where an error is.
     std::string where(std::string_view name, std::uint64_t index) const;
 
 private:
@@ -81,12 +84,12 @@ private:
     std::span<const std::byte> inBuffer(std::string_view name, int view, double buffer, double offset, double length);
     std::vector<std::byte> unpacked(int view, const tinygltf::Value& packed);
 
-    std::vector<std::unique_ptr<InputFile>> files_; // the .gltf or .glb itself is first
+    std::vector<std::unique_ptr<InputFile>> files_; // the first file is the .gltf or .glb itself
     SourceRoot root_;
     MemoryRoom room_;
     std::vector<std::byte> embedded_; // the binary chunk of a .glb, used as its first buffer
     std::vector<std::vector<std::byte>> buffers_;
-    std::vector<std::vector<std::byte>> unpacked_; // decoded bytes by buffer view
+    std::vector<std::vector<std::byte>> unpacked_; // per buffer view: its decoded bytes
     Json images_;
     Json cameras_;
     std::map<std::string, std::uint64_t> rejected_;

@@ -17,7 +17,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns the rotation of a quaternion x, y, z, w of any length above 0. Returns the identity for length 0.
+/// Returns the rotation of a quaternion (x, y, z, w) of any length above 0. Returns the identity for length 0.
 glm::dmat4 turnedBy(const glm::dvec4& rotation) {
     const glm::dvec4 sizes = glm::abs(rotation);
     const glm::dvec4 scaled = rotation * scaleToOne(std::max({sizes.x, sizes.y, sizes.z, sizes.w}));
@@ -27,13 +27,13 @@ glm::dmat4 turnedBy(const glm::dvec4& rotation) {
     return glm::mat4_cast(glm::dquat(unit.w, unit.x, unit.y, unit.z));
 }
 
-/// Returns `axis` scaled to unit length; not finite for length 0.
+/// Returns `axis` scaled to unit length. The result is not finite if the length is 0.
 glm::dvec3 unitOf(const glm::dvec3& axis) {
     const glm::dvec3 sizes = glm::abs(axis);
     return glm::normalize(axis * scaleToOne(std::max({sizes.x, sizes.y, sizes.z})));
 }
 
-/// Returns the matrix that scales, then rotates, then translates.
+/// Returns the matrix that first scales, then rotates, and then translates.
 glm::dmat4 placed(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale) {
     glm::dmat4 matrix = turnedBy(rotation);
     for (int i = 0; i < 3; ++i)
@@ -42,16 +42,16 @@ glm::dmat4 placed(const glm::dvec3& translation, const glm::dvec4& rotation, con
     return matrix;
 }
 
-/// Returns the accessor index in a number of an extension, which tinygltf does not check. Returns -1, which is no
+/// Converts a number of an extension, which tinygltf does not check, to an accessor index. Returns -1, which is no
 /// accessor, if the number is negative or too large for an int.
 int accessorOf(const tinygltf::Value& number) {
     const double value = number.GetNumberAsDouble();
     return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
 }
 
-/// Returns the values of an attribute of EXT_mesh_gpu_instancing, `components` numbers per instance; empty if it is
-/// missing. `count` is the number of instances, or 0 if it is not known yet. Throws Error if attributes have different
-/// numbers of instances.
+/// Returns the values of an attribute of EXT_mesh_gpu_instancing, with `components` numbers per instance. Returns an
+/// empty list if the attribute is missing. `count` is the number of instances, or 0 if it is not known yet. Throws
+/// Error if attributes have different numbers of instances.
 std::vector<float> instanceValues(
     GltfFile& file, const tinygltf::Value& attributes, const char* name, std::size_t components, std::uint64_t& count) {
     if (!attributes.IsObject() || !attributes.Has(name) || !attributes.Get(name).IsNumber()) return {};
@@ -89,8 +89,8 @@ double memberNumber(const nlohmann::json& object, const char* key) {
     return object[key].get<double>();
 }
 
-/// Returns the camera of the JSON object `described` with the transform `toWorld`. Returns nothing if glTF does not
-/// define such a camera or if the axes of the node have no direction.
+/// Returns the camera that the JSON object `described` describes, with the transform `toWorld`. Returns nullopt if glTF
+/// does not define such a camera, or if the axes of the node have no direction.
 std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4& toWorld) {
     Camera camera;
     const glm::dvec3 ahead = unitOf(-glm::dvec3(toWorld[2]));
@@ -103,7 +103,8 @@ std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4
     } else if (type == "orthographic" && described.contains(type)) {
         camera.projection = Projection::Orthographic;
         camera.fovYRadians = kPi / 3;
-        distance = std::sqrt(3.0) * memberNumber(described[type], "ymag"); // the tangent of 30 degrees is 1 / sqrt(3)
+        // the tangent of 30 degrees (half of the angle) is 1 / sqrt(3)
+        distance = std::sqrt(3.0) * memberNumber(described[type], "ymag");
     } else {
         return std::nullopt;
     }
@@ -145,7 +146,7 @@ public:
 private:
     struct Visit {
         int node;
-        glm::dmat4 toWorld; // transform of the parent
+        glm::dmat4 toWorld; // transform of the parent to world space
     };
 
     struct NodeCamera {
@@ -194,7 +195,7 @@ private:
             s.empty() ? glm::dvec3(1) : glm::dvec3(s[0], s[1], s[2]));
     }
 
-    /// Throws Error if the list `name` of the node does not have `expected` numbers. The list can be missing.
+    /// Throws Error if the list `name` of the node exists and does not have `expected` numbers.
     void requireNumbers(const std::vector<double>& list, std::size_t expected, const char* name, int node) const {
         if (list.empty() || list.size() == expected) return;
         throw Error(
@@ -246,7 +247,7 @@ private:
             cameras_.push_back({index, *camera});
     }
 
-    /// Sorts the cameras by the file's list. Counts the cameras of the list that no node of the scene uses.
+    /// Sorts the cameras by the file's list of cameras. Counts the cameras of this list that no node of the scene uses.
     void takeCameras() {
         std::stable_sort(cameras_.begin(), cameras_.end(), [](const NodeCamera& a, const NodeCamera& b) {
             return a.index < b.index;

@@ -1,4 +1,4 @@
-// Reads the nodes of a glTF scene: placed meshes and cameras.
+// Reads the nodes of a glTF scene, which place meshes and cameras.
 #pragma once
 
 #include "core/camera.h"
@@ -22,8 +22,8 @@ struct PlacedMesh {
     glm::dmat4 toWorld{1};
 };
 
-/// Returns the power of two that scales `largest` to at least 1 and below 2. Returns 1 for 0 and for values that are
-/// not finite. The scaling is exact, and the square of the scaled value is neither infinite nor 0.
+/// Returns the power of two that scales `largest` to the range [1, 2). Returns 1 for 0 and for values that are not
+/// finite. The scaling is exact. The square of the scaled value is neither infinite nor 0.
 inline double scaleToOne(double largest) {
     if (!(largest > 0 && largest <= std::numeric_limits<double>::max())) return 1;
     return std::scalbn(1.0, std::min(-std::ilogb(largest), std::numeric_limits<double>::max_exponent - 1));
@@ -31,22 +31,23 @@ inline double scaleToOne(double largest) {
 
 /// The placed meshes and the cameras of a scene.
 struct GltfScene {
-    /// Placed meshes node by node, each node before its children, and the instances of EXT_mesh_gpu_instancing one
-    /// after the other.
+    /// Placed meshes node by node. Each node comes before its children. The instances of EXT_mesh_gpu_instancing follow
+    /// one another.
     std::vector<PlacedMesh> meshes;
 
-    /// Cameras in the order of the file's list, then of the nodes. A camera looks along -z of its node with y up. The
-    /// scale of the node changes only its position (glTF 2.0, section 3.10). The target of an orthographic camera is at
-    /// the distance where `fovYRadians` gives its height.
+    /// Cameras in the order of the file's list of cameras. The nodes of one camera are in their own order. A camera
+    /// looks along -z of its node, and y is up. The scale of the node changes only the position of the camera (glTF
+    /// 2.0, section 3.10). For an orthographic camera, the distance to the target is such that `fovYRadians` gives the
+    /// camera's height.
     std::vector<Camera> cameras;
 
     std::map<std::string, std::uint64_t> rejected; ///< unused parts and their counts
 };
 
-/// Returns the default scene. Uses the first scene if no default is named, and all root nodes if there is no scene.
-/// Scales quaternions to unit length; one of length 0 means no rotation and is counted. Throws Error if nodes do not
-/// form trees, if a transform has the wrong number of values, and if an index refers to a missing entry. glTF 2.0,
-/// section 3.5.
+/// Returns the default scene. If no default scene is named, returns the first scene, or all root nodes if there is no
+/// scene. Quaternions are scaled to unit length. A quaternion of length 0 means no rotation and is counted. Throws
+/// Error if nodes do not form trees, if a transform has the wrong number of values, or if an index refers to a missing
+/// entry. Source: glTF 2.0, section 3.5.
 GltfScene sceneOf(GltfFile& file);
 
 } // namespace gnomon::read

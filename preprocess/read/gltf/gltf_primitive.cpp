@@ -27,7 +27,8 @@ void requireAsMany(const GltfFile& file, int accessor, std::uint64_t vertices) {
             std::to_string(count));
 }
 
-/// Returns the triangles of a list of corners, for a primitive of triangles, a strip or a fan.
+/// Returns the triangles of a list of corners. `mode` says whether the primitive is a list of triangles, a strip or a
+/// fan.
 std::vector<std::array<std::uint32_t, 3>> trianglesOf(
     GltfFile& file, int mode, const std::vector<std::uint32_t>& corners, const std::string& where) {
     const std::size_t count = corners.size();
@@ -100,8 +101,8 @@ void GltfPrimitives::countBadNormals(const std::vector<float>& normals) {
         if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2])) ++rejected_[kBadNormals];
 }
 
-/// Returns the texture of `color`. Counts it as not used and returns null if textures are ignored, or if its
-/// coordinates or its image are missing.
+/// Returns the texture of `color`. Returns null if textures are ignored, or if the texture's coordinates or image are
+/// missing. The texture then counts as not used.
 const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinygltf::Primitive& from) {
     if (color.texture < 0) return nullptr;
     if (!bakesTextures_) {
@@ -118,8 +119,8 @@ const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinyg
     return found->second ? &*found->second : nullptr;
 }
 
-/// Sets the colours of `primitive`. Returns the name of the attribute with the texture coordinates, or an empty name if
-/// no texture was sampled.
+/// Sets the colours of `primitive`. Returns the name of the attribute with the texture coordinates. Returns an empty
+/// name if no texture was sampled.
 std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimitive& primitive) {
     const BaseColor color = baseColorOf(file_, from.material);
     const BaseTexture* const texture = textureOf(color, from);

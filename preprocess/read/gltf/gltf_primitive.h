@@ -25,18 +25,18 @@ struct GltfPrimitive {
     std::uint64_t vertexCount() const { return positions.size() / 3; }
 };
 
-/// Reads primitives. It stores decoded textures, because several primitives can use one.
+/// Reads primitives. The object stores decoded textures, because several primitives can use the same texture.
 class GltfPrimitives {
 public:
-    /// Samples textures at the vertices if `bakesTextures`, else ignores them.
+    /// If `bakesTextures` is true, textures are sampled at the vertices. Otherwise they are ignored.
     GltfPrimitives(GltfFile& file, bool bakesTextures) : file_(file), bakesTextures_(bakesTextures) {}
 
-    /// Returns a primitive of triangles, strips or fans, in the order of glTF 2.0, section 3.7.2.1. Returns nothing for
-    /// points, lines and primitives without positions. Throws Error that names the accessor for indices out of range
-    /// and for attributes with a wrong number of elements.
+    /// Returns a primitive of triangles, strips or fans as triangles, in the order of glTF 2.0, section 3.7.2.1.
+    /// Returns nullopt for points, lines and primitives without positions. Throws Error, which names the accessor, if
+    /// an index is out of range or an attribute has the wrong number of elements.
     std::optional<GltfPrimitive> read(const tinygltf::Primitive& from);
 
-    /// Returns the attributes and primitives that are not used, with the number of primitives that have them.
+    /// Returns the names of unused attributes and primitives, with the number of primitives that have them.
     const std::map<std::string, std::uint64_t>& rejected() const { return rejected_; }
 
     /// Returns the mean number of texels along a triangle edge, over all triangles whose texture was sampled at the

@@ -18,12 +18,12 @@ bool isFrame(unsigned marker) {
     return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-/// Returns whether frames of this kind are progressive: several scans refine the coefficients.
+/// Returns true if frames of this kind are progressive, which means that several scans refine the coefficients.
 bool isProgressive(unsigned frame) {
     return frame % 4 == 2;
 }
 
-/// Returns whether no segment follows the marker: stuffed bytes, restarts, and the start of the image.
+/// Returns true if no segment follows the marker. Such markers are stuffed bytes, restarts, and the start of the image.
 bool isAlone(unsigned marker) {
     return marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD8);
 }
@@ -51,7 +51,7 @@ private:
     std::span<const std::byte> bytes_;
 };
 
-/// Reads the segment of a frame into `header`. Returns false if the segment is too short.
+/// Reads the frame segment `segment` into `header`. Returns false if the segment is too short.
 bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     constexpr std::size_t kStart = 6;
     constexpr std::size_t kComponent = 3;
@@ -67,8 +67,8 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
         maxAcross = std::max<std::uint64_t>(maxAcross, samplings(i) >> 4U);
         maxDown = std::max<std::uint64_t>(maxDown, samplings(i) & 15U);
     }
-    // The image consists of whole units of `maxAcross` by `maxDown` blocks. A component has its samplings as blocks
-    // per unit.
+    // The image is padded to whole units of `maxAcross` by `maxDown` blocks. In each unit, a component has as many
+    // blocks as its sampling factors say.
     const auto unitsOf = [](std::uint64_t size, std::uint64_t maxSampling) {
         return (size + maxSampling * kBlockSide - 1) / (maxSampling * kBlockSide);
     };
@@ -78,10 +78,10 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     return true;
 }
 
-/// What the segments of a JPEG tell, one after the other.
+/// Collects the information of a JPEG's segments, one segment after the other.
 class JpegSegments {
 public:
-    /// Returns false if `segment` is a frame that is not valid.
+    /// Reads a segment. Returns false if it is an invalid frame.
     bool take(unsigned marker, const JpegBytes& segment) {
         if (isFrame(marker) && header_.components == 0) {
             needsAll_ = isProgressive(marker);
@@ -103,7 +103,7 @@ public:
 
 private:
     JpegHeader header_;
-    bool needsAll_ = false; // the decoder holds the coefficients of the whole image
+    bool needsAll_ = false; // whether the decoder needs the coefficients of the whole image in memory
 };
 
 } // namespace

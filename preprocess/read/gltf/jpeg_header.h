@@ -1,4 +1,5 @@
-// Reads the markers of a JPEG that determine the cost of its decoding. libjpeg-turbo does not report this cost.
+// Reads the markers of a JPEG image that determine how much memory its decoding needs. libjpeg-turbo does not report
+// this.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +14,13 @@ struct JpegHeader {
     std::uint64_t width = 0;
     std::uint64_t height = 0;
     int components = 0;
-    bool isAdobe = false; ///< it has the marker of Adobe's programs, which store CMYK inverted
-    /// Memory for the coefficients of the whole image; 0 if the decoder needs only rows.
+    bool isAdobe = false; ///< whether it has the marker of Adobe's programs, which store inverted CMYK
+    /// Bytes for the coefficients of the whole image. The value is 0 if the decoder needs only some rows.
     std::uint64_t coefficientBytes = 0;
     std::uint64_t scans = 0;
 };
 
-/// Returns the header of the JPEG in `encoded` (ITU-T T.81, annex B). Returns nothing if it has no frame.
+/// Returns the header of the JPEG image `encoded` (ITU-T T.81, annex B). Returns nullopt if the image has no frame.
 std::optional<JpegHeader> jpegHeaderOf(std::span<const std::byte> encoded);
 
 } // namespace gnomon::read

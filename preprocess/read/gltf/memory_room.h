@@ -8,14 +8,14 @@
 
 namespace gnomon::read {
 
-/// Counts memory against a limit before it is allocated, because a file of a few bytes can declare any number of
-/// values.
+/// Counts memory against a limit before the memory is allocated. The reason: a file of a few bytes can declare any
+/// number of values.
 class MemoryRoom {
 public:
     MemoryRoom(std::string path, Bytes limit) : path_(std::move(path)), limit_(limit) {}
 
-    /// Reserves memory for `count` values of `bytes` bytes each. Throws Error that names the file if this exceeds the
-    /// limit.
+    /// Reserves memory for `count` values of `bytes` bytes each. Throws Error, which names the file, if this exceeds
+    /// the limit.
     void take(std::uint64_t count, std::uint64_t bytes = 1) {
         if (bytes == 0 || count <= (limit_.count - taken_) / bytes) {
             taken_ += count * bytes;
@@ -39,7 +39,7 @@ public:
 private:
     std::string path_;
     Bytes limit_;
-    std::uint64_t taken_ = 0; // never more than the limit
+    std::uint64_t taken_ = 0; // at most the limit
 };
 
 } // namespace gnomon::read

@@ -1,4 +1,4 @@
-// The URI of a glTF buffer or image: embedded bytes, or the name of a file.
+// Parses the URI of a glTF buffer or image. A URI contains embedded bytes or the name of a file.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace gnomon::read {
 
-/// Returns whether the URI contains its bytes (RFC 2397).
+/// Returns true if the URI contains embedded bytes (RFC 2397).
 bool isDataUri(std::string_view uri);
 
-/// Returns the bytes that a URI contains in base64. Throws Error at `place` for another encoding and for characters
-/// that are not base64.
+/// Decodes the base64 bytes that a URI contains. Throws Error at `place` for another encoding and for characters that
+/// are not base64.
 std::vector<std::byte> bytesOfDataUri(std::string_view uri, const std::string& place);
 
 /// Returns the file name of a URI: each percent sign with two hexadecimal digits becomes one byte (RFC 3986). A percent

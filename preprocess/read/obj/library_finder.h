@@ -1,4 +1,4 @@
-// Search for the material libraries that the `mtllib` lines of an OBJ name.
+// Finds the material libraries that the `mtllib` lines of an OBJ name.
 #pragma once
 
 #include "preprocess/read/source_root.h"
@@ -12,25 +12,26 @@
 
 namespace gnomon::read {
 
-/// Finds material libraries by inexact names: with blanks, in quotes, with backslashes, with the wrong case, or with
-/// the path of another computer. The number of file system searches is bounded, for any number of names.
+/// Finds material libraries by inexact names. A name can contain blanks, quotes or backslashes, have the wrong case, or
+/// contain the path of another computer. The number of searches in the file system is bounded, for any number of names.
 class LibraryFinder {
 public:
     /// Searches for libraries of the OBJ `path`. All libraries must be in the folder `sourceRoot` (see SourceRoot).
     LibraryFinder(const std::string& path, const std::string& sourceRoot);
 
-    /// The files of one line of names.
+    /// The library files that one line of names refers to.
     struct Found {
         std::vector<std::string> files;
         std::uint64_t missing = 0; ///< number of names without a file
     };
 
-    /// Returns the files of `names`, the text after `mtllib`. A name can contain blanks: the longest sequence of words
-    /// that is a file counts. If a path has no file, uses the file of the same name in the folder of the OBJ. Throws
-    /// Error at `where` for a file outside the source root.
+    /// Returns the files that `names`, the text after `mtllib`, refers to. Because a name can contain blanks, the
+    /// longest sequence of words that is an existing file counts as a name. If a path does not exist, the file of the
+    /// same name in the folder of the OBJ is used. Throws Error at `where` for a file outside the source root.
     Found filesOf(std::string_view names, const std::string& where);
 
-    /// Returns a note for the user about a name that was not used literally; empty if there is none.
+    /// Returns a note for the user about a name that differs from the file found for it. Returns an empty text if there
+    /// is none.
     const std::string& remark() const { return remark_; }
 
 private:
@@ -41,8 +42,8 @@ private:
 
     std::string folder_;
     SourceRoot root_;
-    std::unordered_map<std::string, std::string> files_; ///< file per name; empty if there is none
-    /// Per folder: file names by their lower-case names.
+    std::unordered_map<std::string, std::string> files_; ///< per name: its file; empty if there is none
+    /// Per folder: the file names, indexed by their lower-case form.
     std::map<std::string, std::map<std::string, std::string>> listings_;
     std::size_t searches_ = 0;
     std::string remark_;

@@ -29,7 +29,7 @@ std::uint64_t countedFromZero(std::int32_t index, std::uint64_t count) {
     return index > 0 ? static_cast<std::uint64_t>(index) - 1 : count + static_cast<std::uint64_t>(std::int64_t{index});
 }
 
-/// The names of lines that a reader of triangles does not need, by keyword.
+/// Lines that a reader of triangles does not need: their keyword, and the name under which they are counted.
 constexpr std::array<std::pair<std::string_view, const char*>, 26> kOtherLines = {{
     {"vt", "texture coordinates"},
     {"l", "lines"},
@@ -99,7 +99,8 @@ bool ObjLines::passOver() {
     return true;
 }
 
-/// Reads the rest of a line with the keyword `keyword`. Returns whether the line has a wanted kind; `line` is then set.
+/// Parses the rest of a line with the keyword `keyword`. Returns true if the line has a wanted kind. `line` is then
+/// set.
 bool ObjLines::take(std::string_view keyword, ObjLine& line) {
     const std::optional<ObjKind> kind = kindOf(keyword);
     if (!kind) {
@@ -109,7 +110,7 @@ bool ObjLines::take(std::string_view keyword, ObjLine& line) {
             surveyOther(keyword);
         return false;
     }
-    if ((wanted_ & kindBit(*kind)) == 0) { // the first pass has checked it
+    if ((wanted_ & kindBit(*kind)) == 0) { // the first pass has already checked the line
         countVector(*kind);
         return false;
     }
@@ -132,14 +133,14 @@ void ObjLines::takeVector(ObjKind kind, ObjLine& line) {
         const std::string_view word = text_.word();
         if (word.empty()) throw Error(where(), "too few numbers", "3", std::to_string(i));
         const std::optional<double> any = kind == ObjKind::Normal ? numberIn(word) : std::nullopt;
-        line.vector[i] = any ? *any : text_.numberOf(word); // a normal can be infinite
+        line.vector[i] = any ? *any : text_.numberOf(word); // a normal may be infinite
     }
     countVector(kind);
     if (kind == ObjKind::Vertex) takeVertexColor(line);
 }
 
-/// Reads the words after the coordinates of a vertex: a weight, or three channels of a colour and an alpha. Stops at
-/// the first word that is not a finite number.
+/// Reads the words after the coordinates of a vertex. They are a weight, or three channels of a colour and an alpha.
+/// Stops at the first word that is not a finite number.
 void ObjLines::takeVertexColor(ObjLine& line) {
     line.vertexColor.reset();
     std::array<double, 4> values{};
@@ -184,7 +185,7 @@ void ObjLines::takeMaterial() {
     note(ObjKind::Face);
 }
 
-/// Reads a line that names material libraries. Counts any other line as not read.
+/// Parses a line that names material libraries. Counts any other line as not read.
 void ObjLines::surveyOther(std::string_view keyword) {
     if (keyword == "mtllib") {
         const std::string names = text_.rest();
@@ -202,7 +203,7 @@ void ObjLines::surveyOther(std::string_view keyword) {
         countUnknown(keyword);
 }
 
-/// Counts a line with a keyword that OBJ does not define, such as F.
+/// Counts a line whose keyword OBJ does not define, such as F.
 void ObjLines::countUnknown(std::string_view keyword) {
     constexpr std::size_t kMaxNames = 64;
     const std::string name(keyword);

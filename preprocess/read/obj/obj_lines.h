@@ -1,4 +1,4 @@
-// Streams the lines of an OBJ as vertices, normals and faces, without storing them.
+// Streams the lines of an OBJ as vertices, normals and faces. It does not store them.
 #pragma once
 
 #include "preprocess/read/obj/obj_materials.h"
@@ -16,8 +16,8 @@
 
 namespace gnomon::read {
 
-/// A corner of a face. Both indices count from 0. A relative index that points before the first element wraps to a
-/// value above every count.
+/// A corner of a face. Both indices count from 0. A relative index that refers to an element before the first one wraps
+/// to a value above every count.
 struct ObjCorner {
     static constexpr std::uint64_t kNoNormal = ~std::uint64_t{0};
 
@@ -25,10 +25,10 @@ struct ObjCorner {
     std::uint64_t normal = kNoNormal;
 };
 
-/// The kind of a line. `vc` lines list the colours of vertices, in the order of the vertices.
+/// The kind of a line. A `vc` line has the colour of a vertex. These lines are in the order of the vertices.
 enum class ObjKind : std::uint8_t { Vertex = 1, Normal = 2, Face = 4, Color = 8 };
 
-/// A bit mask of kinds.
+/// A set of kinds as bits.
 using ObjKinds = std::uint8_t;
 
 constexpr ObjKinds kindBit(ObjKind kind) {
@@ -38,16 +38,16 @@ constexpr ObjKinds kindBit(ObjKind kind) {
 constexpr ObjKinds kAllObjKinds =
     kindBit(ObjKind::Vertex) | kindBit(ObjKind::Normal) | kindBit(ObjKind::Face) | kindBit(ObjKind::Color);
 
-/// One line of the file. Members of other kinds are undefined.
+/// One line of the file. The members for other kinds of lines are undefined.
 struct ObjLine {
     ObjKind kind = ObjKind::Vertex;
-    glm::dvec3 vector{0};                  ///< a position or a normal, finite or not
+    glm::dvec3 vector{0};                  ///< position or normal; may be not finite
     std::optional<glm::dvec3> vertexColor; ///< red, green and blue as in the file
     std::span<const ObjCorner> corners;    ///< valid until the next line
     std::uint32_t faceColor = 0xFFFFFFFF;  ///< colour of the current material, RGBA8
 };
 
-/// A range of whole lines of the file, with the counts before it and the kinds of its lines.
+/// A range of whole lines of the file, with the numbers of elements before it and the kinds of its lines.
 struct ObjStretch {
     std::uint64_t offset = 0; ///< bytes from the start of the file
     std::uint64_t line = 0;   ///< number of lines before the range
@@ -63,15 +63,15 @@ struct ObjSurvey {
     std::map<std::string, std::uint64_t> unknownKeywords;   ///< number of lines per unknown keyword
 };
 
-/// A pass over an OBJ. Throws Error with path and line at the first line with a defect.
+/// One pass over the lines of an OBJ. It throws Error with path and line at the first line with a defect.
 class ObjLines {
 public:
-    /// Starts the first pass, which reads every line. It fills `survey`, which must be empty, and reads the libraries
-    /// of `materials`.
+    /// Starts the first pass, which reads each line. The pass fills `survey`, which must be empty, and reads the
+    /// libraries into `materials`.
     ObjLines(const InputFile& file, ObjMaterials& materials, ObjSurvey& survey);
 
-    /// Starts a later pass, which returns only lines of the kinds `wanted`. It skips ranges without such lines, as
-    /// found by the first pass.
+    /// Starts a later pass, which returns only lines of the kinds `wanted`. The pass skips ranges in which the first
+    /// pass found no such lines.
     ObjLines(const InputFile& file, const ObjMaterials& materials, const ObjSurvey& survey, ObjKinds wanted);
 
     /// Reads the next line into `line`. Returns false at the end of the file.

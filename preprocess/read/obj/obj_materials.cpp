@@ -31,7 +31,7 @@ std::uint32_t channelOf(std::string_view word, const std::string& where) {
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(*value, 0.0, 1.0)));
 }
 
-/// Returns `name` without its comment. A comment starts with a '#' that follows a blank or a tab.
+/// Returns `name` without its comment. A comment begins at a '#' after a blank or a tab.
 std::string withoutComment(const std::string& name) {
     for (std::size_t at = name.find('#'); at != std::string::npos; at = name.find('#', at + 1))
         if (at > 0 && (name[at - 1] == ' ' || name[at - 1] == '\t'))
@@ -67,7 +67,7 @@ void ObjMaterials::readLibrary(const std::string& file) {
             const std::string_view part = trimmed(std::string_view(text).substr(begin, end - begin));
             line += part;
             begin = end + 1;
-            // The same rule as in an OBJ.
+            // A backslash at the end of a line continues the line by the same rule as in an OBJ.
             isContinued = part.ends_with('\\') && part.find('#') == std::string_view::npos;
             if (isContinued) line.back() = ' ';
         }
@@ -88,7 +88,7 @@ ObjMaterials::Material& ObjMaterials::declared(const std::string& name) {
 void ObjMaterials::readStatement(
     Material& material, const std::vector<std::string_view>& words, const std::string& where) {
     if (lowered(words[0]) != "kd") return reject(material, std::string(words[0]));
-    // "Kd spectral FILE" and "Kd xyz X Y Z" occur only in the description of the format, so they are not read.
+    // "Kd spectral FILE" and "Kd xyz X Y Z" are not read, because they occur only in the description of the format.
     if (words.size() > 1 && (words[1] == "spectral" || words[1] == "xyz"))
         return reject(material, "Kd " + std::string(words[1]));
     std::size_t count = 1;
@@ -102,7 +102,7 @@ void ObjMaterials::readStatement(
     material.color = 0xFF000000U | red | green << 8U | blue << 16U;
 }
 
-/// Records that `material` has a statement that is not read.
+/// Records that `material` has the unread statement `statement`.
 void ObjMaterials::reject(Material& material, const std::string& statement) {
     const std::string name = lowered(statement) == "map_kd" ? "textures"
                              : isPlainName(statement)       ? "material " + statement

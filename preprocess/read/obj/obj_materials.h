@@ -1,4 +1,4 @@
-// The materials of an OBJ from Wavefront MTL libraries. Only their diffuse colours are used.
+// The materials of an OBJ, from Wavefront MTL libraries. Only diffuse colours are used.
 #pragma once
 
 #include "preprocess/read/obj/library_finder.h"
@@ -12,29 +12,29 @@
 
 namespace gnomon::read {
 
-/// Reads each material library of an OBJ once, and returns the colours of materials.
+/// Reads each material library of an OBJ once, and returns the diffuse colours of materials.
 class ObjMaterials {
 public:
-    /// Reads materials for the OBJ `path`. All libraries must be in the folder `sourceRoot` (see SourceRoot).
+    /// Prepares the materials of the OBJ `path`. All libraries must be in the folder `sourceRoot` (see SourceRoot).
     ObjMaterials(const std::string& path, const std::string& sourceRoot) : finder_(path, sourceRoot) {}
 
-    /// Reads the libraries `names`, the text after `mtllib` (see LibraryFinder). Throws Error with library and line for
-    /// a bad colour. Throws Error at `where` for a file outside the source root.
+    /// Reads the libraries that `names`, the text after `mtllib`, refers to (see LibraryFinder). Throws Error with
+    /// library and line for an invalid colour. Throws Error at `where` for a file outside the source root.
     void addLibraries(std::string_view names, const std::string& where);
 
-    /// Counts a use of the material `name`, the text after `usemtl`.
+    /// Counts one use of the material `name`, the text after `usemtl`.
     void use(const std::string& name);
 
-    /// Returns the colour of the material `name` as RGBA8, red in the lowest byte; white if no library defines it. `Kd`
-    /// is used as sRGB without conversion. A '#' can be part of the name or begin a comment: the whole name is tried
-    /// first.
+    /// Returns the diffuse colour (`Kd`) of the material `name` as RGBA8, red in the lowest byte. Returns white if no
+    /// library defines the material. `Kd` counts as sRGB, without conversion. A '#' can be part of the name or begin a
+    /// comment, so the function tries the whole name first.
     std::uint32_t colorOf(const std::string& name) const;
 
-    /// Returns whether a used material has a colour other than white.
+    /// Returns true if a used material has a colour other than white.
     bool hasColors() const { return hasColors_; }
 
-    /// Returns the number of missing libraries and materials, and of statements of used materials that are not read, by
-    /// name.
+    /// Returns by name the numbers of missing libraries, of missing materials, and of unread statements of used
+    /// materials.
     std::map<std::string, std::uint64_t> rejected() const;
 
     /// Returns the paths of the libraries that were read.
@@ -46,7 +46,7 @@ public:
 private:
     struct Material {
         std::uint32_t color = 0xFFFFFFFF;
-        std::uint64_t rejected = 0; ///< bit mask of the statements that are not read, by index in rejectedNames_
+        std::uint64_t rejected = 0; ///< bit i: it has the unread statement rejectedNames_[i]
         bool isUsed = false;
     };
 
@@ -60,12 +60,12 @@ private:
 
     LibraryFinder finder_;
     std::unordered_map<std::string, Material> materials_;
-    std::unordered_map<std::string, std::string> fullNames_; ///< full names by names without comments
+    std::unordered_map<std::string, std::string> fullNames_; ///< per name without comment: the full name
     std::vector<std::string> files_;
     std::vector<std::string> rejectedNames_{"other material statements"};
     std::map<std::string, std::uint64_t> rejected_;
-    std::map<std::string, std::uint64_t> unknown_; ///< uses per material that no library has defined yet
-    std::uint64_t missing_ = 0;                    ///< uses of materials for which unknown_ has no space
+    std::map<std::string, std::uint64_t> unknown_; ///< per material that no library has defined yet: number of uses
+    std::uint64_t missing_ = 0;                    ///< number of uses of materials for which `unknown_` has no space
     bool hasColors_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// The counts and properties that the first pass over all lines finds.
+/// The counts and properties of an OBJ that the first pass over all lines finds.
 struct ObjCounts {
     std::uint64_t vertices = 0;
     std::uint64_t normals = 0;
@@ -24,12 +24,12 @@ struct ObjCounts {
     std::uint64_t triangles = 0;
     std::uint64_t vertexEnd = 0; ///< largest vertex index of a face, plus 1
     bool namesNormals = false;
-    bool isAligned = true; ///< in each corner with a normal, the index of the normal is the index of the vertex
+    bool isAligned = true; ///< each corner with a normal has the same index for its normal and its vertex
     bool hasFaceColors = false;
 };
 
-/// Returns whether the vertex of `corner` must exist. In a face with too few corners, only vertices with an existing
-/// normal (index below `normals`) are used.
+/// Returns true if the vertex of `corner` must exist. In a face with too few corners, only vertices whose corner has an
+/// existing normal (index below `normals`) are used.
 bool isLookedUp(const ObjLine& face, const ObjCorner& corner, std::uint64_t normals) {
     return corner.normal < normals || isObjFace(face.corners);
 }
@@ -129,7 +129,7 @@ private:
                 file_.path() + ": colours of vertices range from 0 to 255, because one exceeds 1");
     }
 
-    /// Throws Error if there are no faces. The Error lists unknown keywords, because they can be misspelt.
+    /// Throws Error if there are no faces. The error lists unknown keywords, because a keyword may be misspelt.
     void requireObjFaces() const {
         if (summary_.faceCount > 0 || survey_.unknownKeywords.empty()) return requireFaces(summary_);
         constexpr std::size_t kMaxListed = 8;
@@ -156,7 +156,8 @@ private:
 
     bool hasVertexColors() const { return counts_.coloredVertices > 0 || !listedColors_.empty(); }
 
-    /// Returns the colour of a vertex of the file: its own, else its colour in the `vc` lines, else `other`.
+    /// Returns the colour of a vertex of the file: the colour on its own line, or its colour in the `vc` lines, or
+    /// `other`.
     std::uint32_t colorOf(std::uint64_t vertex, const ObjLine& line, std::uint32_t other) const {
         if (line.vertexColor) return packedChannels(glm::dvec4(*line.vertexColor, full()), full());
         return vertex < listedColors_.size() ? listedColors_[vertex] : other;
@@ -167,7 +168,8 @@ private:
     void surveyFace(const ObjLine& face) {
         for (const ObjCorner& corner : face.corners) {
             if (isLookedUp(face, corner, ObjCorner::kNoNormal)) // the number of normals is not known yet
-                counts_.vertexEnd = std::max({counts_.vertexEnd, corner.vertex, corner.vertex + 1}); // may wrap
+                // the sum may wrap to 0
+                counts_.vertexEnd = std::max({counts_.vertexEnd, corner.vertex, corner.vertex + 1});
             if (corner.normal == ObjCorner::kNoNormal) continue;
             counts_.namesNormals = true;
             counts_.isAligned = counts_.isAligned && corner.normal == corner.vertex;
@@ -180,7 +182,7 @@ private:
         counts_.triangles += face.corners.size() - 2;
     }
 
-    /// Throws Error with the line of the first face that uses a missing vertex, if there is one.
+    /// Throws Error with the line of the first face that uses a missing vertex. Does nothing if there is no such face.
     void findBadFace() {
         ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Face));
         ObjLine line;
@@ -226,7 +228,7 @@ private:
         return normals;
     }
 
-    /// Calls `use` with the index, the line and the own normal of each vertex of the file.
+    /// Calls `use` for each vertex of the file, with its index, its line and its own normal.
     template <class Use>
     void forEachVertex(const Use& use) {
         const bool isAligned = vertices_ && vertices_->hasNormals() && counts_.isAligned;

@@ -9,10 +9,10 @@ namespace gnomon::read {
 
 namespace {
 
-/// The distance in vertices between two stored counts of used vertices.
+/// The distance, in vertices, between two stored counts of used vertices.
 constexpr std::size_t kRankStep = 64;
 
-/// The max memory of an entry of a growing hash table with its bucket.
+/// The max memory, in bytes, of an entry of a growing hash table and its bucket.
 constexpr std::uint64_t kBytesOfOther = 64;
 
 std::tuple<float, float, float> tupleOf(const glm::vec3& v) {
@@ -49,7 +49,7 @@ std::uint32_t ObjVertices::ownNormal(std::uint64_t vertex) const {
     return ownNormals_.empty() ? kOwn : ownNormals_[vertex];
 }
 
-/// Gives the vertices of a face the normals of its corners, even if the face is not a polygon.
+/// Sets the normals of a face's vertices from its corners, even if the face is not a polygon.
 void ObjVertices::takeNormals(const ObjLine& face) {
     for (const ObjCorner& corner : face.corners)
         if (corner.normal < normalCount_) giveNormal(corner.vertex, static_cast<std::uint32_t>(corner.normal));
@@ -91,7 +91,7 @@ bool ObjVertices::isOwn(const ObjVariant& variant) const {
            (!options_.hasFaceColors || (isUsed_[variant.vertex] && ownColors_[variant.vertex] == variant.color));
 }
 
-/// Orders by vertex, normal and colour. Compares normals by value, not by index.
+/// Compares by vertex, then normal, then colour. Normals are compared by value, not by index.
 bool ObjVertices::isBefore(const ObjVariant& a, const ObjVariant& b) const {
     if (a.vertex != b.vertex) return a.vertex < b.vertex;
     if ((a.normal == kOwn) != (b.normal == kOwn)) return a.normal == kOwn;

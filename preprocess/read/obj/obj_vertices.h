@@ -1,4 +1,5 @@
-// The vertices that the faces of an OBJ need: a vertex whose corners have different normals or colours is duplicated.
+// Finds the vertices that the faces of an OBJ need. A vertex whose corners have different normals or colours is
+// duplicated.
 #pragma once
 
 #include "core/units.h"
@@ -14,7 +15,7 @@
 
 namespace gnomon::read {
 
-/// Returns whether at least three corners have different vertices. Other faces have no triangles.
+/// Returns true if at least three corners have different vertices. Other faces have no triangles.
 bool isObjFace(std::span<const ObjCorner> corners);
 
 /// A copy of a vertex of the file with another normal or colour.
@@ -24,24 +25,25 @@ struct ObjVariant {
     std::uint32_t color = 0;
 };
 
-/// Finds the vertices that faces need. The caller passes all faces twice in the same order: to `add`, which collects
-/// the vertices, and then to `cornersOf`, which returns their indices.
+/// Finds the vertices that the faces of an OBJ need. The caller passes all faces twice in the same order: first to
+/// `add`, which collects the vertices, and then to `cornersOf`, which returns their indices.
 class ObjVertices {
 public:
-    /// Means the own normal of a vertex: the first that a face gives to it. Also means "no normal" if no face gives
-    /// one.
+    /// Means the own normal of a vertex, which is the first normal that a face gives to it. If no face gives a normal
+    /// to the vertex, it means "no normal".
     static constexpr std::uint32_t kOwn = std::numeric_limits<std::uint32_t>::max();
 
     struct Options {
         std::string path;
         Bytes memoryLimit;
         std::uint64_t vertexCount = 0;
-        bool hasAlignedNormals = false; ///< in each corner, the index of the normal is the index of the vertex
+        bool hasAlignedNormals = false; ///< each corner has the same index for its normal and its vertex
         bool hasFaceColors = false;
     };
 
-    /// Prepares `options.vertexCount` vertices. `normals` are the normals of the file in file order, with zero for
-    /// those that are not finite; empty if they are aligned. `normalCount` is their number in the file.
+    /// Prepares `options.vertexCount` vertices. `normals` are the normals of the file in file order; normals that are
+    /// not finite are zero. The list is empty if the normals are aligned. `normalCount` is the number of normals in the
+    /// file.
     ObjVertices(Options options, std::vector<glm::vec3> normals, std::uint64_t normalCount);
 
     /// Collects the vertices of `face`.
@@ -53,11 +55,11 @@ public:
     /// Starts the second sequence of faces. Call this before the first `cornersOf`.
     void begin() { forgetOthers(); }
 
-    /// Returns the delivered vertices of the corners of `face`. Returns an empty list if fewer than three corners are
-    /// different.
+    /// Returns the indices of the delivered vertices at the corners of `face`. Returns an empty list if fewer than
+    /// three corners are different.
     std::span<const std::uint64_t> cornersOf(const ObjLine& face);
 
-    /// Returns the number of delivered vertices, including copies.
+    /// Returns the number of delivered vertices, including copies of vertices.
     std::uint64_t count() const { return firstVariant_ + variants_.size(); }
 
     /// Returns the vertex of the file from which the delivered vertex `vertex` comes.
@@ -65,7 +67,7 @@ public:
 
     bool hasNormals() const { return hasNormals_; }
 
-    /// Returns whether `vertex` of the file is delivered with its own normal and `ownColor`.
+    /// Returns true if `vertex` of the file is delivered with its own normal and `ownColor`.
     bool isThere(std::uint64_t vertex) const { return !options_.hasFaceColors || isUsed_[vertex]; }
 
     /// Returns the index of the own normal of `vertex`, or kOwn if it has none.
@@ -94,16 +96,17 @@ private:
     std::vector<glm::vec3> normals_;
     std::uint64_t normalCount_;
     bool hasNormals_ = false;
-    std::vector<bool> hasOwnNormal_;        ///< used if normals are aligned
-    std::vector<std::uint32_t> ownNormals_; ///< used if normals are not aligned
+    std::vector<bool> hasOwnNormal_;        ///< only if normals are aligned
+    std::vector<std::uint32_t> ownNormals_; ///< only if normals are not aligned
     std::vector<std::uint32_t> ownColors_;
-    std::vector<bool> isUsed_; ///< a face uses the vertex with its own normal and colour
+    std::vector<bool> isUsed_; ///< per vertex: whether a face uses it with its own normal and colour
     std::vector<std::uint64_t> usedBefore_;
     std::vector<ObjVariant> variants_;
     std::size_t compacted_ = 0;
     std::uint64_t firstVariant_ = 0;
-    /// Normals of corners that differ from the own normals of their vertices: of the current face, and of the faces
-    /// directly before it that are not polygons. A map is fast for faces with up to a million corners.
+    /// Normals of corners that differ from the own normals of their vertices. They are corners of the current face, and
+    /// of the faces directly before it that are not polygons. The map is fast even for faces with up to a million
+    /// corners.
     std::unordered_map<std::uint64_t, std::uint32_t> others_;
     std::vector<std::uint64_t> corners_;
 };

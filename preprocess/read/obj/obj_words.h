@@ -5,15 +5,14 @@
 
 namespace gnomon::read {
 
-/// The indices of a corner as in the file: from 1 on, or negative and relative to the last element so far. 0 means that
-/// the index is missing.
+/// The indices of a corner as in the file. Positive indices count from 1. Negative indices are relative to the last
+/// element so far. 0 means that the index is missing.
 struct ObjIndices {
     std::int32_t vertex = 0;
     std::int32_t normal = 0;
 };
 
-/// Returns the indices of a corner: V, V/T, V//N or V/T/N. V is required, and no index may be 0. Returns nothing for
-/// other words.
+/// Parses a corner: V, V/T, V//N or V/T/N. V is required, and no index may be 0. Returns nullopt for other words.
 inline std::optional<ObjIndices> cornerIn(std::string_view word) {
     ObjIndices corner;
     for (int part = 0; part < 3; ++part) {

@@ -14,7 +14,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// A layout of the body. Programs use different layouts.
+/// One of the layouts of the body that programs write.
 struct Layout {
     std::endian order = std::endian::big;
     bool countsChannels = true; ///< a number of channels follows the corners of each face
@@ -31,7 +31,7 @@ public:
     MemoryMesh read(Bytes memoryLimit) {
         const std::uint64_t vertices = number();
         const std::uint64_t faces = number();
-        number(); // number of edges
+        number(); // skips the number of edges
         const std::uint64_t floats =
             3U + (header_.hasNormals ? 3 : 0) + (header_.hasColors ? 4 : 0) + (header_.hasTexture ? 2 : 0);
         requireRoom(vertices, sizeof(float) * floats);

@@ -1,4 +1,4 @@
-// The colours of an OFF, whose range is known only after all of them are read.
+// The colours of an OFF file. Their range is known only after all of them are read.
 #pragma once
 
 #include "core/units.h"
@@ -13,8 +13,8 @@
 
 namespace gnomon::read {
 
-/// Collects the colours of vertices or of faces; some rows can have none. Channels range to 1 if no channel exceeds 1,
-/// else to 255. The same rule applies to alphas separately.
+/// Collects the colours of vertices or of faces. Some rows can have no colour. Full intensity is 1 if no channel
+/// exceeds 1, and 255 otherwise. The same rule applies separately to alpha.
 class OffColors {
 public:
     /// Adds the colour of row `row` with three or four channels. Rows must come in ascending order.
@@ -23,17 +23,17 @@ public:
     /// Returns the number of rows with a colour.
     std::uint64_t count() const { return colors_.size(); }
 
-    /// Returns whether the values can be colours: there is at least one, and none is negative.
+    /// Returns true if the values can be colours: there is at least one value, and none is negative.
     bool areColors() const { return !colors_.empty() && !isBelowZero_; }
 
     /// Returns the number of rows whose alpha is not opaque.
     std::uint64_t clearCount() const;
 
-    /// Returns RGBA8 for each of `rows` rows, white if a row has no colour.
+    /// Returns one RGBA8 colour per row for `rows` rows. Rows without a colour are white.
     std::vector<std::uint32_t> packed(std::uint64_t rows) const;
 
-    /// Returns the range of the colours `ofWhat` in words, for the user. Returns an empty text for the usual integers,
-    /// which range to 255.
+    /// Returns a note for the user about the range of the colours of `ofWhat`. Returns an empty text for integers up to
+    /// 255, which are usual.
     std::string remark(const std::string& ofWhat) const;
 
 private:
@@ -51,15 +51,15 @@ private:
     bool areIntegers_ = true;
 };
 
-/// The colours of the rows of an OFF.
+/// The colours of the vertices and the faces of an OFF file.
 struct OffRowColors {
     OffColors vertices;
     OffColors faces;
 };
 
-/// Returns `mesh` with the colours of vertices or, if there are none, of faces. `isAnnounced` means that the keyword
-/// announces vertex colours. Counts the data that is not used. Throws Error, which names `path`, if this needs more
-/// than `memoryLimit`.
+/// Returns `mesh` with the colours of its vertices or, if there are none, of its faces. `isAnnounced` says whether the
+/// keyword announces vertex colours. Counts the data that are not used. Throws Error, which names `path`, if this needs
+/// more memory than `memoryLimit`.
 MemoryMesh withOffColors(
     MemoryMesh mesh, const OffRowColors& colors, bool isAnnounced, const std::string& path, Bytes memoryLimit);
 

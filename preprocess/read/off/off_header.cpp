@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    /// Parses the keyword `word`. Returns the count that is joined to it or that replaces it.
+    /// Parses the keyword `word`. Returns the first count if it is joined to the keyword or replaces it.
     std::string keyword(std::string word) {
         if (integerIn<std::uint64_t>(word)) return word;
         if (word.starts_with("off") || word.starts_with("coff") || word.starts_with("noff") ||
@@ -50,7 +50,7 @@ private:
         return word.substr(off + 3);
     }
 
-    /// Takes the letters before OFF, each of which names a kind of values at vertices.
+    /// Parses the letters before OFF. Each letter names a kind of values per vertex.
     void takeKinds(std::string_view kinds) {
         while (!kinds.empty()) {
             const bool isTexture = kinds.starts_with("ST");
@@ -72,7 +72,7 @@ private:
         return *value;
     }
 
-    /// Skips the number of edges, which is not used: the rest of this line, or a line with one number.
+    /// Skips the number of edges, which is not used. It is on the rest of this line, or on a line with only one number.
     void edges() {
         const std::string word(text_.word());
         if (!word.empty()) {
@@ -91,7 +91,7 @@ private:
         header_.bodyLine = text_.line();
     }
 
-    /// Throws Error if the file is too short for the counts of the header.
+    /// Throws Error if the file is too short for the counts in the header.
     void requireRoom() const {
         constexpr std::uint64_t kVertexBytes = 6; // "0 0 0 "
         constexpr std::uint64_t kFaceBytes = 2;   // "0\n"
@@ -112,7 +112,7 @@ private:
     const InputFile& file_;
     TextStream text_;
     OffHeader header_;
-    bool isOther_ = false; ///< the keyword declares a value that is not read
+    bool isOther_ = false; ///< whether the keyword declares a kind of values that is not read
 };
 
 } // namespace

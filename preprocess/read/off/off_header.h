@@ -1,4 +1,4 @@
-// The header of an OFF: its keyword and its counts.
+// The header of an OFF file: its keyword and its counts.
 #pragma once
 
 #include "preprocess/read/text/text_stream.h"
@@ -21,9 +21,9 @@ struct OffHeader {
     std::uint64_t bodyLine = 0;   ///< number of lines before the body
 };
 
-/// Reads the header of `file`: the keyword, then the counts. The keyword can be missing or joined to the first count.
-/// The counts can be on several lines, and the count of edges can be missing. Throws Error with the line of a defect.
-/// Throws Error if the file is too short for the counts.
+/// Reads the header of `file`: the keyword and then the counts. The keyword can be missing or joined to the first
+/// count. The counts can be on several lines, and the number of edges can be missing. Throws Error with the line of a
+/// defect. Throws Error if the file is too short for the counts.
 OffHeader readOffHeader(const InputFile& file);
 
 } // namespace gnomon::read

@@ -15,18 +15,18 @@ namespace gnomon::read {
 
 namespace {
 
-/// The separation of the rows of an element: one line per row, or a fixed number of words per row.
+/// How the rows of an element are separated: one line per row, or a fixed number of words per row.
 enum class Rows { Lines, Words };
 
-/// One interpretation of a text file.
+/// One possible interpretation of a text file.
 struct Attempt {
     Rows vertices = Rows::Lines;
     Rows faces = Rows::Lines;
     std::size_t channels = 4; ///< number of channels of vertex colours if rows are not lines
 };
 
-/// The interpretations in the order in which they are tried. A file with one line per row and with colours fails as a
-/// file of words, because its colours are then read as the next row.
+/// The interpretations in the order in which they are tried. If a file has one line per row and colours, its
+/// interpretation as words fails, because its colours are then read as the next row.
 constexpr std::array<Attempt, 6> kAttempts = {{
     {Rows::Lines, Rows::Lines},
     {Rows::Words, Rows::Lines},
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMaxValues = 16; ///< number of values per vertex that are read
+    static constexpr std::size_t kMaxValues = 16; ///< max number of values per vertex that are stored
 
     /// The numbers of one vertex.
     struct VertexRow {
@@ -92,7 +92,8 @@ private:
         addVertexColor(vertex, row, known, std::min(row.count, kMaxValues) - known - texture);
     }
 
-    /// Adds `count` values of `row` from `first` on as a colour. They follow the values that the keyword declares.
+    /// Adds `count` values of `row`, from `first` on, as the colour of a vertex. These values follow the values that
+    /// the keyword declares.
     void addVertexColor(std::uint64_t vertex, const VertexRow& row, std::size_t first, std::size_t count) {
         const bool isColor = count == 3 || count == 4;
         if (header_.hasColors && count != 0 && !isColor)
@@ -170,7 +171,7 @@ private:
     }
 
     /// Returns the first word of the next row. Throws Error at the end of the file. `vertices` and `faces` are the
-    /// numbers of missing rows.
+    /// numbers of rows that are then missing.
     std::string_view firstWord(std::uint64_t vertices, std::uint64_t faces) {
         const bool areLines = (vertices > 0 ? attempt_.vertices : attempt_.faces) == Rows::Lines;
         if (areLines && text_.isInLine() && !text_.word().empty())
@@ -193,7 +194,7 @@ private:
     TextStream text_;
     MemoryMesh mesh_;
     OffRowColors colors_;
-    std::map<std::uint64_t, std::uint64_t> badLines_; ///< line per vertex whose position is not finite
+    std::map<std::uint64_t, std::uint64_t> badLines_; ///< per vertex whose position is not finite: its line
 };
 
 MemoryMesh readOffText(const InputFile& file, const OffHeader& header, Bytes memoryLimit) {

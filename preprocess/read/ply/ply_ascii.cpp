@@ -11,7 +11,7 @@ namespace gnomon::read {
 
 namespace {
 
-// No sensible number is longer.
+// Longer words are rejected, because no sensible number is so long.
 constexpr std::size_t kLongestWord = 1000;
 
 bool isBlank(char c) {
@@ -42,7 +42,8 @@ bool AsciiValues::skipBlanks(bool acrossLines) {
 
 std::string_view AsciiValues::word() {
     if (!skipBlanks(true)) progress_.throwEndsEarly(where());
-    // Fewer bytes can remain at the end of the file. The last word needs no separator.
+    // The result of `fill` is ignored: fewer bytes can remain at the end of the file, where the last word needs no
+    // separator.
     stream_.fill(kLongestWord + 1);
     const auto* text = reinterpret_cast<const char*>(stream_.data());
     const std::size_t size = std::min(stream_.available(), kLongestWord + 1);

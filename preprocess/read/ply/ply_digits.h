@@ -1,4 +1,4 @@
-// A warning for coordinates of an ASCII PLY that have more digits than a float can store.
+// Warns of coordinates of an ASCII PLY that have more digits than a float can store.
 #pragma once
 
 #include "preprocess/read/ply/ply_rows.h"
@@ -7,8 +7,9 @@
 
 namespace gnomon::read {
 
-/// Returns a warning if one of the first 65536 vertices has a float coordinate with more digits than a float can store:
-/// the nearest float differs by more than half a unit of the last digit. Returns an empty string otherwise.
+/// Returns a warning if a float coordinate has more digits than a float can store. This means that the nearest float
+/// differs by more than half a unit of the last digit. The function tests the first 65536 vertices. Returns an empty
+/// string if there is no such coordinate.
 std::string warningOfDigits(AsciiValues& values, const PlyElement& element, const VertexLayout& layout);
 
 } // namespace gnomon::read

@@ -10,8 +10,8 @@
 
 namespace gnomon::read {
 
-/// Reads all rows of the face element `element`. Calls `use(corners, channels)` per face. A channel without a property
-/// has no value.
+/// Reads all rows of the face element `element`. Calls `use(corners, channels)` for each face. A channel without a
+/// property has no value.
 template <class Values, class Use>
 void readColoredFaces(
     Values& values, const PlyElement& element, const ColorLayout& layout, std::uint64_t vertexCount, Use use) {
@@ -35,7 +35,7 @@ void readColoredFaces(
     }
 }
 
-/// Returns `channels` as RGBA8, where the values `full` become 255. A channel without a value becomes 255.
+/// Converts `channels` to RGBA8, so that the values `full` become 255. A channel without a value becomes 255.
 inline std::uint32_t colorOf(
     const PlyElement& element,
     const ColorLayout& layout,

@@ -50,7 +50,7 @@ void decodeEither(const RawRows& rows, const Column& column, Store store) {
         decodeAs<T, false>(rows, column, store);
 }
 
-// Calls store(row, value) for the whole column. The switch over the type is outside the loop.
+// Calls store(row, value) for each row of a column. The switch over the type is outside the loop.
 template <class Store>
 void decode(const RawRows& rows, const Column& column, Store store) {
     switch (column.type) {
@@ -80,7 +80,7 @@ void decodePositions(const RawRows& rows, const Columns& columns, std::span<glm:
         });
 }
 
-/// Decodes normals. Sets normals that are not finite to zero, and returns their number.
+/// Decodes normals. Normals that are not finite become zero. Returns the number of such normals.
 std::uint64_t decodeNormals(const RawRows& rows, const Columns& columns, std::span<glm::vec3> normals) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         decode(rows, columns[kNormal + axis], [&](std::size_t i, auto value) {
@@ -128,13 +128,14 @@ struct FaceLayout {
     std::size_t triangleBytes() const { return before + byteSize(countType) + 3 * sizeof(std::uint32_t) + after; }
 };
 
-// Returns the count at `bytes`. A negative count becomes larger than any list.
+// Returns the list count at `bytes`. A negative count becomes larger than any list.
 template <PlyType kType>
 std::uint32_t loadCount(const std::byte* bytes, bool isSwapped) {
     return withValue(kType, bytes, isSwapped, [](auto value) { return static_cast<std::uint32_t>(value); });
 }
 
-// Copies triangles until a row is not a valid triangle, the buffer is full, or the bytes end. Returns their number.
+// Copies triangles until a row is not a valid triangle, the buffer is full, or the bytes end. Returns the number of
+// copied triangles.
 template <PlyType kCountType, bool kIsSwapped>
 std::size_t copyTriangles(
     std::span<const std::byte> bytes,

@@ -1,16 +1,16 @@
-// Fast readers of binary PLY bodies: vertices of fixed width column by column, and triangles row by row.
+// Fast readers for binary PLY bodies. They read vertices of fixed size column by column, and triangles row by row.
 #pragma once
 
 #include "preprocess/read/ply/ply_rows.h"
 
 namespace gnomon::read {
 
-/// Reads the vertices of an element without lists in a binary body. The result is that of readVertexRows.
+/// Reads the vertices of an element without lists from a binary body. The result is equal to that of readVertexRows.
 void readVertexColumns(BinaryValues& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out);
 
-/// Reads all rows of a face element. The result is that of readFaceRow for each row. The fast path requires that `list`
-/// is the only list and that its indices are integers of four bytes. A row that is not a triangle with valid indices
-/// goes through readFaceRow.
+/// Reads all rows of a face element. The result is equal to calling readFaceRow for each row. The fast path requires
+/// that `list` is the only list and that its indices are integers of four bytes. readFaceRow reads the rows that are
+/// not triangles with valid indices.
 void readFaceRows(
     BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out);
 
@@ -39,8 +39,8 @@ inline void readFaceElement(
         readFaceRow(values, element, list, vertexCount, out, corners);
 }
 
-/// Returns the size in bytes of a row that is a triangle, if the fast path can read the element (see readFaceRows),
-/// else 0.
+/// Returns the size in bytes of a row that is a triangle. Returns 0 if the fast path cannot read the element (see
+/// readFaceRows).
 std::size_t triangleRowBytes(const PlyElement& element, int list);
 
 } // namespace gnomon::read

@@ -41,13 +41,13 @@ constexpr const char* nameOf(PlyType type) {
     return kNames[static_cast<int>(type)];
 }
 
-/// Returns the maximum of an integer type, and 0 for floats.
+/// Returns the max value of an integer type, and 0 for floats.
 constexpr double largestOf(PlyType type) {
     constexpr double kMaxima[] = {127, 255, 32767, 65535, 2147483647, 4294967295, 0, 0};
     return kMaxima[static_cast<int>(type)];
 }
 
-/// A property of an element: one value per row, or a list per row with a count of type `countType`.
+/// A property of an element. A row has one value of it, or a list whose count has the type `countType`.
 struct PlyProperty {
     std::string name;
     PlyType type = PlyType::Float32;
@@ -55,19 +55,19 @@ struct PlyProperty {
     PlyType countType = PlyType::Uint8;
 };
 
-/// An element: `count` rows with the same properties.
+/// An element of a PLY: `count` rows with the same properties.
 struct PlyElement {
     std::string name;
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
 
-    /// Returns the index of the first property with the name `wanted` or `alias`, or -1.
+    /// Returns the index of the first property with the name `wanted` or `alias`. Returns -1 if there is none.
     int indexOf(const char* wanted, const char* alias = "") const;
 
     bool hasLists() const;
 
-    /// Returns the min size of a row in bytes. In a binary body, all lists are empty. In an ASCII body, each value has
-    /// one digit and one separator.
+    /// Returns the min size of a row in bytes. In a binary body, the smallest row has only empty lists. In an ASCII
+    /// body, each value has at least one digit and one separator.
     std::uint64_t minRowBytes(PlyFormat format) const;
 };
 
@@ -76,13 +76,13 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     std::uint64_t bodyOffset = 0; ///< bytes from the start of the file
     std::uint64_t bodyLine = 1;   ///< line on which the body begins, counted from 1
-    char lineEnd = '\n';          ///< '\r' in old Mac files
+    char lineEnd = '\n';          ///< '\r' in files of old Macs
 };
 
 /// Reads the header of `file`. Lines can end with LF, CR LF or CR. A line with an unknown keyword before the first
-/// element cannot change the layout, so it counts as a comment without its keyword (Blender has written such lines).
-/// After the first element, such a line is an error. Throws Error with the line for a bad header. Throws Error if the
-/// file is too short for the declared counts. Source: Turk, "The PLY Polygon File Format", 1994.
+/// element cannot change the layout. It counts as a comment without its keyword, because Blender has written such
+/// lines. After the first element, such a line is an error. Throws Error with the line of an invalid header. Throws
+/// Error if the file is too short for the declared counts. Source: Turk, "The PLY Polygon File Format", 1994.
 PlyHeader readPlyHeader(const InputFile& file);
 
 } // namespace gnomon::read

@@ -59,7 +59,8 @@ ColorRule colorRuleOf(const PlyElement& element, const ColorLayout& colors, cons
     };
     ColorRule rule;
     const double max = std::max({maxima[0], maxima[1], maxima[2]});
-    for (std::size_t channel = 0; channel < 3; ++channel) // channels of the same type, which is usual, share one range
+    // channels of the same type (the usual case) have one common range
+    for (std::size_t channel = 0; channel < 3; ++channel)
         rule.full[channel] = fullOf(channel, propertyOf(channel).type == propertyOf(0).type ? max : maxima[channel]);
     const bool hasAlpha = colors[3] >= 0;
     if (hasAlpha) rule.full[3] = fullOf(3, maxima[3]);
@@ -91,8 +92,8 @@ VertexLayout vertexLayoutOf(const PlyElement& element) {
 
 namespace {
 
-/// Returns the name under which the build counts a property that it drops. `channel` is 0 to 2 for a colour of faces, 3
-/// for alpha.
+/// Returns the name under which a build counts a property that it drops. `channel` is 0 to 2 for a colour of faces, and
+/// 3 for alpha.
 std::string droppedName(const PlyElement& element, const std::string& property, std::ptrdiff_t channel) {
     constexpr std::array kTexture = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber"};
     if (channel < 3) return kFaceColors;

@@ -1,4 +1,5 @@
-// Random access to the rows of a PLY. The positions of rows follow from the size of the file, or one pass finds them.
+// Random access to the rows of a PLY. If all rows have fixed sizes, their positions follow from the size of the file.
+// Otherwise one pass finds the positions.
 #pragma once
 
 #include "core/progress.h"
@@ -13,8 +14,8 @@ namespace gnomon::read {
 /// are thread-safe.
 class PlyRanges {
 public:
-    /// Reads the elements with the indices `vertices` and `faces` in `header`. `file` and `header` must outlive this
-    /// object.
+    /// Creates a reader for the elements with the indices `vertices` and `faces` in `header`. `file` and `header` must
+    /// outlive this object.
     PlyRanges(const InputFile& file, const PlyHeader& header, std::size_t vertices, std::size_t faces);
 
     /// Finds the positions of rows (see MeshSource::indexRows). Returns false if the file has a defect.
@@ -23,7 +24,7 @@ public:
     /// Sets the index that another process found (see MeshSource::takeRowIndex).
     void takeIndex(const RowIndex::Part& index);
 
-    /// Returns the index of rows. Throws Error if there is no index yet.
+    /// Returns the row index. Throws Error if there is none yet.
     const RowIndex::Part& index() const;
 
     /// Reads the vertices [begin, end) into `out` and flushes it.
@@ -37,19 +38,19 @@ private:
     struct Rows {
         const PlyElement& element;
         int list = -1;           // for faces: index of the property with the corners
-        std::uint64_t bytes = 0; // size of each row; 0 if sizes differ
+        std::uint64_t bytes = 0; // bytes per row; 0 if the rows have different sizes
     };
 
     Rows vertexRows() const;
     Rows faceRows() const;
     void findFixedRows();
 
-    /// Reads the whole file and returns the index of its rows. Throws Error at the first defect.
+    /// Reads the whole file and returns its row index. Throws Error at the first defect.
     template <class Values>
     RowIndex::Part indexed(Values values, Progress& progress) const;
 
     /// Appends the positions of the rows of an element to `places`. `before` is the number of triangles before the
-    /// element. Returns the number of triangles up to its end.
+    /// element. Returns the number of triangles up to the end of the element.
     template <class Values>
     std::uint64_t indexElement(
         Values& values,
@@ -62,8 +63,8 @@ private:
     template <class Values>
     std::uint64_t passOver(Values& values, const PlyElement& element, int list) const;
 
-    /// Calls `read(values, rows, firstTriangle)` for the rows [begin, end) in `range`. `values` is at row `begin`,
-    /// `rows` is an element with these rows only, and `firstTriangle` is the number of triangles before them.
+    /// Calls `read(values, rows, firstTriangle)` for the rows [begin, end) in `range`. `values` is at row `begin`.
+    /// `rows` is an element with only these rows. `firstTriangle` is the number of triangles before them.
     template <class Read>
     void readRange(
         const Rows& rows,
@@ -75,7 +76,7 @@ private:
     const PlyHeader& header_;
     std::size_t vertices_;
     std::size_t faces_;
-    bool areTriangles_ = false; // all faces are triangles, as the size of the file implies
+    bool areTriangles_ = false; // whether the size of the file implies that all faces are triangles
     std::optional<RowIndex::Part> index_;
 };
 

@@ -1,5 +1,5 @@
-// Generic readers of the rows of a PLY body in any layout, value by value. The fast readers of ply_fast.h fall back to
-// them.
+// Generic readers for the rows of a PLY body. They read any layout, value by value. The fast readers in ply_fast.h use
+// them for rows that they cannot read.
 #pragma once
 
 #include "core/error.h"
@@ -14,36 +14,37 @@
 
 namespace gnomon::read {
 
-// The slots of a vertex: three coordinates, three components of the normal, four channels of the colour.
+// The slots of a vertex: three coordinates, three components of the normal, and four channels of the colour.
 constexpr std::size_t kPosition = 0;
 constexpr std::size_t kNormal = 3;
 constexpr std::size_t kColor = 6;
 constexpr std::size_t kAlpha = 9;
 constexpr std::size_t kVertexSlots = 10;
 
-/// The mapping from vertex slots to the properties of an element.
+/// Which property of an element fills each slot of a vertex.
 struct VertexLayout {
     std::array<int, kVertexSlots> property{}; ///< property index per slot; -1 if there is none
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;
-    std::vector<std::size_t> fields;                ///< indices of the properties that are read as fields
-    std::array<double, 4> full{255, 255, 255, 255}; ///< value of full intensity: red, green, blue and alpha
+    std::vector<std::size_t> fields; ///< indices of the properties that are read as fields
+    /// channel values that mean full intensity: red, green, blue and alpha
+    std::array<double, 4> full{255, 255, 255, 255};
 
-    /// Returns whether the element has properties for all `count` slots from `first` on.
+    /// Returns true if the element has properties for all `count` slots from `first` on.
     bool has(std::size_t first, std::size_t count) const {
         return std::all_of(
             property.begin() + first, property.begin() + first + count, [](int index) { return index >= 0; });
     }
 };
 
-/// Returns a channel as a byte, where `full` becomes 255. Adds 256 to negative values of type char, because programs
-/// that declare char write uchar.
+/// Converts a channel to a byte, so that `full` becomes 255. The function adds 256 to negative values of type char,
+/// because programs that declare char write uchar.
 inline std::uint8_t colorByte(PlyType type, double value, double full) {
     return channelByte(type == PlyType::Int8 && value < 0 ? value + 256 : value, full);
 }
 
-/// Returns the count of a list. Throws Error if it is negative or if the rest of the file cannot contain so many
+/// Reads the count of a list. Throws Error if the count is negative or if the rest of the file cannot contain so many
 /// values.
 template <class Values>
 std::uint64_t readListCount(Values& values, const PlyProperty& list) {
@@ -80,7 +81,8 @@ void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
     }
 }
 
-/// Skips all rows of a face element, whose corners are in the property `list`. Returns the number of their triangles.
+/// Skips all rows of a face element. Its property `list` contains the corners. Returns the number of triangles in these
+/// rows.
 template <class Values>
 std::uint64_t skipFaces(Values& values, const PlyElement& element, std::size_t list) {
     std::uint64_t triangles = 0;
@@ -109,7 +111,7 @@ std::uint64_t checkedIndex(const Values& values, std::int64_t value, std::uint64
     return static_cast<std::uint64_t>(value);
 }
 
-/// Reads the corners of one polygon into `corners`. Throws Error for an index out of range and for more than
+/// Reads the corners of one polygon into `corners`. Throws Error if an index is out of range or there are more than
 /// kMaxPolygonCorners corners.
 template <class Values>
 void readCorners(
@@ -126,7 +128,7 @@ void readCorners(
         corners.push_back(checkedIndex(values, values.integer(list.type), vertexCount));
 }
 
-/// Reads one row of a face element into `out`. `corners` is reused memory.
+/// Reads one row of a face element into `out`. `corners` is memory that is reused for many rows.
 template <class Values>
 void readFaceRow(
     Values& values,
@@ -146,8 +148,8 @@ void readFaceRow(
     out.addPolygon(corners);
 }
 
-/// Decodes triangle strips. The winding alternates. A restart begins a new strip. A triangle with two equal corners
-/// only joins strips and is skipped.
+/// Decodes triangle strips. The winding alternates. A restart index begins a new strip. A triangle with two equal
+/// corners only joins two strips and is skipped.
 class StripDecoder {
 public:
     explicit StripDecoder(TriangleBuffer& out) : out_(out) {}
@@ -170,7 +172,7 @@ private:
     std::uint64_t length_ = 0;
 };
 
-/// Reads one row of a tristrips element into `out`, in bounded memory for a list of any length.
+/// Reads one row of a tristrips element into `out`. The memory is bounded for a list of any length.
 template <class Values>
 void readStripRow(Values& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out) {
     StripDecoder strip(out);
@@ -183,7 +185,7 @@ void readStripRow(Values& values, const PlyElement& element, int list, std::uint
         const std::uint64_t count = readListCount(values, property);
         for (std::uint64_t k = 0; k < count; ++k) {
             const std::int64_t index = values.integer(property.type);
-            // An unsigned type stores -1 as its maximum.
+            // An unsigned type stores the restart index -1 as its max value.
             const bool isUnsignedRestart = property.type == PlyType::Uint32 && index == 0xFFFFFFFF;
             if (index == -1 || (isUnsignedRestart && vertexCount <= 0xFFFFFFFF))
                 strip.restart();
@@ -194,7 +196,7 @@ void readStripRow(Values& values, const PlyElement& element, int list, std::uint
     values.endRow();
 }
 
-/// The values of one vertex row that the layout uses, by slot and by field.
+/// The values of a vertex row that the layout uses, stored by slot and by field.
 class VertexRow {
 public:
     VertexRow(const PlyElement& element, const VertexLayout& layout)
@@ -215,7 +217,7 @@ public:
     void read(Values& values) {
         for (std::size_t i = 0; i < slotOf_.size(); ++i) {
             const PlyProperty& property = element_.properties[i];
-            const bool isField = fieldOf_[i] < fields_.size(); // a field can also fill a slot
+            const bool isField = fieldOf_[i] < fields_.size(); // a field can also be a slot
             if (slotOf_[i] < 0 && !isField) {
                 skipProperty(values, property);
                 continue;
@@ -238,8 +240,8 @@ public:
 private:
     const PlyElement& element_;
     std::array<double, 4> full_;
-    std::vector<int> slotOf_;          // slot per property; -1 for none
-    std::vector<std::size_t> fieldOf_; // field per property; the number of fields for none
+    std::vector<int> slotOf_;          // per property: its slot; -1 for none
+    std::vector<std::size_t> fieldOf_; // per property: its field; the number of fields for none
     std::array<PlyType, kVertexSlots> types_{};
     std::array<double, kVertexSlots> slots_{};
     std::vector<double> fields_;

@@ -41,10 +41,11 @@ public:
 
     const MeshSummary& summary() const override { return summary_; }
 
-    /// Returns whether all triangles are faces with colours and no vertex has a colour.
+    /// Returns true if faces have colours, all triangles are such faces, and no vertex has a colour.
     bool hasFaceColors() const { return faceColors_.has_value(); }
 
-    /// Returns the mesh in memory with the colours of its faces. Throws Error if this needs more than `memoryLimit`.
+    /// Reads the mesh into memory and returns it with the colours of its faces. Throws Error if this needs more memory
+    /// than `memoryLimit`.
     std::unique_ptr<MeshSource> withFaceColors(Bytes memoryLimit) {
         FaceColorSplitter splitter(summary_.path, memoryLimit, summary_.fields);
         readVertices([&](const VertexBlock& block) { splitter.addVertices(block); });
@@ -156,7 +157,7 @@ private:
         if (!remark.empty()) remarks.push_back(summary_.path + ": " + remark);
     }
 
-    /// Finds the range of the vertex colours. Reads all vertices if the range depends on the maxima.
+    /// Finds the range of the vertex colours. If the range depends on the max values, the function reads all vertices.
     void findRangeOfVertexColors() {
         const PlyElement& element = header_.elements[vertices_];
         const ColorLayout colors = *colorLayoutOf(element);
@@ -195,7 +196,7 @@ private:
         return maxima;
     }
 
-    /// Adds a remark if float coordinates of the first vertices of an ASCII file have too many digits.
+    /// Adds a note for the user if float coordinates of the first vertices of an ASCII file have too many digits.
     void warnOfDigits() {
         if (header_.format != PlyFormat::Ascii) return;
         const auto warn = [&](auto values) {
@@ -219,8 +220,8 @@ private:
         }
     }
 
-    // Estimates the number of triangles. If a binary file has only one list, all bytes above the min size of the
-    // rows are corners.
+    // Estimates the number of triangles. If a binary file has only one list, all bytes above the min size of the rows
+    // are corners.
     std::uint64_t likelyTriangles() const {
         const std::uint64_t ofStrips = summary_.stripCount > 0 ? 2 * summary_.vertexCount : 0;
         std::uint64_t left = summary_.fileBytes - header_.bodyOffset;
@@ -243,8 +244,8 @@ private:
         return {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors, .fieldCount = layout_.fields.size()};
     }
 
-    // Calls `body` with values at the start of element `begin`. If this position is unknown, reads up to it once and
-    // stores it.
+    // Calls `body` with values that begin at element `begin`. If the position of this element is unknown, the function
+    // reads up to it once and stores the position.
     template <class Body>
     void pass(Body body, std::size_t begin) {
         std::size_t known = begin;
@@ -283,7 +284,7 @@ private:
         out.flush();
     }
 
-    // Reads to the end of the file, so that a complete pass has checked all counts.
+    // Reads the whole file to its end. A complete pass has then checked all counts.
     template <class Values>
     void trianglePass(Values& values, const TriangleSink& sink) {
         TriangleBuffer out(sink);
@@ -314,7 +315,7 @@ private:
     std::size_t vertices_ = header_.elements.size();   ///< index of the vertex element
     std::size_t firstFaces_ = header_.elements.size(); ///< index of the first element with triangles
     std::optional<PlyRanges> ranges_;                  ///< set if all triangles are in one element
-    std::vector<std::optional<PlyPlace>> starts_;      ///< start of each element if known, and of the end
+    std::vector<std::optional<PlyPlace>> starts_;      ///< per element: its start, if known; then the end of the body
 };
 
 } // namespace

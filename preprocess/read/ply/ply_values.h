@@ -1,4 +1,4 @@
-// Sequential readers of the values of a PLY body, binary or ASCII, with the same interface.
+// Sequential readers for the values of a PLY body. The readers for binary and ASCII bodies have the same interface.
 #pragma once
 
 #include "preprocess/read/byte_stream.h"
@@ -16,20 +16,20 @@ struct PlyPlace {
     std::uint64_t line = 1;   ///< only for ASCII
 };
 
-/// The progress of a pass in its current element, for errors.
+/// The progress of a pass in its current element, for error messages.
 struct PlyProgress {
     std::string element;
     std::uint64_t rows = 0; ///< number of rows in the header
     std::uint64_t done = 0; ///< number of rows that were read completely
 
-    /// Returns the number and element of the current row as text.
+    /// Returns a text with the number and the element of the current row.
     std::string row() const;
 
-    /// Throws Error for a file that ends inside the element. `where` is the position of the end.
+    /// Throws Error because the file ends inside the element. `where` is the position of the end.
     [[noreturn]] void throwEndsEarly(const std::string& where) const;
 };
 
-/// Returns a value of type T from unaligned bytes. Reverses the bytes if `isSwapped`.
+/// Reads a value of type T from unaligned bytes. Reverses the bytes if `isSwapped` is true.
 template <class T>
 T loadValue(const std::byte* bytes, bool isSwapped) {
     T value;
@@ -44,7 +44,7 @@ T loadValue(const std::byte* bytes, bool isSwapped) {
     return value;
 }
 
-/// Calls `use` with the value at `bytes`, in the C++ type of `type`.
+/// Calls `use` with the value at `bytes`. The value has the C++ type that corresponds to `type`.
 template <class Use>
 auto withValue(PlyType type, const std::byte* bytes, bool isSwapped, Use use) {
     switch (type) {
@@ -77,7 +77,7 @@ public:
         return withValue(type, take(byteSize(type)), isSwapped_, [](auto value) { return static_cast<double>(value); });
     }
 
-    /// Returns the next value as a count or index. Throws Error for a float that is not a whole number.
+    /// Reads the next value as a count or an index. Throws Error if it is a float that is not a whole number.
     std::int64_t integer(PlyType type) {
         if (isFloat(type)) return wholeNumber(real(type));
         return withValue(
@@ -89,7 +89,7 @@ public:
     /// Skips `count` rows of `rowBytes` bytes. Throws Error if the file ends before.
     void skipRows(std::uint64_t rowBytes, std::uint64_t count);
 
-    /// Sets the element of the next values for errors. The next row is `row`.
+    /// Sets the element of the next values for error messages. The next row is `row`.
     void beginElement(const PlyElement& element, std::uint64_t row = 0) {
         progress_ = {element.name, element.count, row};
     }
@@ -98,7 +98,7 @@ public:
 
     void endRows(std::uint64_t count) { progress_.done += count; }
 
-    /// Returns the max number of values of `type` in the rest of the file.
+    /// Returns the max number of values of `type` that the rest of the file can contain.
     std::uint64_t maxValues(PlyType type) const { return stream_.remaining() / byteSize(type); }
 
     /// Returns the path and the byte offset of the last value, for errors.
@@ -108,7 +108,7 @@ public:
 
     PlyPlace place() const { return {stream_.offset(), 0}; }
 
-    /// Throws Error if anything but blanks or zeros follows the last element.
+    /// Throws Error if bytes other than blanks or zeros follow the last element.
     void expectEnd();
 
     ByteStream& stream() { return stream_; }
@@ -134,9 +134,9 @@ private:
     PlyProgress progress_;
 };
 
-/// Reads the values of an ASCII body: words between blanks and line ends. A row can span lines, but the next row begins
-/// on a new line. Rounds each value to its declared type, so that an ASCII and a binary file of the same mesh give the
-/// same result.
+/// Reads the values of an ASCII body: words between blanks and line ends. A row can span several lines, but the next
+/// row begins on a new line. Each value is rounded to its declared type, so that an ASCII file and a binary file of the
+/// same mesh give the same result.
 class AsciiValues {
 public:
     AsciiValues(const InputFile& file, char lineEnd, PlyPlace start);
@@ -156,7 +156,7 @@ public:
 
     std::string row() const { return progress_.row(); }
 
-    /// Returns the text of the number that `real` read last. Valid until the next call of another function.
+    /// Returns the text of the number that `real` read last. The text is valid until the next call of another function.
     std::string_view lastWord() const { return lastWord_; }
 
     PlyPlace place() const { return {stream_.offset(), line_}; }

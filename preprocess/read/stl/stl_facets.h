@@ -1,4 +1,4 @@
-// Converts the facets of an STL to an indexed mesh: corners at equal positions become one vertex.
+// Converts the facets of an STL to an indexed mesh. Corners at equal positions become one vertex.
 #pragma once
 
 #include "preprocess/read/memory_source.h"
@@ -14,9 +14,9 @@ namespace gnomon::read {
 /// Collects the facets of an STL as an indexed mesh.
 class StlFacets {
 public:
-    /// Adds a facet. Returns whether it has three different corners; other facets count as not a polygon. Counts the
-    /// facet if `normal` differs by more than about 8 degrees from the normal of its corners. A zero `normal` is
-    /// ignored.
+    /// Adds a facet. Returns true if it has three different corners. Other facets count as not a polygon. The function
+    /// also counts facets whose `normal` differs by more than about 8 degrees from the normal of their corners. A zero
+    /// `normal` is ignored.
     bool add(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal);
 
     MemoryMesh take() { return std::move(mesh_); }
@@ -26,7 +26,7 @@ private:
     void grow();
 
     MemoryMesh mesh_;
-    std::vector<std::uint32_t> table_; ///< hash table by position: vertex index + 1, or 0 for empty
+    std::vector<std::uint32_t> table_; ///< hash table of positions: vertex index + 1, or 0 for an empty entry
 };
 
 } // namespace gnomon::read

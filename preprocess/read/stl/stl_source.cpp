@@ -36,7 +36,7 @@ glm::dvec3 vectorAt(const std::byte* bytes) {
     return {realAt(bytes), realAt(bytes + 4), realAt(bytes + 8)};
 }
 
-/// Returns three channels of 5 bits, red in the lowest, as RGBA8.
+/// Converts three channels of 5 bits, red in the lowest bits, to RGBA8.
 std::uint32_t colorOfBits(std::uint32_t bits) {
     std::uint32_t color = 0xFF000000U;
     for (std::uint32_t channel = 0; channel < 3; ++channel)
@@ -60,7 +60,8 @@ public:
         MemoryMesh mesh = facets_.take();
         const bool hasOwnColors = std::any_of(attributes_.begin(), attributes_.end(), [this](std::uint16_t bits) {
             return partColor_ ? bits != 0
-                              : (bits & 0x8000U) != 0; // Magics: if all attributes are 0, the header has the colour
+                              // Magics: if all attributes are 0, facets have the colour in the header
+                              : (bits & 0x8000U) != 0;
         });
         if (!hasOwnColors && !partColor_) {
             const auto used =
@@ -122,12 +123,12 @@ private:
     std::uint64_t count_;
     ByteStream stream_;
     StlFacets facets_;
-    std::vector<std::uint16_t> attributes_;  ///< per facet with three different corners
-    std::optional<std::uint32_t> partColor_; ///< colour in the header
+    std::vector<std::uint16_t> attributes_;  ///< per facet with three different corners: its attribute word
+    std::optional<std::uint32_t> partColor_; ///< the colour in the header
     bool hasMaterial_ = false;
 };
 
-/// Returns whether `file` begins with "solid", like an ASCII STL.
+/// Returns true if `file` begins with "solid", like an ASCII STL.
 bool beginsWithSolid(const InputFile& file) {
     std::string head(std::min<std::uint64_t>(file.size(), 1024), '\0');
     head.resize(file.readSomeAt(0, std::as_writable_bytes(std::span(head.data(), head.size()))));
@@ -135,8 +136,8 @@ bool beginsWithSolid(const InputFile& file) {
     return begin != std::string::npos && lowered(head.substr(begin, 5)) == "solid";
 }
 
-/// Returns the number of facets if the size of the file matches a binary STL. Returns nothing for an ASCII STL. Throws
-/// Error for any other file.
+/// Returns the number of facets if the size of the file is that of a binary STL. Returns nullopt for an ASCII STL.
+/// Throws Error for any other file.
 std::optional<std::uint64_t> binaryFacets(const InputFile& file) {
     if (file.size() < kFacetsAt) return std::nullopt;
     std::array<std::byte, kFacetsAt> header{};

@@ -1,4 +1,4 @@
-// STL files, binary and ASCII, as a MeshSource.
+// Reads binary and ASCII STL files as a MeshSource.
 #pragma once
 
 #include "core/units.h"
@@ -9,13 +9,14 @@
 
 namespace gnomon::read {
 
-/// Reads the STL `path` into memory. The size of the file decides whether it is binary. Corners at equal positions
-/// become one vertex. A facet without three different corners counts as not a polygon. Throws Error with the line or
-/// byte of a defect. Throws Error before reading if this could need more than `memoryLimit`.
+/// Reads the STL file `path` into memory. The size of the file determines whether it is binary. Corners at equal
+/// positions become one vertex. A facet without three different corners counts as not a polygon. Throws Error with the
+/// line or byte of a defect. Throws Error before reading if this could need more memory than `memoryLimit`.
 ///
-/// A binary facet can have a colour of 15 bits, by one of two conventions. VisCAM and SolidView set bit 15 if the facet
-/// has a colour, and red is in the highest bits. Magics is used if the header contains "COLOR=". There, bit 15 means
-/// that the facet has the colour of the header, and red is in the lowest bits.
+/// A facet of a binary file can have a colour of 15 bits. There are two conventions:
+/// - VisCAM and SolidView: bit 15 means that the facet has a colour. Red is in the highest bits.
+/// - Magics, if the header contains "COLOR=": bit 15 means that the facet has the colour in the header. Red is in the
+/// lowest bits.
 std::unique_ptr<MeshSource> readStl(const std::string& path, Bytes memoryLimit);
 
 } // namespace gnomon::read

@@ -4,7 +4,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns the value of a word that the older C library of Windows writes for infinity or NaN, such as "-1.#IND".
+/// Returns the value of a word that the older C library of Windows writes for infinity or NaN, for example "-1.#IND".
 std::optional<double> windowsWord(std::string_view word) {
     if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
     if (!word.starts_with("1.#")) return std::nullopt;
@@ -14,8 +14,8 @@ std::optional<double> windowsWord(std::string_view word) {
     return isNaN ? std::optional(std::numeric_limits<double>::quiet_NaN()) : std::nullopt;
 }
 
-/// Returns whether a decimal number outside the range of doubles is too large; otherwise it is too small. Such a number
-/// is so far from 1 that the place of its first digit is sufficient.
+/// Returns true if a decimal number outside the range of doubles is too large, and false if it is too small. Such a
+/// number is so far from 1 that the place of its first digit is sufficient for this test.
 bool isTooLarge(std::string_view word) {
     const std::size_t exponentAt = word.find_first_of("eE");
     const std::string_view digits = word.substr(0, exponentAt);

@@ -1,4 +1,5 @@
-// Little-endian byte streams: a writer that grows, and a reader that checks the end of its bytes.
+// Little-endian byte streams: a writer with a growing buffer, and a reader that checks that it does not read past the
+// end.
 #pragma once
 
 #include "core/error.h"
@@ -17,7 +18,7 @@ namespace gnomon::hierarchy {
 
 static_assert(std::endian::native == std::endian::little, "a .gnm is little-endian and copied as it is");
 
-/// A fault in stored bytes. The reader of the file converts it to an Error with path and offset.
+/// A fault in stored bytes. The code that reads the file converts it to an Error with path and offset.
 struct Damage {
     std::string what;
 };
@@ -37,7 +38,7 @@ public:
         }
     }
 
-    /// Appends `value` with seven bits per byte, low bits first, in 1 to 10 bytes.
+    /// Appends `value` as a varint: seven bits per byte, low bits first, in 1 to 10 bytes.
     void putVarint(std::uint64_t value) {
         while (value >= 0x80U) {
             put(static_cast<std::uint8_t>(value | 0x80U));
@@ -53,7 +54,7 @@ public:
         put(std::as_bytes(std::span(text)));
     }
 
-    /// Appends `count` bytes and returns them. The caller must fill them before the next call.
+    /// Appends `count` bytes and returns a span of them. The caller must fill them before the next call.
     std::span<std::byte> room(std::size_t count) {
         bytes_.resize(bytes_.size() + count);
         return std::span(bytes_).last(count);
@@ -69,7 +70,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// A reader that takes values in sequence. It throws Damage if the bytes end too early.
+/// A reader that decodes values one after the other. It throws Damage if the bytes end too early.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}

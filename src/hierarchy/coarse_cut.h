@@ -1,4 +1,4 @@
-// Selection of a coarse cut that shows the whole shape of a model. Its read cost does not grow with the model.
+// Selects a coarse cut that shows the whole shape of a model. The bytes to read for it do not grow with the model.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -8,14 +8,14 @@
 
 namespace gnomon::hierarchy {
 
-/// Returns true if a uniform cut of `error` draws clusters of the page `info`.
+/// Returns true if the uniform cut with the error limit `error` contains clusters of the page `info`.
 inline bool isDrawnOf(const PageInfo& info, double error) {
     return info.maxError == std::numeric_limits<double>::infinity() || info.maxError > error;
 }
 
-/// Returns the error of this cut, for pages whose bounds have this diagonal. The error is 1/400 of the diagonal, or
-/// larger if the decoded pages without root groups would otherwise exceed `maxBytes`. `pages` is a range of ranges of
-/// PageInfo.
+/// Returns the error limit of a coarse uniform cut. `diagonal` is the diagonal of the model's bounds. The limit is
+/// 1/400 of the diagonal. It is larger if the decoded pages without root groups would otherwise exceed `maxBytes`.
+/// `pages` is a range of ranges of PageInfo.
 template <class Pages>
 double coarseError(const Pages& pages, double diagonal, std::uint64_t maxBytes = std::uint64_t{16} << 20U) {
     double error = diagonal / 400;
@@ -29,8 +29,8 @@ double coarseError(const Pages& pages, double diagonal, std::uint64_t maxBytes =
     }
 }
 
-/// Returns the error of the cut from which the up direction is guessed. This cut has a smaller error but fewer bytes.
-/// `diagonal` belongs to the main part of the model.
+/// Returns the error limit of the cut from which the up direction is guessed. It is smaller than that of coarseError,
+/// but `maxBytes` is smaller too. `diagonal` is the diagonal of the model's main part.
 template <class Pages>
 double upError(const Pages& pages, double diagonal) {
     return coarseError(pages, 0.4 * diagonal, std::uint64_t{4} << 20U);

@@ -1,4 +1,5 @@
-// The rule that selects the clusters of a cut, page by page. This slow version is the reference for the fast ones.
+// The rule that selects the clusters of a cut, page by page. This code is simple and slow. Tests compare the fast
+// implementations with it.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -7,9 +8,9 @@
 
 namespace gnomon::hierarchy {
 
-/// Calls `use(group, cluster)` for each drawn cluster of `page`. A cluster is drawn if its own group is refined and its
-/// refinement is absent or not refined. `isRefined(drawn error, bounds)` says if a group is refined. Groups with
-/// infinite error are refined without a call.
+/// Calls `use(group, cluster)` for each cluster of `page` that the cut contains. A cluster is in the cut if its own
+/// group is refined and the group that it was simplified from is absent or not refined. `isRefined(drawn error,
+/// bounds)` returns true if a group is refined. Groups with infinite error are refined without a call.
 template <class IsRefined, class Use>
 requires std::predicate<const IsRefined&, double, const Sphere&>
 
@@ -28,13 +29,13 @@ void forEachDrawn(const Page& page, const IsRefined& isRefined, const Use& use) 
     }
 }
 
-/// Returns the stored error of a cluster: the error of its refinement, or `snapError` at level 0.
+/// Returns the stored error of a cluster. This is the error of its refinement, or `snapError` at level 0.
 inline double storedError(const Page& page, const Cluster& cluster, double snapError) {
     return cluster.refinement == kNone ? snapError : page.refinements[cluster.refinement].error;
 }
 
-/// Returns the larger of the stored error and the attribute error of a cluster. A uniform cut with at least this error
-/// can draw the cluster.
+/// Returns the larger of the stored error and the attribute error of a cluster. A uniform cut can contain the cluster
+/// if its error limit is at least this value.
 inline double drawnError(const Page& page, const Cluster& cluster, double snapError) {
     return cluster.refinement == kNone ? snapError : page.refinements[cluster.refinement].drawnError();
 }

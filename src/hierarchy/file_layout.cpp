@@ -43,7 +43,7 @@ glm::dvec3 takeVector(ByteReader& in) {
     return v;
 }
 
-/// The size of a row without children.
+/// The size in bytes of a page table row without children.
 constexpr std::uint64_t kRowBytes = 112;
 
 } // namespace
@@ -101,7 +101,7 @@ void putMap(ByteWriter& out, const std::map<std::string, Value>& map, Put put) {
     }
 }
 
-/// Reads a map. Throws Damage if the keys do not ascend, so that each map has exactly one encoding.
+/// Decodes a map. Throws Damage if the keys are not in ascending order, so that each map has exactly one encoding.
 template <class Value, class Take>
 std::map<std::string, Value> takeMap(ByteReader& in, Take take) {
     std::map<std::string, Value> map;
@@ -270,7 +270,7 @@ Field takeField(ByteReader& in) {
     return field;
 }
 
-/// Reads the data that format 4 appends to the summary of format 3.
+/// Decodes the members that format 4 appends to the summary of format 3.
 void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.up.direction = takeVector(in);
     constexpr double kRounding = 1e-6;
@@ -281,7 +281,7 @@ void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.unit = static_cast<Unit>(unit);
     const std::uint64_t fieldCount = in.takeVarint();
     for (std::uint64_t i = 0; i < fieldCount; ++i)
-        // Each field needs bytes, so a damaged count cannot allocate memory without limit.
+        // A field needs at least one byte of input, so a damaged count cannot allocate unlimited memory.
         summary.fields.push_back(takeField(in));
     for (LevelInfo& level : summary.levels) {
         level.maxAttributeError = in.take<double>();

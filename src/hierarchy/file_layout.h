@@ -20,22 +20,22 @@ constexpr std::uint64_t kHeaderBytes = 40;
 constexpr std::uint64_t kHashOffset = kHeaderBytes - kHashBytes;
 constexpr std::uint64_t kFooterBytes = 72;
 
-/// Returns the xxh3-64 hash of `bytes`.
+/// Returns the 64-bit xxh3 hash of `bytes`.
 std::uint64_t checksum64(std::span<const std::byte> bytes);
 
-/// An xxh3-128 hash in its canonical (big-endian) bytes.
+/// A 128-bit xxh3 hash in its canonical (big-endian) bytes.
 using ContentHash = std::array<std::byte, kHashBytes>;
 
 /// Returns the hash as text with two lower-case hexadecimal digits per byte.
 std::string hexText(const ContentHash& hash);
 
-/// Returns the header of a file. Bit 0 of `flags` means normals, and bit 1 means colours.
+/// Encodes the header of a file. Bit 0 of `flags` means that vertices have normals, and bit 1 that they have colours.
 std::vector<std::byte> encodeHeader(
     std::uint32_t flags, const ContentHash& hash, std::uint32_t version = kFormatVersion);
 
 std::uint32_t flagsOf(const ModelSummary& summary);
 
-/// Place and checksum of one table in the file.
+/// The place of a table in the file, and its checksum.
 struct TablePlace {
     std::uint64_t offset = 0;
     std::uint64_t bytes = 0;
@@ -54,26 +54,27 @@ std::vector<std::byte> encodeFooter(const Footer& footer);
 /// Decodes the footer. Throws Damage if its checksum is wrong.
 Footer decodeFooter(std::span<const std::byte> bytes);
 
-/// Writes one row of the page table: all members of `page` except its offset, which follows from the earlier rows.
+/// Encodes one row of the page table. The row contains all members of `page` except the offset, which follows from the
+/// earlier rows.
 void putPageRow(ByteWriter& out, const PageInfo& page);
 
-/// Reads a row that `putPageRow` wrote. Does not check the values, and leaves the offset 0. Throws Damage if the bytes
-/// end too early.
+/// Decodes a row that `putPageRow` encoded. It does not check the values, and the offset remains 0. Throws Damage if
+/// the bytes end too early.
 PageInfo takePageRow(ByteReader& in);
 
 std::vector<std::byte> encodePageTable(std::span<const PageInfo> pages);
 
-/// Returns the max memory, in bytes, for reading and decoding the page table. Throws Damage if the file is too small
-/// for the number of pages in `footer`.
+/// Returns the max memory in bytes for reading and decoding the page table. Throws Damage if the file is too small for
+/// the number of pages in `footer`.
 std::uint64_t tableMemory(const Footer& footer);
 
-/// Decodes the page table of a model on `grid`. Throws Damage if a row is invalid, or if the pages do not fill the file
-/// between header and table.
+/// Decodes the page table of a model with the grid `grid`. Throws Damage if a row is invalid, or if the pages do not
+/// exactly fill the file between the header and the table.
 std::vector<PageInfo> decodePageTable(std::span<const std::byte> bytes, const Footer& footer, const Grid& grid);
 
 std::vector<std::byte> encodeSummary(const ModelSummary& summary);
 
-/// Decodes the summary of a file of format `version`. Throws Damage if it is invalid.
+/// Decodes the summary of a file with the format version `version`. Throws Damage if the summary is invalid.
 ModelSummary decodeSummary(std::span<const std::byte> bytes, std::uint32_t version = kFormatVersion);
 
 } // namespace gnomon::hierarchy

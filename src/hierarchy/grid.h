@@ -1,5 +1,5 @@
-// The integer grid of all positions of a model. With one global grid, shared borders of clusters are identical to the
-// bit.
+// The integer grid of all positions of a model. All clusters use the same grid, so positions on their shared borders
+// are bit-identical.
 #pragma once
 
 #include "core/box.h"
@@ -10,17 +10,17 @@
 
 namespace gnomon::hierarchy {
 
-/// The max grid coordinate is below 2^31, so the difference of two coordinates fits in an int32. The shaders subtract
-/// the grid point of the eye first.
+/// The max grid coordinate. It is below 2^31, so that the difference of two coordinates fits in an int32. The shaders
+/// subtract the grid point of the eye before they convert to floats.
 constexpr std::uint32_t kMaxGridCoordinate = 0x7FFFFFFFU;
 
-/// Limits of the exponent of the grid's step, and of world coordinates. Within these limits, squared distances in
-/// double precision neither overflow nor become denormal.
+/// Limits of the exponent of the grid step and of world coordinates. Within these limits, squared distances in double
+/// precision neither overflow nor become denormal.
 constexpr int kMinStepExponent = -600;
 constexpr int kMaxStepExponent = 320;
 constexpr double kMaxCoordinate = 0x1p340;
 
-/// A point of the grid.
+/// A point of the grid, given by its integer coordinates.
 struct GridPoint {
     std::uint32_t x = 0;
     std::uint32_t y = 0;
@@ -28,7 +28,7 @@ struct GridPoint {
     auto operator<=>(const GridPoint&) const = default;
 };
 
-/// A closed box of grid points.
+/// A closed axis-aligned box of grid points.
 struct GridBox {
     GridPoint min{kMaxGridCoordinate, kMaxGridCoordinate, kMaxGridCoordinate};
     GridPoint max{0, 0, 0};
@@ -59,7 +59,8 @@ struct Grid {
 
     Box local(const GridBox& box) const { return {local(box.min), local(box.max)}; }
 
-    /// Returns the max distance between a source position and its snapped grid point: half the diagonal of a cell.
+    /// Returns the max distance between a position of the source and its grid point, which is half the diagonal of a
+    /// grid cell.
     double snapError() const { return 0.5 * std::sqrt(3.0) * step(); }
 };
 

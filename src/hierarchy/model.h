@@ -1,4 +1,4 @@
-// The data of a model that is known without its pages: the page table and the summary.
+// The data of a model that are available before its pages are read: the page table and the summary.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -19,23 +19,23 @@ namespace gnomon::hierarchy {
 constexpr std::uint32_t kFormatVersion = 4;
 constexpr std::uint32_t kOldestFormatVersion = 3;
 
-/// Target of the decoded size of a page. A group larger than this makes a page of its own.
+/// The target of the decoded size of a page in bytes. A group that is larger becomes a page of its own.
 constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
 
-/// Limits that each writer respects and each reader checks before it allocates memory: the decoded bytes of a page (a
-/// group is far smaller), the levels of a model, and the bytes of its summary.
+/// Limits that each writer respects and each reader checks before it allocates memory. They are the decoded bytes of a
+/// page (a group is much smaller), the number of levels of a model, and the bytes of its summary.
 constexpr std::uint64_t kMaxPageBytes = 4U << 20U;
 constexpr std::uint32_t kMaxLevels = 64;
 constexpr std::uint64_t kMaxSummaryBytes = 1U << 20U;
 constexpr std::uint32_t kMaxFieldBits = 16;
 
-/// Default limit, in bytes, of the memory for the tables of a model while it opens. This is sufficient for 1.8 million
-/// pages, a mesh of more than ten billion triangles.
+/// The default limit, in bytes, of the memory for the tables of a model while it is opened. It is sufficient for 1.8
+/// million pages, which is a mesh of more than ten billion triangles.
 constexpr std::uint64_t kMaxTableBytes = std::uint64_t{512} << 20U;
 
-/// One row of the page table. The rows of all pages stay in memory.
+/// One row of the page table. It describes one page. The rows of all pages stay in memory.
 struct PageInfo {
-    std::uint64_t offset = 0; // in bytes from the start of the file
+    std::uint64_t offset = 0; // bytes from the start of the file
     std::uint32_t storedBytes = 0;
     std::uint64_t checksum = 0; // xxh3-64 of the stored bytes
     std::uint32_t level = 0;
@@ -44,14 +44,15 @@ struct PageInfo {
     std::uint32_t refinementCount = 0;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
-    GridBox box;         // box of the vertices
+    GridBox box;         // bounding box of the vertices
     Sphere bounds;       // encloses the bounds of the groups; local space
-    double minError = 0; // smallest and largest drawn error of the groups; infinite if the page contains a root group
+    double minError = 0; // min and max drawn error of its groups; the max is infinite if the page contains a root group
     double maxError = 0;
-    std::vector<std::uint32_t> children; // the pages that the refinements name, without duplicates, ascending
+    // page ids of the groups that its refinements refer to, ascending, without duplicates
+    std::vector<std::uint32_t> children;
 };
 
-/// Returns the decoded size, in bytes, of the page that `info` describes.
+/// Returns the size in bytes of the decoded page that `info` describes.
 constexpr std::uint64_t decodedPageBytes(const PageInfo& info) {
     return sizeof(Page) + std::uint64_t{info.groupCount} * sizeof(Group) +
            std::uint64_t{info.clusterCount} * sizeof(Cluster) +
@@ -63,41 +64,41 @@ struct LevelInfo {
     std::uint64_t triangles = 0;
     std::uint64_t clusters = 0;
     std::uint64_t groups = 0;
-    double maxError = 0; // largest stored error of the clusters of this level: the snap error at level 0; finite
-    double maxAttributeError = 0; // largest attribute error of the clusters of this level: 0 at level 0
+    double maxError = 0;          // max stored error of the clusters of this level; finite; the snap error at level 0
+    double maxAttributeError = 0; // max attribute error of the clusters of this level; 0 at level 0
 };
 
-/// A scalar property of the vertices besides normal and colour. A vertex stores it as an integer n of `bits` bits,
-/// which means min + n (max - min) / (2^bits - 1). The rounding error is at most half a step.
+/// A scalar property of the vertices besides normal and colour. A vertex stores the value as an integer n of `bits`
+/// bits, which means min + n (max - min) / (2^bits - 1). The rounding error is at most half a step.
 struct Field {
     std::string name;
     double min = 0;
     double max = 0;
     std::uint32_t bits = kMaxFieldBits; // from 1 to kMaxFieldBits
 
-    /// Returns the max rounding error of a stored value.
+    /// Returns the max rounding error of a stored value in the units of the field.
     double error() const { return (max - min) / (2 * static_cast<double>((1U << bits) - 1U)); }
 
     bool operator==(const Field&) const = default;
 };
 
-/// The summary of a model, which `gnomon info` prints.
+/// The summary of a model. `gnomon info` prints it.
 struct ModelSummary {
     Grid grid;
-    Box bounds; // of the snapped source, in world space
+    Box bounds; // world-space bounds of the snapped source
     std::uint64_t sourceTriangles = 0;
     std::uint64_t sourceVertices = 0;
-    std::map<std::string, std::uint64_t> dropped; // number of dropped source triangles per reason
-    std::uint64_t coarsestTriangles = 0;          // triangles of all clusters without a parent
+    std::map<std::string, std::uint64_t> dropped; // per reason: number of dropped triangles of the source
+    std::uint64_t coarsestTriangles = 0;          // triangles of all clusters without a coarser cluster
     bool hasNormals = false;
     bool hasColors = false;
     std::vector<LevelInfo> levels;              // finest level first
     std::map<std::string, std::string> options; // the build options that change bytes of the file
     UpAxis up;
     Unit unit = Unit::Metre;
-    std::vector<Field> fields; // in the order of the vertex data
+    std::vector<Field> fields; // in the order in which vertices store them
 
-    /// Returns the largest attribute error of all cuts.
+    /// Returns the max attribute error of all levels.
     double attributeError() const {
         double largest = 0;
         for (const LevelInfo& level : levels)

@@ -16,15 +16,15 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Reads `count` bytes. The range must be within the file.
+/// Reads `count` bytes from `offset`. The range must be inside the file.
 std::vector<std::byte> readBytes(const hierarchy::Source& source, std::uint64_t offset, std::uint64_t count) {
     std::vector<std::byte> bytes(count);
     source.readAt(offset, bytes);
     return bytes;
 }
 
-/// Returns true if `bytes` have the checksum of `place`. If the checksum is wrong, reads the bytes again without caches
-/// first.
+/// Returns true if `bytes` have the checksum in `place`. If they do not, reads the bytes again without caches and
+/// checks them again.
 bool isAsWritten(const hierarchy::Source& source, const TablePlace& place, std::span<std::byte> bytes) {
     const auto isRight = [&] { return checksum64(bytes) == place.checksum; };
     return isRight() || (source.readAnew(place.offset, bytes) && isRight());
@@ -65,7 +65,7 @@ Header readHeader(const hierarchy::Source& source, std::uint64_t fileBytes) {
     return header;
 }
 
-/// Reads and checks the footer. Its tables must be within the file and need at most `tableMemory` for reading.
+/// Reads and checks the footer. The tables must be inside the file, and reading them must need at most `tableMemory`.
 Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Bytes tableMemory) {
     const std::uint64_t offset = fileBytes - kFooterBytes;
     try {
@@ -97,7 +97,7 @@ Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Byte
     }
 }
 
-/// Reads the table at `place` and decodes it.
+/// Reads the table at `place`, checks its checksum and decodes it. `name` is the table's name in errors.
 template <class Decode>
 auto readTable(const hierarchy::Source& source, const TablePlace& place, const char* name, Decode decode) {
     std::vector<std::byte> bytes = readBytes(source, place.offset, place.bytes);
@@ -164,7 +164,8 @@ Page ModelFile::readPage(std::uint32_t page) const {
 
 Page ModelFile::readPage(std::uint32_t page, PageFields& fields) const {
     const PageInfo& info = pages_.at(page);
-    thread_local std::vector<std::byte> bytes; // reused to avoid an allocation per page, as all buffers of the decoder
+    // reused to avoid an allocation per page, like all buffers of the decoder
+    thread_local std::vector<std::byte> bytes;
     bytes.resize(info.storedBytes);
     source_->readAt(info.offset, bytes);
     try {

@@ -21,7 +21,7 @@ ordered_json vectorJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// Returns the number of decimal digits that distinguish coordinates one grid step apart. The result is at least six.
+/// Returns how many decimal digits distinguish coordinates that are one grid step apart. The result is at least six.
 int coordinateDigits(const ModelSummary& summary) {
     double largest = 0;
     for (int i = 0; i < 3; ++i)
@@ -34,7 +34,8 @@ void putVector(std::ostream& out, const glm::dvec3& v) {
     out << v.x << ',' << v.y << ',' << v.z;
 }
 
-/// Returns the options of the build. The cameras are removed, because they are not an option and too long to print.
+/// Returns the build options of the model without the cameras. Cameras are stored among the options, but they are not
+/// options and are too long to print.
 std::map<std::string, std::string> optionsWithoutCameras(const ModelSummary& summary) {
     std::map<std::string, std::string> options = summary.options;
     options.erase(kCamerasOption);
@@ -80,7 +81,7 @@ void putLevels(std::ostream& out, const ModelSummary& summary) {
 UpConfidence upConfidenceOf(const ModelSummary& summary) {
     if (const auto found = summary.options.find("up_confidence"); found != summary.options.end())
         return valueOf(kUpConfidences, found->second).value_or(UpConfidence::Guess);
-    const auto because = summary.options.find("up"); // written by older builds
+    const auto because = summary.options.find("up"); // older builds have written this option
     const bool isGiven = because != summary.options.end() && !because->second.starts_with("guessed");
     return isGiven ? UpConfidence::Told : UpConfidence::Guess;
 }

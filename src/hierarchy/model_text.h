@@ -1,4 +1,4 @@
-// The description of a model as readable text and as JSON.
+// Describes a model as readable text and as JSON.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -11,14 +11,14 @@ namespace gnomon::hierarchy {
 /// Returns the confidence in the up direction of the model. Guesses of older builds have the confidence Guess.
 UpConfidence upConfidenceOf(const ModelSummary& summary);
 
-/// Returns the up axis, the confidence and the reason: "z, sure by its shape".
+/// Returns a text with the up axis, the confidence and the reason, for example "z, sure by its shape".
 std::string upText(const ModelSummary& summary);
 
-/// Returns source, bounds, grid, file, levels and options of `file`, one per line. Unsafe characters in names are
-/// escaped.
+/// Returns a text with the source, bounds, grid, file, levels and options of a model, one per line. Unsafe characters
+/// in names are escaped.
 std::string modelText(const ModelFile& file);
 
-/// Returns the same data as a JSON document, without the pages.
+/// Returns the data of modelText as a JSON document, which does not contain the pages.
 std::string modelJson(const ModelFile& file);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// Writing of a .gnm file: first the pages in their final order, then the tables. The file gets its final name when it
+// Writes a .gnm file: first the pages in their final order, and then the tables. The file gets its final name when it
 // is complete.
 #pragma once
 
@@ -13,18 +13,18 @@
 
 namespace gnomon::hierarchy {
 
-/// A page, encoded for the file, with its row of the page table. The row has no offset yet.
+/// A page, encoded as bytes for the file, and its row of the page table. The row has no offset yet.
 struct EncodedPage {
     PageInfo info;
     std::vector<std::byte> bytes;
 };
 
-/// Encodes `page` and the `fields` of its vertices. This is a pure function, so many threads can encode pages. The same
-/// page gives identical bytes on all platforms.
+/// Encodes `page` and the `fields` of its vertices. The function is pure, so many threads can encode pages. The bytes
+/// are identical on all platforms.
 EncodedPage encodePage(const Page& page, const PageFields& fields = {});
 
-/// A writer of pages in file order, with the coarsest level first. Ids start at 0 and follow the order of `append`. The
-/// final name does not exist before `finish`.
+/// A writer of pages in file order, with the coarsest level first. Page ids start at 0 in the order of `append`. The
+/// file does not have its final name before `finish`.
 class ModelWriter {
 public:
     explicit ModelWriter(const std::string& path);
@@ -37,8 +37,8 @@ public:
     /// Appends a page and returns its id.
     std::uint32_t append(const EncodedPage& page);
 
-    /// Reserves space for a page that another process writes, and returns its offset in the file. The bytes must be
-    /// complete before `finish`, which then reads all pages for the hash.
+    /// Reserves space for a page that another process writes. Returns the offset of the page in the file. The bytes
+    /// must be complete before `finish`, which reads all pages of other processes to compute the hash.
     std::uint64_t reserve(const PageInfo& page);
 
     /// Returns the path of the unfinished file, so that other processes can write pages to it. Returns nullopt if the
@@ -51,7 +51,7 @@ public:
 
     std::uint64_t bytesWritten() const;
 
-    /// Returns the number of bytes that `finish` read of pages that other processes wrote.
+    /// Returns how many bytes `finish` has read. They are the bytes of pages that other processes wrote.
     std::uint64_t bytesRead() const;
 
 private:

@@ -1,4 +1,4 @@
-// A decoded page: complete groups of clusters of one level, their geometry and their refinements.
+// A decoded page. It contains complete groups of clusters of one level, with their geometry and their refinements.
 #pragma once
 
 #include "hierarchy/grid.h"
@@ -12,7 +12,8 @@ namespace gnomon::hierarchy {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// Marks a vertex without a source normal and without a smooth normal. The shader then uses the normal of the triangle.
+/// Marks a vertex that has neither a normal from the source nor a smooth normal. The shader then uses the normal of the
+/// triangle.
 constexpr std::uint32_t kNoNormal = 0x80008000U;
 
 /// A vertex of a cluster. Vertices with equal position, normal and colour are welded. Vertices with the same position
@@ -31,51 +32,53 @@ struct GroupRef {
     auto operator<=>(const GroupRef&) const = default;
 };
 
-/// The finer group from which some clusters of this page were simplified. If it is refined, its clusters are drawn
-/// instead of these. Bounds and errors are copies of the values of that group, so a cut needs only this page for its
-/// test.
+/// The finer group from which some clusters of this page were simplified. If this group is refined, its clusters are
+/// drawn instead of the clusters of this page. Bounds and errors are copies of the values of the finer group, so a cut
+/// can test it without loading its page.
 struct Refinement {
     GroupRef group;
     Sphere bounds; // local space
     double error = 0;
     double attributeError = 0;
 
-    /// Returns the same value as Group::drawnError.
+    /// Returns the larger of both errors, like Group::drawnError.
     double drawnError() const { return std::max(error, attributeError); }
 };
 
-/// A cluster with at most 128 triangles by default (--cluster-triangles of the build) and at most 256 vertices.
+/// A cluster of triangles. It has at most 128 triangles by default (--cluster-triangles of the build) and at most 256
+/// vertices.
 struct Cluster {
     std::uint32_t firstVertex = 0;
     std::uint32_t firstTriangle = 0;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
-    std::uint32_t refinement = kNone; // index into Page::refinements; kNone at level 0
-    GridBox box;                      // of its vertices
+    // index in Page::refinements of the group that the cluster was simplified from; kNone at level 0
+    std::uint32_t refinement = kNone;
+    GridBox box; // bounding box of its vertices
 };
 
-/// A group of clusters that are simplified together. A group is REFINED in a view if its `drawnError` is too large for
-/// this view at the distance of `bounds`. A root group has an infinite error, so it is always refined. A cluster is
-/// drawn if its own group is refined and its refinement is absent or not refined. Along each path to the root, both
-/// errors never decrease, and each `bounds` encloses the earlier ones.
+/// A group of clusters that are simplified together. A group is REFINED in a view if its `drawnError`, seen from the
+/// distance of `bounds`, is too large for this view. A root group has an infinite error, so it is always refined. A
+/// cluster is drawn if its own group is refined and its refinement is absent or not refined. Along each path to the
+/// root, both errors never decrease, and the `bounds` of each group enclose the `bounds` of the finer groups.
 struct Group {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
-    GridBox box;   // box of the vertices, for culling
-    Sphere bounds; // for the error rule: encloses `box` and the bounds of all refinements of the group; local space
-    // Error, in world units, of drawing the coarser clusters instead of this group.
+    GridBox box;   // bounding box of the vertices, for culling
+    Sphere bounds; // local space, for the error rule; encloses `box` and the bounds of all refinements of the group
+    // The error, in world units, of drawing the coarser clusters that replace this group.
     double error = std::numeric_limits<double>::infinity();
     double attributeError = 0; // size of wrongly coloured or shaded surface, in world units
 
-    /// Returns the error that a cut uses: the larger of both errors.
+    /// Returns the error that a cut compares with its limit. This is the larger of both errors.
     double drawnError() const { return std::max(error, attributeError); }
 };
 
 using Triangle = std::array<std::uint8_t, 3>; // vertex indices within the cluster
 
-/// A decoded page. The clusters of a group are contiguous, and so are the vertices and triangles of a cluster.
+/// A decoded page. The clusters of a group are contiguous, and so are the vertices and the triangles of a cluster.
 struct Page {
-    std::uint32_t level = 0; // level 0 has the full detail of the source
+    std::uint32_t level = 0; // level 0 is the full detail of the source
     std::vector<Group> groups;
     std::vector<Cluster> clusters;
     std::vector<Refinement> refinements;

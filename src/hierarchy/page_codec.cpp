@@ -18,22 +18,22 @@ namespace {
 
 enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
 
-/// Bit of the packing byte: groups and refinements of the page store an attribute error. Without this bit all attribute
-/// errors are 0. A page without them has the same bytes in all formats.
+/// Bit of the packing byte: the groups and refinements of the page store attribute errors. Without this bit, all
+/// attribute errors are 0. A page without attribute errors has the same bytes in all formats.
 constexpr std::uint8_t kAttributeErrorsBit = 2;
 
 /// Bit of the packing byte: the vertices of the page have fields.
 constexpr std::uint8_t kFieldsBit = 4;
 
-/// Limit of the decompressed size relative to the stored size, so that a small file cannot request a large buffer.
+/// The max ratio of decompressed to stored size. It prevents a small file from requesting a large buffer.
 constexpr std::uint64_t kMaxExpansion = 256;
 
-/// Smallest size of a separate zstd block. In a smaller block, the entropy table costs more bytes and time than it
+/// The min size of a separate zstd block. In a smaller block, the entropy table costs more bytes and time than it
 /// saves.
 constexpr std::size_t kMinBlockBytes = 5000;
 
-/// A page that compresses to less than this share of its size is repetitive, for example a plant. One block for the
-/// whole page then decompresses a seventh faster, and its size is almost the same.
+/// If a page compresses to less than this share of its size, it is repetitive, for example the page of a plant. It is
+/// then stored in one block. One block decompresses a seventh faster, and its size is almost the same.
 constexpr double kRepetitiveShare = 0.4;
 
 void putSphere(ByteWriter& out, const Sphere& sphere) {
@@ -130,7 +130,7 @@ void takeRefinements(ByteReader& in, const PageInfo& info, bool withAttributeErr
 }
 
 void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
-    std::uint64_t vertices = 0; // 64 bits, because the sum over all clusters of a damaged page can exceed 32 bits
+    std::uint64_t vertices = 0; // 64 bits: in a damaged page the sum over all clusters can exceed 32 bits
     std::uint64_t triangles = 0;
     for (std::uint32_t i = 0; i < info.clusterCount; ++i) {
         Cluster cluster;
@@ -151,19 +151,19 @@ void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
         throw Damage{"the counts of the clusters differ from the page table"};
 }
 
-/// Returns the `result` of a zstd call. Throws bad_alloc if zstd reports that memory is exhausted.
+/// Returns `result`, the result of a zstd call. Throws bad_alloc if `result` means that memory is exhausted.
 std::size_t withMemory(std::size_t result) {
     if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation) throw std::bad_alloc();
     return result;
 }
 
-/// A zstd context that a thread reuses. Its creation costs a tenth of the time to decode a page.
+/// A zstd context that a thread reuses for all pages. Creating a context costs a tenth of the time to decode a page.
 template <class Context>
 class KeptContext {
 public:
     KeptContext(Context* (*make)(), std::size_t (*free)(Context*)) : make_(make), context_(nullptr, free) {}
 
-    /// Returns the context, and creates it at the first call. Throws bad_alloc if that fails.
+    /// Returns the context. The first call creates it. Throws bad_alloc if this fails.
     Context* made() {
         if (!context_) context_.reset(make_());
         if (!context_) throw std::bad_alloc();
@@ -175,14 +175,14 @@ private:
     std::unique_ptr<Context, std::size_t (*)(Context*)> context_;
 };
 
-/// Compresses `bytes` as a separate block and appends it to `packed`, which must have space.
+/// Compresses `bytes` as a separate zstd block and appends it to `packed`, which must have enough space.
 void packBlock(ZSTD_CCtx* context, std::span<const std::byte> bytes, ZSTD_EndDirective then, ZSTD_outBuffer& packed) {
     ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
     GNOMON_CHECK_OP(withMemory(ZSTD_compressStream2(context, &packed, &in, then)), ==, std::size_t{0});
 }
 
-/// Compresses `plain` to one zstd frame. Each sufficiently long run between `streamEnds` gets its own block. Bytes of
-/// different kinds in one block would share an entropy table that fits none of them.
+/// Compresses `plain` to one zstd frame. Each long enough part between two `streamEnds` becomes a separate block. Bytes
+/// of different kinds in one block would share an entropy table that fits none of them.
 std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
     thread_local KeptContext<ZSTD_CCtx> kept(ZSTD_createCCtx, ZSTD_freeCCtx);
     ZSTD_CCtx* const context = kept.made();
@@ -217,8 +217,8 @@ std::vector<std::byte> pack(
     return out.take();
 }
 
-/// Returns the uncompressed bytes of a page. Throws Damage if there are more than `maxBytes` bytes. `storage` contains
-/// them if decompression was necessary. `packingBits` receives the additional bits of the packing byte.
+/// Returns the uncompressed bytes of a page. If decompression was necessary, they are in `storage`. `packingBits`
+/// receives the additional bits of the packing byte. Throws Damage if there are more than `maxBytes` bytes.
 std::span<const std::byte> unpack(
     std::span<const std::byte> stored,
     std::uint64_t maxBytes,

@@ -1,5 +1,5 @@
-// The encoding of a page as bytes: tables of groups, refinements and clusters, then the geometry, all compressed by
-// zstd.
+// Encodes a page as bytes: tables of groups, refinements and clusters, and then the geometry. zstd compresses all of
+// them.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -10,21 +10,21 @@
 
 namespace gnomon::hierarchy {
 
-/// The zstd level of all pages. It was chosen by measuring file size against build time. Decoding is equally fast at
-/// all levels.
+/// The zstd level of all pages. It was chosen by measuring file sizes and build times. The decoding speed is the same
+/// for all levels.
 constexpr int kCompressionLevel = 1;
 
-/// Encodes `page` and the `fields` of its vertices. This is a pure function. A refinement names another page by its
-/// index among the children in the page table, not by its id. Therefore a page can be encoded before its place in the
-/// file is known, if the ids of its children are in the correct order.
+/// Encodes `page` and the `fields` of its vertices. The function is pure. A refinement refers to another page by its
+/// index among the children in the page table, not by its page id. A page can therefore be encoded before its id in the
+/// file is known. The ids of its children only need the correct order.
 std::vector<std::byte> encodePageBytes(const Page& page, const PageFields& fields = {});
 
-/// Decodes the page with the row `info` of the page table. Checks each count, index and range before its use, and never
+/// Decodes the page that the page table row `info` describes. Checks each count, index and range before its use. Never
 /// allocates more than the size limit of a page. Throws Damage if the bytes are invalid, and bad_alloc if memory is
 /// exhausted.
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info);
 
-/// Decodes the page and the `fields` of its vertices.
+/// Decodes a page like the function above, and the `fields` of its vertices.
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info, PageFields& fields);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,5 @@
-// Fields: scalar properties of the vertices of a page besides normal and colour. The fields of a vertex share one word.
+// The fields of a page's vertices: scalar properties besides normal and colour. All fields of a vertex are packed into
+// one word.
 #pragma once
 
 #include <array>
@@ -7,15 +8,15 @@
 
 namespace gnomon::hierarchy {
 
-/// The max number of fields of a model. All fields of a vertex share a word of 32 bits.
+/// The max number of fields of a model. They share the 32 bits of a word.
 constexpr std::size_t kMaxFields = 4;
 
-/// The bit layout of the fields in the word of a vertex. The first field has the lowest bits.
+/// How many bits of a vertex's word each field has. The first field has the lowest bits.
 struct FieldLayout {
-    std::array<std::uint8_t, kMaxFields> bits{}; // bits per field, 0 after the last field; at most 32 in total
+    std::array<std::uint8_t, kMaxFields> bits{}; // per field; 0 after the last field; at most 32 in total
 
     /// Returns the layout that a build uses for `count` fields (at most kMaxFields). Each field has 16 bits, or an
-    /// equal share of the 32 bits.
+    /// equal share of the 32 bits if there are more than two fields.
     static constexpr FieldLayout of(std::size_t count) {
         FieldLayout layout;
         for (std::size_t field = 0; field < count; ++field)
@@ -37,10 +38,10 @@ struct FieldLayout {
         return shift;
     }
 
-    /// Returns the largest number of a field.
+    /// Returns the largest integer that the bits of a field can store.
     constexpr std::uint32_t maxNumber(std::size_t field) const { return (1U << bits[field]) - 1U; }
 
-    /// Returns the number of `field`, which must exist.
+    /// Returns the integer of field `field` in the word of a vertex. The field must exist.
     constexpr std::uint32_t number(std::uint32_t word, std::size_t field) const {
         return word >> shift(field) & maxNumber(field);
     }
@@ -51,7 +52,7 @@ struct FieldLayout {
 /// The fields of all vertices of a page.
 struct PageFields {
     FieldLayout layout;
-    std::vector<std::uint32_t> words; // one word per vertex; empty without fields
+    std::vector<std::uint32_t> words; // one word per vertex; empty if there are no fields
 
     bool operator==(const PageFields&) const = default;
 };

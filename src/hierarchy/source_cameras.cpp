@@ -14,7 +14,7 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-constexpr std::size_t kNumbers = 10; // eye, target, up and angle
+constexpr std::size_t kNumbers = 10; // eye, target and up (three numbers each), and the angle
 
 void putNumber(std::string& text, double number) {
     std::array<char, 32> digits{};
@@ -22,7 +22,7 @@ void putNumber(std::string& text, double number) {
     text.append(" ").append(digits.data(), end);
 }
 
-/// Removes the text up to the next `end` from `rest` and returns it.
+/// Removes the text before the next `end` from `rest` and returns this text.
 std::string_view takenUpTo(char end, std::string_view& rest) {
     const std::size_t length = std::min(rest.find(end), rest.size());
     const std::string_view taken = rest.substr(0, length);

@@ -1,4 +1,4 @@
-// The cameras of a model's source. The model stores them as text among the options of its build.
+// The cameras of a model's source. The model file stores them as text among the build options.
 #pragma once
 
 #include "core/camera.h"
@@ -10,16 +10,17 @@
 
 namespace gnomon::hierarchy {
 
-/// The key of this text in ModelSummary::options. The key is absent if the source has no camera.
+/// The key of the cameras in ModelSummary::options. The key is absent if the source has no camera.
 inline constexpr const char* kCamerasOption = "cameras";
 
-/// Returns one line per camera: projection, eye, target, up, and the full vertical angle in radians.
+/// Returns a text with one line per camera: projection, eye, target, up, and the full vertical field of view in
+/// radians.
 std::string camerasText(std::span<const Camera> cameras);
 
 /// Returns the number of cameras that the model stores.
 std::size_t cameraCount(const ModelSummary& summary);
 
-/// Returns the cameras that the model stores. Throws Error if their text is damaged.
+/// Returns the cameras that the model stores. Throws Error if the stored text is damaged.
 std::vector<Camera> camerasOf(const ModelFile& model);
 
 } // namespace gnomon::hierarchy

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Limit of enclosing spheres, in grid steps. Spheres grow from level to level, but never by this much.
+/// The max radius and centre coordinate of bounding spheres, in grid steps. Spheres grow from level to level, but never
+/// by so much.
 constexpr double kMaxSphereSteps = 0x1p44;
 
 std::string found(const std::string& what, const std::string& expected, const std::string& found) {
@@ -26,7 +27,7 @@ std::string numberText(double value) {
     return text.data();
 }
 
-/// Returns true if `value` is in [least, most]. Returns false for NaN.
+/// Returns true if `value` is in [min, max]. Returns false for NaN.
 template <class T>
 bool isWithin(T value, T min, T max) {
     return value >= min && value <= max;
@@ -69,15 +70,15 @@ std::optional<std::string> boundsFault(const PageInfo& info, const Grid& grid) {
     return {};
 }
 
-/// Returns true if `outer` contains `inner` with a tolerance of `slack` per axis.
+/// Returns true if `outer` contains `inner`. `slack` is the tolerance per axis.
 bool holds(const Box& outer, const Box& inner, const glm::dvec3& slack) {
     for (int k = 0; k < 3; ++k)
         if (!(inner.min[k] >= outer.min[k] - slack[k]) || !(inner.max[k] <= outer.max[k] + slack[k])) return false;
     return true;
 }
 
-/// Returns the tolerance between world positions that were rounded in different ways: one grid step plus the rounding
-/// of doubles.
+/// Returns the max difference between world positions that were rounded in different ways. It is one grid step plus the
+/// rounding error of doubles.
 glm::dvec3 roundingOf(const Grid& grid, const Box& bounds) {
     const glm::dvec3 far = glm::max(glm::abs(grid.origin), glm::max(glm::abs(bounds.min), glm::abs(bounds.max)));
     return glm::dvec3(grid.step()) + far * 1e-12;
@@ -100,11 +101,12 @@ std::uint64_t maxPlainBytes(const PageInfo& info) {
     constexpr std::uint64_t kIndex = 5; // a varint of 32 bits, with seven bits per byte
     constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     constexpr std::uint64_t kVertex =
-        // The words of a reference, a position, a normal, a colour and the fields.
+        // The 32-bit words of a reference, a position, a normal, a colour and the fields of a vertex.
         (1 + 3 + 2 + 4 + 4) * sizeof(std::uint32_t);
-    constexpr std::uint64_t kTriangle = 1 + 3;                  // a code byte and three indices
-    constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex; // its counts, its refinement, and the anchor
-    constexpr std::uint64_t kRest = 64;                         // sizes of streams and numbers of planes
+    constexpr std::uint64_t kTriangle = 1 + 3; // a code byte and three indices
+    // bytes of its counts, its refinement, and its anchor (the position of its first vertex)
+    constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex;
+    constexpr std::uint64_t kRest = 64; // bytes for sizes of streams and numbers of planes
     return info.groupCount * (kIndex + kSphereAndErrors) + info.refinementCount * (2 * kIndex + kSphereAndErrors) +
            info.clusterCount * kCluster + info.vertexCount * kVertex + info.triangleCount * kTriangle + kRest;
 }
@@ -166,7 +168,7 @@ std::optional<std::string> summaryFault(const ModelSummary& summary) {
         return found("the bounds", "a box on the grid, from " + boxText(reach), boxText(bounds));
     if (!isWithin<std::size_t>(summary.levels.size(), 1, kMaxLevels))
         return found("levels", "1 to " + std::to_string(kMaxLevels), std::to_string(summary.levels.size()));
-    std::uint32_t fieldBits = 0; // only of the first kMaxFields fields, so the sum cannot overflow
+    std::uint32_t fieldBits = 0; // sum over the first kMaxFields fields only, so it cannot overflow
     for (std::size_t field = 0; field < std::min(summary.fields.size(), kMaxFields); ++field)
         fieldBits += summary.fields[field].bits;
     if (summary.fields.size() > kMaxFields || fieldBits > 32)
@@ -202,7 +204,7 @@ std::optional<std::string> modelFault(std::span<const PageInfo> pages, const Mod
 }
 
 std::optional<std::string> drawingFault(std::span<const PageInfo> pages, const Grid& grid) {
-    // Exponent of the smallest normal float.
+    // The exponent of the smallest normal float.
     constexpr int kMinExponent = std::numeric_limits<float>::min_exponent - 1;
     constexpr double kMaxExtent = 0x1p62;
     if (grid.stepExponent < kMinExponent)

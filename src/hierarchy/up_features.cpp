@@ -10,10 +10,10 @@ namespace gnomon::hierarchy {
 namespace {
 
 constexpr double kSamples = 20'000;
-constexpr double kMaxSplits = 100; // max number of parts of a side of a triangle
-constexpr int kColumns = 48;       // per side of the grid
+constexpr double kMaxSplits = 100; // max number of parts into which a side of a triangle is divided
+constexpr int kColumns = 48;       // cells per side of the square grid
 constexpr int kVoxels = 32;
-constexpr double kWithin10 = 0.985; // cosine of 10 degrees; the sine is 0.17
+constexpr double kWithin10 = 0.985; // cosine of 10 degrees; the sine of 10 degrees is 0.17
 constexpr double kWithin20 = 0.94;
 constexpr double kTiny = 1e-9;
 
@@ -21,10 +21,10 @@ using Corners = std::array<glm::vec3, 3>;
 using Outline = std::vector<glm::dvec2>;
 using Cells = std::vector<char>;
 
-/// A sample of the surface.
+/// A sample point of the surface and the area that it represents.
 struct Sample {
     glm::dvec3 at{0};
-    glm::dvec3 facing{0}; // area vector
+    glm::dvec3 facing{0}; // area vector: normal times area
     double area = 0;
 };
 
@@ -37,7 +37,7 @@ glm::dvec2 across(const glm::dvec3& position, int axis) {
     return {position[(axis + 1) % 3], position[(axis + 2) % 3]};
 }
 
-/// Returns the convex hull, counter-clockwise (Andrew 1979).
+/// Returns the convex hull of `points` in counter-clockwise order (Andrew 1979).
 Outline hullOf(Outline points) {
     std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
         return a.x < b.x || (a.x == b.x && a.y < b.y);
@@ -66,7 +66,8 @@ double areaOf(const Outline& hull) {
     return twice / 2;
 }
 
-/// Returns the depth of `point` inside the hull. The depth is negative outside, and -1 for a hull without area.
+/// Returns the distance from `point` to the border of the hull. It is negative outside the hull, and -1 for a hull
+/// without area.
 double depthIn(const Outline& hull, const glm::dvec2& point) {
     if (hull.size() < 3) return -1;
     double depth = std::numeric_limits<double>::infinity();
@@ -78,7 +79,7 @@ double depthIn(const Outline& hull, const glm::dvec2& point) {
     return depth;
 }
 
-/// Returns the number of connected parts of the set cells. Cells that share a corner are connected.
+/// Returns the number of connected parts of the cells that are set. Two cells with a common corner are connected.
 double partsOf(Cells cells) {
     int parts = 0;
     std::vector<int> open;
@@ -106,7 +107,7 @@ double countOf(const Cells& cells) {
     return static_cast<double>(std::count(cells.begin(), cells.end(), 1));
 }
 
-/// A surface, scaled to a cube of side 1 around 0, with samples of approximately equal area.
+/// A surface, scaled to a cube of side 1 around the origin. Its samples represent approximately equal areas.
 class Surface {
 public:
     explicit Surface(std::span<const Corners> triangles) {
@@ -153,7 +154,7 @@ private:
         return 0.5 * glm::cross(vertices_[first + 1] - vertices_[first], vertices_[first + 2] - vertices_[first]);
     }
 
-    /// Adds the samples of a triangle. A large triangle is subdivided into equal small triangles with one sample each.
+    /// Adds the samples of a triangle. A large triangle is divided into equal small triangles, each with one sample.
     /// For small triangles, one sample represents all triangles since the last sample.
     void addSamples(std::size_t first, double areaOfAll) {
         const glm::dvec3 facing = areaVector(first);
@@ -174,7 +175,7 @@ private:
         for (double i = 0; i < splits; ++i)
             for (double j = 0; i + j < splits; ++j)
                 for (const double third : {1.0 / 3, 2.0 / 3}) {
-                    // The last cell of a row contains no inverted triangle.
+                    // In each row, the last cell contains only an upright small triangle, and no inverted one.
                     if (third > 0.5 && i + j + 2 > splits) continue;
                     samples_.push_back(
                         {vertices_[first] + (i + third) * u + (j + third) * v, share * facing, share * area});
@@ -190,7 +191,7 @@ private:
     glm::dvec3 facing_{0};
 };
 
-/// The area of a surface in a grid of voxels. Each sample is distributed to the eight nearest voxels.
+/// The area of a surface per voxel of a grid. The area of each sample is distributed to the eight nearest voxels.
 class Voxels {
 public:
     explicit Voxels(const Surface& surface) : area_(static_cast<std::size_t>(kVoxels * kVoxels * kVoxels)) {
@@ -208,7 +209,8 @@ public:
         }
     }
 
-    /// Returns the share of the area in common with the surface after `turn`, which maps voxels to voxels.
+    /// Returns the share of the area that the surface has in common with the transformed surface. `turn` maps voxels to
+    /// voxels.
     template <class Turn>
     double overlap(const Turn& turn) const {
         double common = 0;
@@ -229,7 +231,7 @@ private:
 
 using Features = std::array<double, kUpFeatures>;
 
-/// Computes the features of a surface for one up direction.
+/// Computes the features of a surface for one candidate direction.
 class Measure {
 public:
     Measure(const Surface& surface, int axis, bool isDown)
@@ -253,7 +255,7 @@ public:
 private:
     void set(UpFeature feature, double value) { features_[static_cast<std::size_t>(feature)] = value; }
 
-    /// Returns the relative height, from 0 at the bottom to 1 at the top.
+    /// Returns the height of a point, relative to the surface: 0 is its bottom and 1 is its top.
     double heightOf(const glm::dvec3& at) const { return 0.5 + sign_ * at[axis_] / height_; }
 
     static std::size_t columnOf(const glm::dvec2& at) {
@@ -262,7 +264,7 @@ private:
         return std::size_t(cell.x) * kColumns + std::size_t(cell.y);
     }
 
-    /// Returns the hull of the samples below a height.
+    /// Returns the convex hull of the samples below the relative height `height`.
     Outline hullBelow(double height) const {
         Outline points;
         for (const Sample& sample : surface_.samples())
@@ -270,8 +272,8 @@ private:
         return hullOf(std::move(points));
     }
 
-    /// Returns the hull of the lowest vertices. Vertices also represent legs that end in a point, where samples can be
-    /// absent.
+    /// Returns the convex hull of the lowest vertices. It uses vertices because a leg that ends in a point may have no
+    /// samples there.
     Outline base() const {
         constexpr double kLowest = 0.02;
         Outline points;

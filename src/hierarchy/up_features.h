@@ -1,4 +1,4 @@
-// Features of a surface that show if one of the six axis directions is its up direction.
+// Features of a surface that show which of the six axis directions is probably its up direction.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,51 +10,53 @@
 
 namespace gnomon::hierarchy {
 
-/// The number of directions: +x, -x, +y, -y, +z, -z.
+/// The number of candidate directions: +x, -x, +y, -y, +z, -z.
 constexpr int kUpDirections = 6;
 
-/// The features of one direction. "Lowest" and "below" assume that this direction is up. The outline is the convex hull
-/// of the surface, projected along the axis. Columns are the cells with surface of a square grid of 48 x 48 cells,
-/// perpendicular to the axis.
+/// The features of one candidate direction. "Lowest" and "below" assume that this direction is up. The outline is the
+/// convex hull of the surface, projected along the axis. The columns are those cells of a 48 x 48 grid perpendicular to
+/// the axis that contain surface.
 enum class UpFeature : std::size_t {
-    Base,         // area of the hull of the vertices in the lowest 2% of the height, relative to the outline
+    Base,         // area of the convex hull of the vertices in the lowest 2% of the height, relative to the outline
     Balance,      // depth of the surface's centroid inside that hull, relative to its depth inside the outline
     MiddleHeight, // height of the centroid, relative to the height of the surface
-    Sole,         // level area in the lowest 2.5%, relative to the outline
-    Facing,       // sum of the area vectors along the direction, relative to the outline: 0 for a closed surface
-    Level,        // share of the area that is level within 10 degrees
-    Wall,         // share of the area that is vertical within 10 degrees
-    Mirror,       // overlap with the surface mirrored from bottom to top
-    Turn,         // overlap with the surface rotated by 90 degrees around the axis
-    Contact,      // share of the columns with surface in the lowest 3%
-    Feet,         // number of connected parts of these columns
-    Gap,          // mean height of the lowest surface of the columns, relative to the height
-    LevelBelow,   // share of the columns whose lowest surface is level within 20 degrees
-    LowHull,      // area of the hull of the lowest quarter, relative to the outline
-    LegParts,     // number of connected parts of the columns between 3% and 15% of the height
-    LegCells,     // share of all columns that have surface between 3% and 15% of the height
-    BodyParts,    // number of connected parts of the columns between 15% and 35% of the height
+    Sole,         // area of level surface in the lowest 2.5% of the height, relative to the outline
+    // component of the summed area vectors along the direction, relative to the outline; 0 for a closed surface
+    Facing,
+    Level,      // share of the area that is level within 10 degrees
+    Wall,       // share of the area that is vertical within 10 degrees
+    Mirror,     // overlap with the surface mirrored upside down
+    Turn,       // overlap with the surface rotated by 90 degrees around the axis
+    Contact,    // share of the columns that have surface in the lowest 3% of the height
+    Feet,       // number of connected parts of the Contact columns
+    Gap,        // mean height of the lowest surface in each column, relative to the height of the surface
+    LevelBelow, // share of the columns whose lowest surface is level within 20 degrees
+    LowHull,    // area of the convex hull of the lowest quarter, relative to the outline
+    LegParts,   // number of connected parts of the columns between 3% and 15% of the height
+    LegCells,   // share of the columns that have surface between 3% and 15% of the height
+    BodyParts,  // number of connected parts of the columns between 15% and 35% of the height
     BodyCells,
-    Lowest,      // share of the area in the lowest 10%
+    Lowest,      // share of the area in the lowest 10% of the height
     Low,         // share of the area between 10% and 30% of the height
     Middle,      // share of the area between 30% and 50% of the height
     LevelUp,     // share of the area that is level within 20 degrees and faces up
-    Height,      // height, relative to the longest extent
-    Slenderness, // height, relative to the side of a square with the area of the outline
+    Height,      // height of the surface, relative to its longest extent
+    Slenderness, // height of the surface, relative to the side of a square with the area of the outline
     Area,        // area of the surface, relative to the outline
     Count
 };
 
 constexpr auto kUpFeatures = static_cast<std::size_t>(UpFeature::Count);
 
-/// The numbers per direction. Each feature gives four numbers: its value; its difference to the opposite direction; and
-/// its differences to the largest and the smallest of the four perpendicular directions.
+/// The numbers per direction. Each feature has four numbers: its value, the difference to its value for the opposite
+/// direction, and the differences to the max and the min of its values for the four perpendicular directions.
 constexpr std::size_t kUpNumbers = 4 * kUpFeatures;
 
 using UpNumbers = std::array<float, kUpNumbers>;
 
-/// Returns the numbers of each direction. If the surface is rotated to another axis, the numbers rotate with it, except
-/// for rounding. `triangles` are corners in any unit. Returns an empty list if the surface has no area or no extent.
+/// Returns the numbers of each direction. If the surface is rotated to another axis, the numbers move to the rotated
+/// directions, except for rounding errors. `triangles` contains the corners of the triangles in any unit. Returns an
+/// empty list if the surface has no area or no extent.
 std::vector<UpNumbers> upNumbers(std::span<const std::array<glm::vec3, 3>> triangles);
 
 } // namespace gnomon::hierarchy

@@ -1,13 +1,13 @@
-// The axes of a model's world for an observer who stands on its ground.
+// The axes right, up and front of a model, for an observer who stands on the ground of its world.
 #pragma once
 
 #include "core/box.h"
 
 namespace gnomon::hierarchy {
 
-/// A right-handed orthonormal frame in world space. `front` points from the model's front to its viewer, and `right` to
-/// the right of that viewer. UPRIGHT space has its x, y and z axes along right, up and front. If y is up, world space
-/// and upright space are identical.
+/// A right-handed orthonormal frame in world space. `front` points from the model's front to an observer before it.
+/// `right` points to the right of this observer. UPRIGHT space has its x, y and z axes along right, up and front. If y
+/// is up, world space and upright space are identical.
 struct UprightFrame {
     glm::dvec3 right{1, 0, 0};
     glm::dvec3 up{0, 1, 0};
@@ -22,12 +22,13 @@ struct UprightFrame {
     }
 };
 
-/// Returns the frame for the direction `up`, which can have any length greater than 0. If `up` is an axis, the frame is
-/// a rotation by multiples of 90 degrees, so coordinates stay exact. The front follows common modelling programs: +z if
-/// y is up, and -y if z is up.
+/// Returns the frame for the up direction `up`, which can have any length greater than 0. If `up` is an axis, the frame
+/// is a rotation by multiples of 90 degrees, so coordinates stay exact. The front follows common modelling programs: it
+/// is +z if y is up, and -y if z is up.
 UprightFrame uprightFrame(const glm::dvec3& up);
 
-/// Return the smallest axis-aligned box around `box` in upright space, or in world space. An empty box stays empty.
+/// Each function returns the smallest axis-aligned box around `box`, in upright space or in world space. An empty box
+/// stays empty.
 Box uprightBox(const UprightFrame& frame, const Box& box);
 Box worldBox(const UprightFrame& frame, const Box& box);
 

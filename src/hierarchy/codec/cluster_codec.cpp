@@ -15,16 +15,16 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// One component (such as x, or red) of some vertices of a page, as integers in sequence.
+/// One component (for example x or red) of a sequence of vertices, as integers.
 using Channel = std::vector<std::uint32_t>;
 
-/// Returns the zigzag code of the difference between `value` and `prediction`, modulo 2^width.
+/// Returns the difference between `value` and `prediction` modulo 2^width, as a zigzag code.
 std::uint32_t wrapped(std::uint32_t value, std::uint32_t prediction, unsigned width) {
     const auto difference = static_cast<std::int32_t>((value - prediction) << (32U - width)) >> (32U - width);
     return zigzag(static_cast<std::uint32_t>(difference));
 }
 
-/// Writes the byte planes of `channel`, and appends the end of each plane to `streamEnds`.
+/// Writes the byte planes of `channel`. Appends the end of each plane to `streamEnds`.
 void putPlanes(const Channel& channel, ByteWriter& out, std::vector<std::size_t>& streamEnds) {
     std::uint32_t any = 0;
     for (const std::uint32_t value : channel)
@@ -51,7 +51,7 @@ GridPoint predictedPosition(std::span<const Vertex> vertices, std::size_t v, con
     return {a.x + b.x - c.x, a.y + b.y - c.y, a.z + b.z - c.z};
 }
 
-/// The predecessor of the first vertex of a cluster.
+/// The vertex that predicts the first vertex of a cluster.
 constexpr Vertex kNoVertex{};
 
 /// Returns the two vertices whose mean predicts the attributes of vertex `v`.
@@ -68,18 +68,18 @@ std::uint64_t hashOf(const Vertex& vertex, std::uint32_t fields) {
     return mix64(a ^ mix64(b));
 }
 
-/// All channels of the vertices of a page.
+/// The channels of all vertices of a page.
 struct VertexChannels {
-    // Per vertex: 0 for a new vertex. For a reference it is 1 + zigzag(distance from the successor of the last
-    // referenced vertex).
+    // One number per vertex: 0 for a new vertex. For a reference to an earlier vertex, it is 1 + zigzag(distance from
+    // the vertex after the last referenced one).
     Channel references;
-    // This and the following channels have one entry per vertex that is not a reference.
+    // This channel and the following ones have one number per vertex that is not a reference.
     std::array<Channel, 3> positions;
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
     std::array<Channel, kMaxFields> fields;
 
-    /// Reserves memory for references, positions and normals, which most sources have.
+    /// Reserves memory for the references, positions and normals of `vertices` vertices. Most sources have normals.
     void reserve(std::size_t vertices) {
         references.reserve(vertices);
         for (Channel& channel : positions)
@@ -101,7 +101,7 @@ AttributeLayout layoutOf(std::span<const Vertex> vertices) {
     return layout;
 }
 
-/// An encoder that converts the vertices of a page to channels, cluster by cluster.
+/// Converts the vertices of a page to channels, cluster by cluster.
 class VertexEncoder {
 public:
     VertexEncoder(const Page& page, const PageFields& fields)
@@ -162,7 +162,7 @@ private:
         return page_.vertices[a] == page_.vertices[b] && fieldsOf(a) == fieldsOf(b);
     }
 
-    /// Returns the last vertex of the earlier clusters that equals `v`, or kNone.
+    /// Returns the last vertex of earlier clusters that is equal to vertex `v`, or kNone.
     std::uint32_t seen(std::uint32_t v, std::uint64_t hash) const {
         const auto isEqual = [&](std::uint32_t entry) { return areEqual(last_[entry], v); };
         const std::uint32_t entry = table_.find(hash, isEqual);
@@ -220,8 +220,8 @@ private:
         }
     }
 
-    /// Writes the position of the first vertex of a cluster to a separate stream. It is far from its predecessor, so it
-    /// would lengthen the byte planes of all positions.
+    /// Writes the position of a cluster's first vertex to a separate stream. This vertex is far from its predecessor,
+    /// and its large differences would need more byte planes for all positions.
     void putAnchor(const GridPoint& p) {
         anchors_.putVarint(zigzag(p.x - anchor_.x));
         anchors_.putVarint(zigzag(p.y - anchor_.y));
@@ -234,9 +234,9 @@ private:
     AttributeLayout layout_;
     VertexChannels channels_;
     ByteWriter anchors_;
-    IndexTable table_;                  // the distinct vertices so far
-    std::vector<std::uint32_t> last_;   // the last occurrence of each distinct vertex
-    std::vector<std::uint64_t> hashes_; // hashes of the vertices of the current cluster
+    IndexTable table_;                  // numbers the distinct vertices so far
+    std::vector<std::uint32_t> last_;   // per distinct vertex: its last occurrence
+    std::vector<std::uint64_t> hashes_; // per vertex of the current cluster
     GridPoint anchor_;
 };
 

@@ -13,7 +13,7 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// A table of the directed edges of all triangles, sorted by start vertex.
+/// A table of the directed edges of all triangles of a cluster, sorted by their start vertex.
 class EdgeTable {
 public:
     explicit EdgeTable(std::span<const Triangle> triangles) {
@@ -24,12 +24,12 @@ public:
         for (std::uint16_t& end : end_)
             end = sum = static_cast<std::uint16_t>(sum + end);
         begin_ = end_;
-        for (std::size_t t = triangles.size(); t-- > 0;) // each list is filled from its end
+        for (std::size_t t = triangles.size(); t-- > 0;) // the list of each vertex is filled from its end
             for (std::size_t k = 3; k-- > 0;)
                 edges_[--begin_[triangles[t][k]]] = {triangles[t][(k + 1) % 3], static_cast<std::uint8_t>(t)};
     }
 
-    /// Returns the first triangle with the edge (from, to) that is not `done`.
+    /// Returns the first triangle that has the directed edge (from, to) and is not `done`, or nullopt.
     std::optional<std::uint32_t> find(std::uint32_t from, std::uint32_t to, std::span<const bool> done) const {
         for (std::size_t i = begin_[from]; i < end_[from]; ++i)
             if (edges_[i].to == to && !done[edges_[i].triangle]) return edges_[i].triangle;
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMaxTriangles = 256; // the max number of vertices is the same
+    static constexpr std::size_t kMaxTriangles = 256; // also the max number of vertices
 
     struct Edge {
         std::uint8_t to = 0;
@@ -49,7 +49,7 @@ private:
     std::array<Edge, 3 * kMaxTriangles> edges_{};
 };
 
-/// Returns `triangle`, rotated so that it begins with the edge (from, to).
+/// Returns `triangle` with rotated corners, so that it begins with the edge (from, to).
 Triangle turned(const Triangle& triangle, std::uint32_t from, std::uint32_t to) {
     for (std::size_t k = 0; k < 3; ++k)
         if (triangle[k] == from && triangle[(k + 1) % 3] == to)
@@ -57,15 +57,16 @@ Triangle turned(const Triangle& triangle, std::uint32_t from, std::uint32_t to) 
     return triangle;
 }
 
-/// Orders the triangles so that each one follows across the newest open edge that leads to a remaining triangle.
+/// Orders the triangles of a cluster. Each triangle continues across the newest open edge that leads to a remaining
+/// triangle.
 std::vector<Triangle> walk(std::span<const Triangle> triangles) {
     const EdgeTable edges(triangles);
     std::array<bool, 256> done{};
     std::vector<Triangle> order;
     order.reserve(triangles.size());
     EdgeWindow window;
-    // Bit k is set if the open edge of age k may lead to a triangle. A cleared bit stays cleared, because triangles
-    // only disappear.
+    // Bit k is set if the open edge of age k may lead to a remaining triangle. A cleared bit stays cleared, because
+    // triangles are only removed.
     std::uint32_t hopeful = 0;
     std::uint32_t firstLeft = 0;
     const auto take = [&](std::uint32_t index, const Triangle& triangle, bool entered) {
@@ -94,7 +95,7 @@ std::vector<Triangle> walk(std::span<const Triangle> triangles) {
     return order;
 }
 
-/// Renumbers vertices in the order of their first use. Unused vertices come last.
+/// Renumbers the vertices of a cluster in the order of their first use. Unused vertices come last.
 void renumber(std::span<Triangle> triangles, std::span<Vertex> vertices, std::span<std::uint32_t> fields) {
     constexpr int kUnused = -1;
     std::array<int, 256> place{};

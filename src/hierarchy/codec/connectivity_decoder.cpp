@@ -12,13 +12,13 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// The meaning of a code byte of a triangle, and the data that the triangle consumes.
+/// The meaning of a triangle's code byte, and the amounts of data that the triangle consumes.
 struct CodeMeaning {
-    std::uint32_t age = 0;          // 1 + the age of the entered edge
-    std::uint32_t distance = 0;     // of the third corner from the next new vertex
-    std::uint32_t explicitMask = 0; // all ones if the third corner is explicit
+    std::uint32_t age = 0;          // age of the edge across which it is entered, plus 1
+    std::uint32_t distance = 0;     // distance of the third corner before the next new vertex
+    std::uint32_t explicitMask = 0; // all bits set if the index of the third corner is in the second stream
     std::uint32_t newVertices = 0;
-    std::uint32_t indices = 0; // bytes of the second stream
+    std::uint32_t indices = 0; // number of its bytes in the second stream
 };
 
 constexpr std::array<CodeMeaning, 256> kMeanings = [] {
@@ -38,22 +38,22 @@ constexpr std::array<CodeMeaning, 256> kMeanings = [] {
 
 constexpr std::uint32_t kFirstUnentered = kNotEntered << 4U;
 
-/// The flag bit of an invalid edge or an invalid vertex.
+/// The bit that marks an invalid edge or an invalid vertex.
 constexpr std::uint32_t kBad = 0x80000000U;
 
 /// The state while one cluster is decoded. It lives in local variables of one function. Stores through byte pointers
 /// may alias each member of an object with a known address, so the compiler would reload such members after each store.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filling the arrays first would cost more than what is read
 struct ClusterRun {
-    const std::uint8_t* indices = nullptr; // next index; the byte after the last one may be read
-    std::size_t next = 0;                  // next new vertex
+    const std::uint8_t* indices = nullptr; // its next index; the byte after the last one may be read
+    std::size_t next = 0;                  // index of the next new vertex
     std::size_t openCount = kNotEntered;
     std::uint32_t bad = 0; // kBad if an edge or a vertex was invalid
     std::array<Triangle, kMaxClusterTriangles> triangles;
-    // One edge per vertex. The additional entry absorbs writes for corners that are not new.
+    // The open edge of each vertex (EdgeWords). The additional entry receives the writes for corners that are not new.
     std::array<std::uint32_t, kMaxClusterVertices + 1> edges;
-    // All edges that the triangles left open, oldest first. A word contains from, to and the opposite corner, one byte
-    // each.
+    // All edges that earlier triangles left open, oldest first. A word contains the vertices `from`, `to` and the
+    // opposite corner, one byte each.
     std::array<std::uint32_t, kNotEntered + 3 * kMaxClusterTriangles> open;
 };
 
@@ -74,10 +74,11 @@ inline void takeUnentered(ClusterRun& run, std::size_t t, std::uint32_t code) {
     run.openCount += 3;
 }
 
-/// Decodes a triangle across an open edge. The code has no branches, because new vertices are unpredictable.
+/// Decodes a triangle that is entered across an open edge. The code has no branches, because new vertices are
+/// unpredictable for the CPU.
 inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code) {
     const std::uint32_t edge = run.open[run.openCount - code.age];
-    // The flag kBad is set if there is no such vertex.
+    // The subtraction sets the bit kBad if there is no such vertex.
     const std::uint32_t near = static_cast<std::uint32_t>(run.next) - code.distance;
     const std::uint32_t third = near ^ ((near ^ *run.indices) & code.explicitMask);
     run.bad |= edge | third;
@@ -94,8 +95,8 @@ inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code)
     run.openCount += 2;
 }
 
-/// Returns the number of indices of the triangles of `cluster`. Throws Damage if the stream has too few indices or a
-/// corner is out of range, so that decoding needs no checks.
+/// Returns how many numbers of the second stream the triangles of `cluster` use. Throws Damage if the stream has fewer
+/// numbers or if a corner is out of range. The decoding therefore needs no checks.
 std::size_t checkedIndexCount(
     std::span<const std::uint8_t> codes, std::span<const std::uint8_t> indices, const Cluster& cluster) {
     std::uint32_t newVertices = 0;
@@ -113,7 +114,7 @@ std::size_t checkedIndexCount(
     return count;
 }
 
-/// Decodes the triangles of one cluster. Appends them to the page and fills the `edges` of the cluster's vertices.
+/// Decodes the triangles of one cluster into the page. Fills `edges` for the vertices of the cluster.
 void decodeCluster(
     std::span<const std::uint8_t> codes,
     const std::uint8_t* indices,

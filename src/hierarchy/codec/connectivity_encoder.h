@@ -12,7 +12,8 @@
 
 namespace gnomon::hierarchy {
 
-/// The three corners that predict a vertex that was new across an edge. Otherwise the vertex before predicts it.
+/// The three corners that predict a vertex which was new across an edge. The previous vertex predicts all other
+/// vertices.
 struct Parents {
     std::uint8_t from = 0;
     std::uint8_t to = 0;
@@ -21,7 +22,8 @@ struct Parents {
 
     Parents() = default;
 
-    /// Makes the parents of vertex `v`. They are valid only if all three corners come before `v`.
+    /// Creates the predictors of vertex `v` from the edge across which it was new. They are valid only if all three
+    /// corners come before `v`.
     Parents(const OpenEdge& edge, unsigned v)
         : from(static_cast<std::uint8_t>(edge.from)),
           to(static_cast<std::uint8_t>(edge.to)),
@@ -31,10 +33,10 @@ struct Parents {
               static_cast<unsigned>(edge.opposite < v))) {}
 };
 
-// Parents per vertex. The additional entry absorbs writes before a vertex is known to be new.
+// The predictors of each vertex of a cluster. The additional entry receives writes before a vertex is known to be new.
 using ParentTable = std::array<Parents, 257>;
 
-/// An encoder that writes the codes of one cluster's triangles.
+/// Writes the codes of the triangles of one cluster.
 class ConnectivityEncoder {
 public:
     ConnectivityEncoder(ByteWriter& codes, ByteWriter& indices) : codes_(codes), indices_(indices) {}
@@ -44,7 +46,7 @@ public:
             encode(triangle);
     }
 
-    /// Returns the parents of each vertex.
+    /// Returns the predictors of each vertex.
     const ParentTable& parents() const { return parents_; }
 
 private:

@@ -1,4 +1,5 @@
-// The window of recent open edges of a run of triangles. Encoder, decoder and triangle ordering share it.
+// A window of the most recent open edges of a sequence of triangles. The encoder, the decoder and the ordering of
+// triangles share it.
 #pragma once
 
 #include <array>
@@ -6,7 +7,7 @@
 
 namespace gnomon::hierarchy {
 
-/// A directed edge in the order of the neighbouring triangle, and the opposite corner of the triangle that left it
+/// A directed edge as the neighbouring triangle uses it, and the opposite corner of the triangle that left the edge
 /// open.
 struct OpenEdge {
     std::uint32_t from = 0;
@@ -14,13 +15,13 @@ struct OpenEdge {
     std::uint32_t opposite = 0;
 };
 
-/// A ring buffer of the most recent open edges. `recent(0)` is the newest.
+/// A ring buffer of the most recent open edges. `recent(0)` is the newest edge.
 class EdgeWindow {
 public:
     static constexpr unsigned kSize = 16;
 
-    /// Pushes the edges that triangle (a, b, c) offers to its neighbours: two edges if the triangle was entered across
-    /// (a, b), otherwise three.
+    /// Adds the edges of triangle (a, b, c) that are open for neighbours. These are two edges if the triangle was
+    /// entered across (a, b), and otherwise three.
     void pushTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool entered) {
         if (!entered) push({b, a, c});
         push({a, c, b});
@@ -35,7 +36,8 @@ public:
     }
 
 private:
-    /// Stores an edge as one word. Separate byte stores would stall the load of the word that follows immediately.
+    /// Stores an edge with one write of a whole word. With separate byte writes, the load of the word that follows
+    /// immediately would stall.
     void push(const OpenEdge& edge) {
         edges_[head_ & (kSize - 1)] = edge.from | edge.to << 8U | edge.opposite << 16U;
         ++head_;

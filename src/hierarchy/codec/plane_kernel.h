@@ -1,4 +1,4 @@
-// Decoding of numbers that are stored byte plane by byte plane, with vector instructions.
+// Decodes numbers that are stored byte plane by byte plane, with SIMD instructions.
 #pragma once
 
 #include <array>
@@ -8,40 +8,43 @@
 
 namespace gnomon::hierarchy {
 
-/// The max number of lanes. Arrays of words per vertex are read and written in whole vectors, so they need this many
-/// additional words.
+/// The max number of SIMD lanes. Arrays with one word per vertex are read and written in whole vectors. They therefore
+/// need this many additional words.
 constexpr std::size_t kMaxLanes = 16;
 
-/// Three differences of a position and an unused word, so that one vector instruction loads or adds all of them.
+/// The three differences of a position and an unused word. With the fourth word, one SIMD instruction loads or adds all
+/// differences.
 struct alignas(16) PositionWords {
     std::array<std::uint32_t, 4> word;
 };
 
-/// Returns both components of a normal in one word, so that one operation predicts both.
+/// Returns both components of a normal in one 64-bit word, so that one operation predicts both.
 constexpr std::uint64_t joinedNormal(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{y} << 32U | x;
 }
 
-/// The byte planes of one channel.
+/// The byte planes of one channel of numbers.
 struct Planes {
-    const std::uint8_t* bytes = nullptr; // `planes` planes of `numbers` bytes, the lowest first
-    unsigned planes = 0;                 // at most 4
+    // `planes` planes of `numbers` bytes each; the plane of the lowest bytes is first
+    const std::uint8_t* bytes = nullptr;
+    unsigned planes = 0; // number of planes, at most 4
     std::size_t numbers = 0;
 };
 
-/// The following functions write whole vectors: up to kMaxLanes elements after the last number. All `planes` of a call
-/// have the same number of elements.
+/// The following functions write whole SIMD vectors, which are up to kMaxLanes elements after the last number. All
+/// Planes of one call have the same number of elements.
 
-/// Decodes plain numbers.
+/// Decodes numbers that are stored directly, without zigzag code.
 void decodeNumbers(const Planes& planes, std::uint32_t* out);
 
-/// Decodes zigzag-coded differences, one channel per coordinate. The fourth word is 0.
+/// Decodes zigzag-coded differences of positions. There is one channel per coordinate. The fourth word of each position
+/// becomes 0.
 void decodePositions(std::span<const Planes, 3> planes, PositionWords* out);
 
-/// Decodes zigzag-coded differences of normals, joined and masked.
+/// Decodes zigzag-coded differences of normals. The results are joined normals, masked by `mask` per component.
 void decodeNormals(std::span<const Planes, 2> planes, std::uint32_t mask, std::uint64_t* out);
 
-/// Decodes zigzag-coded differences of colours modulo 256. Red is in the low byte.
+/// Decodes zigzag-coded differences of colours modulo 256. Red is in the low byte of the result.
 void decodeColors(std::span<const Planes, 4> planes, std::uint32_t* out);
 
 } // namespace gnomon::hierarchy

@@ -1,12 +1,12 @@
-// The code of the vertices of a page, shared by encoder and decoder.
-// Vertices are coded cluster by cluster. If an earlier cluster of the page contains an equal vertex, the vertex is a
-// reference to it. A quarter to a third of all vertices are references, along the borders of clusters. All other
-// vertices are coded as differences from a prediction:
+// The code of the vertices of a page, which the encoder and the decoder share. Vertices are coded cluster by cluster.
+// If an earlier cluster of the page contains an equal vertex, the vertex is coded as a reference to it. A quarter to a
+// third of all vertices are such references, along the borders of clusters. All other vertices are coded as differences
+// from a prediction:
 // - If the vertex is new across an edge, the parallelogram over this edge predicts its position (Touma, Gotsman 1998).
-//   The mean of the edge's ends predicts its normal and colour.
-// - Otherwise the vertex before predicts all values.
-// - The first vertex of a cluster is predicted from a white vertex without normal, whose position is stored separately.
-// Differences are zigzag-coded and stored byte plane by byte plane, because the subsequent entropy coder works on
+// The mean of the edge's ends predicts its normal and colour.
+// - Otherwise the previous vertex predicts all values.
+// - The prediction of a cluster's first vertex is a white vertex without normal, whose position is stored separately.
+// Differences are zigzag-coded and stored byte plane by byte plane, because the entropy coder that follows works on
 // bytes.
 #pragma once
 
@@ -25,8 +25,8 @@ constexpr std::uint32_t unzigzag(std::uint32_t code) {
     return (code >> 1U) ^ (0U - (code & 1U));
 }
 
-/// The code of normals: offset binary, without the low bits that are 0 in all normals of a page. The mean of two codes
-/// is therefore between both.
+/// The code of the normals of a page: offset binary numbers, without the low bits that are 0 in all normals of the
+/// page. With this code, the mean of two codes lies between them.
 struct NormalCode {
     unsigned shift = 0; // number of removed low bits, at most 15
 
@@ -43,7 +43,7 @@ struct NormalCode {
     std::uint32_t mask() const { return (1U << width()) - 1U; }
 };
 
-/// The attributes that the vertices of a page have.
+/// The attributes that all vertices of a page have.
 struct AttributeLayout {
     bool hasNormals = false;
     bool hasColors = false;

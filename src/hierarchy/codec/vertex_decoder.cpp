@@ -8,10 +8,10 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// A decoder of the vertices of a page, cluster by cluster.
+/// Decodes the vertices of a page, cluster by cluster.
 class VertexDecoder {
 public:
-    /// Reads all numbers of the vertices into `numbers`, which the caller owns.
+    /// Reads the stored numbers of all vertices into `numbers`, which the caller owns.
     VertexDecoder(ByteReader& in, std::size_t vertexCount, Page& page, const EdgeWords& edges, VertexNumbers& numbers)
         : page_(page), edges_(edges), numbers_(numbers), anchors_(in.take(in.takeVarint())) {
         layout_.hasNormals = in.take<std::uint8_t>() != 0;
@@ -52,7 +52,7 @@ public:
     void expectEnd() const { anchors_.expectEnd(); }
 
 private:
-    /// Copies the referenced vertices among the vertices from `first` to `end`. Returns the number of references.
+    /// Copies the earlier vertices to which the references in [first, end) refer. Returns the number of references.
     std::size_t refer(std::uint32_t first, std::uint32_t end) {
         const std::size_t before = referring_;
         std::uint32_t expected = first;
@@ -70,7 +70,8 @@ private:
         return referring_ - before;
     }
 
-    /// Updates the anchor, the position that predicts the first vertex of the cluster.
+    /// Reads the difference for the next cluster and updates the anchor. The anchor is the position that predicts the
+    /// first vertex of a cluster.
     void takeAnchor() {
         for (std::size_t k = 0; k < 3; ++k)
             vertices_.positions[0].word[k] += unzigzag(static_cast<std::uint32_t>(anchors_.takeVarint()));
@@ -81,7 +82,7 @@ private:
     VertexNumbers& numbers_;
     ByteReader anchors_;
     AttributeLayout layout_;
-    std::size_t referring_ = 0; // references processed so far
+    std::size_t referring_ = 0; // number of references decoded so far
     std::size_t fresh_ = 0;
     ClusterVertices vertices_{};
     std::array<Vertex, kMaxClusterVertices> stored_{};
@@ -101,8 +102,9 @@ FieldLayout takeFieldLayout(ByteReader& in) {
     return layout;
 }
 
-/// A decoder of the fields, one field after the other. It adds each difference to its prediction: the mean of the ends
-/// of the edge, or the value of the vertex before. `numbers` says which vertices are references, and their targets.
+/// Decodes the fields of a page, one field after the other. It adds each difference to its prediction. The prediction
+/// is the mean of the ends of the edge, or the value of the previous vertex. `numbers` contains the references and
+/// their targets.
 class FieldDecoder {
 public:
     FieldDecoder(ByteReader& in, const VertexNumbers& numbers, PageFields& fields)
@@ -122,7 +124,7 @@ public:
             for (std::uint32_t v = 0; v < cluster.vertexCount; ++v) {
                 const std::uint32_t at = cluster.firstVertex + v;
                 if (const std::uint32_t reference = numbers_.references[at]; reference != 0) {
-                    // The vertex decoder has already checked the range.
+                    // This number needs no check, because the vertex decoder has already checked its range.
                     const std::uint32_t earlier = expected + unzigzag(reference - 1);
                     expected = earlier + 1;
                     fields_.words[at] = fields_.words[earlier];
@@ -134,8 +136,8 @@ public:
     }
 
 private:
-    /// Returns the word of the next vertex that is not a reference. It has the index `v` in its cluster and was entered
-    /// across `edge`.
+    /// Returns the field of the next vertex that is not a reference. The vertex has the index `v` in its cluster and
+    /// was new across `edge`.
     std::uint32_t next(std::span<const std::uint32_t> words, std::uint32_t v, std::uint32_t edge) {
         const std::uint32_t from = edge & 0xFFU;
         const std::uint32_t to = edge >> 8U & 0xFFU;
@@ -156,7 +158,7 @@ private:
     const VertexNumbers& numbers_;
     PageFields& fields_;
     std::array<std::vector<std::uint32_t>, kMaxFields> differences_;
-    std::size_t next_ = 0; // index among the vertices that are not references
+    std::size_t next_ = 0; // index of the next vertex among those that are not references
 };
 
 } // namespace

@@ -8,8 +8,8 @@
 
 namespace gnomon::hierarchy {
 
-/// Decodes `page.vertices` and the boxes of `page.clusters` from `in`. `edges` are the result of decodeConnectivity. If
-/// `fields` is not null, the page stores fields, and they are decoded too. Throws Damage if the bytes are invalid.
+/// Decodes `page.vertices` and the boxes of `page.clusters` from `in`. `edges` is the result of decodeConnectivity. If
+/// the page stores fields, `fields` must not be null and receives them. Throws Damage if the bytes are invalid.
 void decodeVertices(ByteReader& in, const EdgeWords& edges, Page& page, PageFields* fields);
 
 } // namespace gnomon::hierarchy

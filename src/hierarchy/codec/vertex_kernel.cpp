@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
 
-/// Four words without vector instructions.
+/// Four words for targets without SIMD instructions.
 struct Four {
     std::array<std::uint32_t, 4> word;
 };
@@ -82,8 +82,9 @@ HWY_INLINE void store(Four words, std::uint32_t* to) {
 
 using ParentPlaces = std::array<std::uint32_t, kMaxClusterVertices + kMaxLanes>;
 
-/// Converts the edge of each new vertex to the places of its three predictors. If the three corners of the edge come
-/// before the vertex, the places are those of the corners. Otherwise all three places are that of the vertex before.
+/// Converts the edge word of each vertex to the indices of its three predictors in ClusterVertices. If the three
+/// corners of the edge come before the vertex, they are the predictors. Otherwise all three predictors are the previous
+/// vertex.
 HWY_INLINE void placeParents(std::span<const std::uint32_t> edges, ParentPlaces& parents) {
     constexpr hn::CappedTag<std::int32_t, kMaxLanes> kLanes;
     const auto byte = hn::Set(kLanes, 0xFF);
@@ -101,18 +102,18 @@ HWY_INLINE void placeParents(std::span<const std::uint32_t> edges, ParentPlaces&
     }
 }
 
-/// Returns the means of four pairs of bytes, rounded down.
+/// Returns the means of the four pairs of bytes in `a` and `b`, rounded down.
 HWY_INLINE std::uint32_t byteMeans(std::uint32_t a, std::uint32_t b) {
     return (a & b) + (((a ^ b) >> 1U) & 0x7F7F7F7FU);
 }
 
-/// Returns the sums of four pairs of bytes, modulo 256.
+/// Returns the sums of the four pairs of bytes in `a` and `b`, modulo 256.
 HWY_INLINE std::uint32_t byteSums(std::uint32_t a, std::uint32_t b) {
     return ((a & 0x7F7F7F7FU) + (b & 0x7F7F7F7FU)) ^ ((a ^ b) & 0x80808080U);
 }
 
 template <bool kNormals, bool kColors>
-// `fresh` is passed by value, so that no store can alias it.
+// `fresh` is passed by value, so that the compiler knows that no store changes it.
 HWY_INLINE void predict(const FreshVertices fresh, ClusterVertices& cluster) {
     ParentPlaces parents;
     placeParents(fresh.edges, parents);

@@ -9,13 +9,14 @@
 namespace gnomon::hierarchy {
 
 struct Access {
-    std::string authorityFile{};                 // PEM file of certificate authorities; empty: the system's
-    Bytes cache = gibibytes(1);                  // max size of the cache on the local disk; 0: no cache
-    std::string cacheFolder{};                   // empty: XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges
-    std::chrono::milliseconds retryTime{30'000}; // time limit of retries for a server that does not respond
+    std::string authorityFile{}; // PEM file of certificate authorities; empty: those of the system
+    Bytes cache = gibibytes(1);  // max size of the cache on the local disk; 0: no cache
+    // folder of the cache; empty: XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges
+    std::string cacheFolder{};
+    std::chrono::milliseconds retryTime{30'000}; // max time of retries while a server does not respond
 };
 
-/// Returns the settings of the whole process, which the command line sets before a model is opened.
+/// Returns the settings of the whole process. The command line sets them before a model is opened.
 Access& commonAccess();
 
 } // namespace gnomon::hierarchy

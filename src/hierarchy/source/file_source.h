@@ -1,4 +1,4 @@
-// A model in a local file.
+// Reads a model from a local file.
 #pragma once
 
 #include "core/file.h"
@@ -23,7 +23,7 @@ public:
 
     std::string stamp() const override;
 
-    unsigned parallelReads() const override { return 4; } // measured: 4 keep a disk busy while two threads decode
+    unsigned parallelReads() const override { return 4; } // measured: 4 reads keep a disk busy while two threads decode
 
     bool isRemote() const override { return false; }
 

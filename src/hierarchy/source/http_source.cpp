@@ -10,13 +10,13 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-constexpr std::uint64_t kHeadBytes = 1024;                     // for the header; contains no page of most models
+constexpr std::uint64_t kHeadBytes = 1024;                     // for the header; in most models it contains no page
 constexpr std::uint64_t kTailBytes = std::uint64_t{64} << 10U; // for the tables of a small model
 constexpr std::chrono::milliseconds kFirstPause{100};
 constexpr std::chrono::milliseconds kLongestPause{3000};
-constexpr std::chrono::milliseconds kMaxOpenTime{1000}; // short limit at the start, because the server may not exist
-// Min number of bytes of an answer that counts as progress, unless fewer bytes remain. A server that sends a byte at a
-// time makes no progress.
+constexpr std::chrono::milliseconds kMaxOpenTime{1000}; // short at the start, because the server may not exist
+// The min number of bytes of an answer that counts as progress, unless fewer bytes remain. A server that sends single
+// bytes makes no progress by this definition.
 constexpr std::size_t kMinPartBytes = std::size_t{16} << 10U;
 
 /// Returns `address` without user name, password, query and fragment.
@@ -40,7 +40,7 @@ std::string toldAddress(const std::string& address) {
 HttpSource::HttpSource(const std::string& address, const Access& access)
     : name_(toldAddress(address)), access_(access), connections_(address, access) {
     open(std::min(access.retryTime, kMaxOpenTime));
-    // Without tag and date, outdated ranges in the cache cannot be recognised.
+    // The ranges are not cached, because without tag and date the cache could not recognise outdated ranges.
     if (identity_.tag.empty() && identity_.modified.empty()) return;
     const std::string folder = access.cacheFolder.empty() ? defaultCacheFolder() : access.cacheFolder;
     if (access.cache.count > 0 && !folder.empty()) cache_.emplace(folder, access.cache, address + "\n" + stamp());
@@ -78,13 +78,14 @@ void HttpSource::stop() const {
     stopped_.notify_all();
 }
 
-/// Waits for the pause. Returns false if the source was stopped meanwhile.
+/// Waits for the duration `pause`. Returns false if `stop` was called during the wait.
 bool HttpSource::waitFor(std::chrono::milliseconds pause) const {
     std::unique_lock lock(mutex_);
     return !stopped_.wait_for(lock, pause, [this] { return connections_.isStopped(); });
 }
 
-/// Fills `out`. Retries after pauses that grow as long as there is no progress.
+/// Fills `out` with the bytes from `offset`. After a failure it retries. The pauses grow as long as there is no
+/// progress.
 void HttpSource::fetch(std::uint64_t offset, std::span<std::byte> out) const {
     std::size_t done = 0;
     std::chrono::milliseconds pause = kFirstPause;
@@ -94,7 +95,7 @@ void HttpSource::fetch(std::uint64_t offset, std::span<std::byte> out) const {
         RangeAnswer answer = connections_.get(offset + done, out.subspan(done), &identity_);
         const bool hasProgressed = answer.received >= std::min(left, kMinPartBytes);
         done += answer.received;
-        if (done == out.size()) break; // a failure after the last byte does not matter
+        if (done == out.size()) break; // all bytes are there, so a failure does not matter
         const std::string where = atByte(name_, offset + done);
         if (!answer.failure && !hasProgressed)
             answer.failure = {

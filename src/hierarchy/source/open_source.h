@@ -1,4 +1,4 @@
-// Opening of a model by path or address.
+// Opens a model by its path or web address.
 #pragma once
 
 #include "hierarchy/source/access.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::hierarchy {
 
-/// Returns true if `name` is an http:// or https:// address and not a path.
+/// Returns true if `name` is an http:// or https:// address instead of a path.
 bool isAddress(const std::string& name);
 
 /// Opens the file at the path `name`, or the content at the address `name`. Throws Error if that fails.

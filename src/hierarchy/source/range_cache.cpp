@@ -41,7 +41,7 @@ std::string digitsOf(const Sum& sum) {
     return text;
 }
 
-/// A file of the cache.
+/// A file in the cache folder.
 struct Kept {
     fs::file_time_type used;
     std::uint64_t bytes = 0;
@@ -53,12 +53,12 @@ bool isFolder(const fs::path& path) {
     return fs::is_directory(fs::symlink_status(path, error));
 }
 
-/// Returns true if `name` is a valid name of a folder of the cache: the hexadecimal digits of a Sum.
+/// Returns true if `name` can be the name of a content's folder in the cache, which is the hexadecimal digits of a Sum.
 bool isNameOfFolder(const std::string& name) {
     return name.size() == 2 * sizeof(Sum) && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Returns true if `name` is a valid name of a file of the cache: "OFFSET-SIZE", or
+/// Returns true if `name` can be the name of a file of the cache: "OFFSET-SIZE", or
 /// "OFFSET-SIZE.PROCESS.NUMBER.partial".
 bool isNameOfFile(std::string_view name) {
     const auto takeDigits = [&name] {
@@ -83,11 +83,11 @@ void forEachEntry(const fs::path& folder, const Use& use) {
         use(*it);
 }
 
-/// Returns the files of the cache in `folder`. Skips foreign files and does not follow links.
+/// Returns the files of the cache in `folder`. Skips files with other names, and does not follow links.
 std::vector<Kept> keptIn(const std::string& folder) {
     std::vector<Kept> result;
     const auto add = [&result](const fs::directory_entry& file) {
-        std::error_code gone; // another process may delete the file at the same time
+        std::error_code gone; // set if another process deletes the file at the same time
         if (!isNameOfFile(file.path().filename().string())) return;
         if (!fs::is_regular_file(file.symlink_status(gone))) return;
         Kept kept{file.last_write_time(gone), 0, file.path()};
@@ -133,7 +133,7 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
     if (size > cap_.count) return;
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (!isFolder(folder_)) return; // a link could lead to a folder with foreign files
+    if (!isFolder(folder_)) return; // if it is a link, it could lead to a folder with other files
     if (fs::create_directory(place_, error)) fs::permissions(place_, fs::perms::owner_all, error);
     if (!isFolder(place_)) return;
     evictFor(size);
@@ -155,8 +155,8 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
     }
 }
 
-/// Adds `bytes` to the size of the cache, and evicts the least recently used files if the size exceeds the limit. From
-/// time to time, recounts the files of other processes.
+/// Adds `bytes` to the size of the cache. Evicts the least recently used files if the size exceeds the limit. From time
+/// to time, the function counts the files again to include those of other processes.
 void RangeCache::evictFor(std::uint64_t bytes) const {
     const std::lock_guard lock(mutex_);
     const bool isKnown = uncounted_ <= cap_.count / 8;
@@ -170,7 +170,7 @@ void RangeCache::evictFor(std::uint64_t bytes) const {
         total_ += file.bytes;
     if (total_ <= cap_.count) return;
     std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
-    // Frees an eighth of the cache at once, so that not each call evicts files.
+    // The function frees an eighth of the cache at once, so that it does not need to evict files at each call.
     const std::uint64_t targetBytes = cap_.count - cap_.count / 8;
     std::error_code error;
     for (const Kept& file : kept) {
@@ -180,9 +180,10 @@ void RangeCache::evictFor(std::uint64_t bytes) const {
 }
 
 std::string defaultCacheFolder() {
-    const char* cache = std::getenv("XDG_CACHE_HOME"); // NOLINT(concurrency-mt-unsafe): nobody writes it
+    // NOLINT(concurrency-mt-unsafe): no thread changes the environment
+    const char* cache = std::getenv("XDG_CACHE_HOME");
     if (cache != nullptr && *cache == '/') return cache + std::string("/gnomon/ranges");
-    const char* home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe): likewise
+    const char* home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe): no thread changes the environment
     if (home != nullptr && *home == '/') return home + std::string("/.cache/gnomon/ranges");
     return {};
 }

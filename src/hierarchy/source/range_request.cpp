@@ -21,10 +21,10 @@ namespace {
 constexpr std::size_t kMaxHeaderBytes = std::size_t{64} << 10U;
 constexpr long kMaxRedirections = 5;
 constexpr long kConnectSeconds = 10;
-constexpr long kSlowSeconds = 15; // a transfer below kSlowRate for this long counts as no answer
+constexpr long kSlowSeconds = 15; // seconds; a transfer that is slower than kSlowRate for this time counts as no answer
 constexpr long kSlowRate = 100;   // bytes per second
 
-/// Initialises libcurl once, because this is not thread-safe.
+/// Initialises libcurl only once, because the initialisation is not thread-safe. Returns true if it succeeded.
 bool isLibraryReady() {
     static const bool isReady = curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
     return isReady;
@@ -56,8 +56,8 @@ bool takeText(std::string_view& text, std::string_view start) {
     return true;
 }
 
-/// Returns true for errors that a retry does not change, for example a failed verification of the server or endless
-/// redirects.
+/// Returns true for errors that a retry would not change, for example a server whose identity cannot be verified, or
+/// endless redirects.
 bool isLasting(CURLcode code) {
     constexpr std::array kCodes = {
         CURLE_PEER_FAILED_VERIFICATION,
@@ -77,8 +77,8 @@ RangeFailure endlessHeader() {
         Refusal::Lasting, "the server's header does not end", "at most " + readableBytes({kMaxHeaderBytes}), "more"};
 }
 
-/// Returns the failure for a code of libcurl before the first byte of the body. libcurl reports a header line longer
-/// than 100 KiB as "out of memory", or as "too large" (100) since version 8.6.
+/// Returns the failure for an error code of libcurl that occurred before the first byte of the body. If a header line
+/// is longer than 100 KiB, libcurl reports "out of memory", or "too large" (100) since version 8.6.
 RangeFailure failureOf(CURLcode code, const char* reason) {
     constexpr int kTooLarge = 100;
     if (code == CURLE_OUT_OF_MEMORY || code == kTooLarge) return endlessHeader();
@@ -137,7 +137,7 @@ std::optional<PartPlace> partPlace(const std::string& range) {
     return place;
 }
 
-/// A guard that suppresses SIGPIPE, which would end the process if a server closes the connection.
+/// Suppresses SIGPIPE while it exists. This signal would end the process if a server closes the connection.
 class NoBrokenPipe {
 public:
     NoBrokenPipe() {
@@ -163,7 +163,7 @@ private:
     sigset_t before_{};
 };
 
-/// A request in progress.
+/// The state of a request in progress.
 struct Connections::Request {
     CURL* handle = nullptr;
     std::uint64_t offset = 0;
@@ -172,10 +172,10 @@ struct Connections::Request {
     const std::atomic<bool>* isStopped = nullptr;
     PartHeader header{};
     std::size_t headerBytes = 0;
-    std::size_t wanted = 0; // size of the body, known after the check of the header
+    std::size_t wanted = 0; // size of the body; set after the check of the header
     RangeAnswer answer{};
 
-    /// Records the first failure. Returns false, which ends a callback.
+    /// Records the first failure of the request. Returns false, which makes the calling callback end the transfer.
     bool refuse(RangeFailure failure) {
         if (!answer.failure) answer.failure = std::move(failure);
         return false;
@@ -187,7 +187,7 @@ struct Connections::Request {
         return status;
     }
 
-    /// Checks the header before the first byte of the body is stored.
+    /// Returns true if the header of the answer is valid. It is checked before the first byte of the body is stored.
     bool isPart() {
         if (status() != 206) return refuse(failureOf(status(), known));
         const std::optional<PartPlace> place = partPlace(header.range);
@@ -241,7 +241,7 @@ struct Connections::Request {
     }
 };
 
-/// A connection, idle or in use.
+/// One connection of the pool, idle or in use.
 class Connections::Handle {
 public:
     Handle(const std::string& address, const std::string& authorityFile) : curl_(curl_easy_init(), curl_easy_cleanup) {
@@ -249,7 +249,7 @@ public:
         const bool isSecure = lowered(address.substr(0, 6)) == "https:";
         set(CURLOPT_URL, address.c_str());
         set(CURLOPT_PROTOCOLS_STR, "http,https");
-        // An address with https must not be redirected to plain http.
+        // A request with https must not be redirected to plain http.
         set(CURLOPT_REDIR_PROTOCOLS_STR, isSecure ? "https" : "http,https");
         set(CURLOPT_FOLLOWLOCATION, 1L);
         set(CURLOPT_MAXREDIRS, kMaxRedirections);
@@ -266,7 +266,7 @@ public:
         set(CURLOPT_ERRORBUFFER, reason_.data());
         if (!authorityFile.empty()) {
             set(CURLOPT_CAINFO, authorityFile.c_str());
-            set(CURLOPT_CAPATH, static_cast<const char*>(nullptr)); // uses only the given authorities
+            set(CURLOPT_CAPATH, static_cast<const char*>(nullptr)); // only the given authorities are valid
         }
     }
 
@@ -287,7 +287,7 @@ public:
             request.refuse({Refusal::Lasting, "the request was cancelled"});
         } else if (code != CURLE_OK && code != CURLE_PARTIAL_FILE) {
             request.refuse(failureOf(code, reason_.data()));
-        } else if (request.wanted == 0) { // no body, so the header may be incomplete
+        } else if (request.wanted == 0) { // without a body, the header was not checked yet
             const long status = request.status();
             if (status != 206)
                 request.refuse(failureOf(status, request.known));
@@ -302,7 +302,8 @@ public:
         }
     }
 
-    /// Returns protocol, host and port of the target if the last request was redirected, otherwise an empty text.
+    /// Returns the protocol, host and port of the target if the last request was redirected. Otherwise returns an empty
+    /// text.
     std::string redirectedTo() const {
         long count = 0;
         char* url = nullptr;
@@ -360,7 +361,7 @@ RangeAnswer Connections::get(std::uint64_t offset, std::span<std::byte> out, con
     if (request.answer.received > 0) {
         redirectedTo_ = host;
     } else if (failure && failure->refusal == Refusal::Passing && host != redirectedTo_ && !host.empty()) {
-        // The target of the redirect has never answered, so retries do not help.
+        // Retries do not help, because the target of the redirect has never answered.
         failure->refusal = Refusal::Lasting;
         failure->what = "redirected to " + host + ": " + failure->what;
     }

@@ -1,4 +1,4 @@
-// Requests of byte ranges from a server, with strict checks of the answers.
+// Requests byte ranges from a server and checks the answers strictly.
 #pragma once
 
 #include "hierarchy/source/access.h"
@@ -15,19 +15,19 @@
 
 namespace gnomon::hierarchy {
 
-/// The identity of the content at an address. If it is unchanged, the content is unchanged. Texts are empty if the
-/// server does not send them.
+/// The identity of the content at an address. The content is unchanged if its identity is unchanged. A text is empty if
+/// the server does not send it.
 struct Identity {
     std::uint64_t size = 0;
-    std::string tag;      // the field ETag
-    std::string modified; // the field Last-Modified
+    std::string tag;      // the header field ETag
+    std::string modified; // the header field Last-Modified
 
     bool operator==(const Identity&) const = default;
 };
 
 /// The reason why a request received fewer bytes than requested.
 enum class Refusal : std::uint8_t {
-    Passing,  // no answer, a broken answer, or a request to retry later
+    Passing,  // no answer, a broken answer, or the server asks to retry later
     Lasting,  // a retry would have the same result
     Changed,  // the content at the address has changed
     Vanished, // the content no longer exists
@@ -36,28 +36,30 @@ enum class Refusal : std::uint8_t {
 struct RangeFailure {
     Refusal refusal = Refusal::Passing;
     std::string what;
-    std::string expected{}; // can be empty, as `found`
+    std::string expected{}; // can be empty, like `found`
     std::string found{};
 };
 
 struct RangeAnswer {
-    std::size_t received = 0; // valid bytes from the start of the range, also if an error followed
-    Identity identity;        // set when the whole header is valid
+    std::size_t received = 0; // number of valid bytes from the start of the range, also if an error followed
+    Identity identity;        // set if the whole header is valid
     std::optional<RangeFailure> failure;
 };
 
-/// The header fields of a partial answer. If a field occurs twice, the last one counts.
+/// The header fields of an answer with a part of the content (status 206). If a field occurs twice, the last one
+/// counts.
 struct PartHeader {
-    std::string range;    // the field Content-Range
-    std::string encoding; // the field Content-Encoding
-    Identity identity;    // its size is the size of the whole content, from Content-Range
+    std::string range;    // the header field Content-Range
+    std::string encoding; // the header field Content-Encoding
+    Identity identity;    // its size is the size of the whole content according to Content-Range
 
-    /// Parses one header line; names ignore case. A status line starts a new header and clears all fields.
+    /// Parses one header line. The names of fields can be in upper or lower case. A status line starts a new header and
+    /// clears all fields.
     void take(std::string_view line);
 };
 
-/// The position of a part from Content-Range: bytes `first` to `last` of `of` bytes. `partPlace` returns nullopt if the
-/// field is incomplete.
+/// The place of a part according to Content-Range: the bytes `first` to `last` of `of` bytes. `partPlace` returns
+/// nullopt if the field is incomplete.
 struct PartPlace {
     std::uint64_t first = 0;
     std::uint64_t last = 0;
@@ -66,10 +68,10 @@ struct PartPlace {
 
 std::optional<PartPlace> partPlace(const std::string& range);
 
-/// A pool of connections to a server. Many threads can use it, and each request has its own connection.
+/// A pool of connections to a server. Many threads can use the pool. Each request uses its own connection.
 class Connections {
 public:
-    /// Makes a pool for an http:// or https:// address. Throws Error if libcurl does not start.
+    /// Creates a pool for an http:// or https:// address. Throws Error if libcurl does not start.
     Connections(std::string address, const Access& access);
     ~Connections();
     Connections(const Connections&) = delete;
@@ -77,11 +79,11 @@ public:
     Connections(Connections&&) = delete;
     Connections& operator=(Connections&&) = delete;
 
-    /// Fills `out` from `offset`, and checks that the content is still `known`. If `known` is null, the content may be
-    /// shorter than `out`. Ignores additional bytes from the server.
+    /// Fills `out` with the bytes from `offset`, and checks that the content still has the identity `known`. If `known`
+    /// is null, the content may be shorter than `out`. Additional bytes from the server are ignored.
     RangeAnswer get(std::uint64_t offset, std::span<std::byte> out, const Identity* known) const;
 
-    /// Ends all waiting requests and all later ones.
+    /// Ends all waiting requests. All later requests fail.
     void stop() const { isStopped_ = true; }
 
     bool isStopped() const { return isStopped_; }
@@ -96,7 +98,7 @@ private:
     std::string authorityFile_;
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Handle>> idle_;
-    mutable std::string redirectedTo_; // host of the last received part, if the address was redirected
+    mutable std::string redirectedTo_; // host that sent the last part, if the address was redirected
     mutable std::atomic<bool> isStopped_{false};
 };
 

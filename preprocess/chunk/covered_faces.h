@@ -15,7 +15,7 @@ namespace gnomon::chunk {
 /// opposite orientation there are two rules:
 /// - The later face is cut only if both faces belong to open surfaces.
 /// - The later face is removed if it is covered completely and at least one of the surfaces is open. If both are
-/// closed, it is unchanged, because the touching sides of two solids are invisible.
+///   closed, it is unchanged, because the touching sides of two solids are invisible.
 /// A triangle does not change if it is at the border of the mesh or has too many covering triangles.
 std::uint64_t removeCoveredFaces(simplify::Mesh& mesh);
 

@@ -9,8 +9,8 @@
 
 namespace gnomon::exporter {
 
-/// The normals of a mesh. The object uses 24 bytes per vertex if a vertex has no normal. The mesh and the summary must
-/// outlive it.
+/// The normals of a mesh whose model has normals (ModelSummary::hasNormals). The object uses 24 bytes per vertex if a
+/// vertex has no normal. The mesh and the summary must outlive it.
 class VertexNormals {
 public:
     VertexNormals(const CutMesh& mesh, const hierarchy::ModelSummary& summary);

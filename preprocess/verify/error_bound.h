@@ -12,8 +12,8 @@ namespace gnomon::verify {
 /// of `source` (corners, and random points by area) and measures their distances to the other surface.
 /// - The distance of a cut point from the source must not exceed the stored error of its cluster.
 /// - The distance of a source point from the cut must not exceed a bound. The nearest triangle of level 0 determines
-/// the level-0 group of the point. The bound is the distance to this triangle plus the max stored error of the coarser
-/// groups that replace this group.
+///   the level-0 group of the point. The bound is the distance to this triangle plus the max stored error of the
+///   coarser groups that replace this group.
 /// - Corners of level 0 below densely sampled groups are also measured, but only for the tightness.
 /// The worst value is the max ratio of a sampled distance to its bound. It is at most 1 if all tests pass. The
 /// tightness is the median over densely sampled groups of stored error / largest sampled distance. The samples of the

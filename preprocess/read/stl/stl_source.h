@@ -16,7 +16,7 @@ namespace gnomon::read {
 /// A facet of a binary file can have a colour of 15 bits. There are two conventions:
 /// - VisCAM and SolidView: bit 15 means that the facet has a colour. Red is in the highest bits.
 /// - Magics, if the header contains "COLOR=": bit 15 means that the facet has the colour in the header. Red is in the
-/// lowest bits.
+///   lowest bits.
 std::unique_ptr<MeshSource> readStl(const std::string& path, Bytes memoryLimit);
 
 } // namespace gnomon::read

@@ -3,7 +3,7 @@
 // third of all vertices are such references, along the borders of clusters. All other vertices are coded as differences
 // from a prediction:
 // - If the vertex is new across an edge, the parallelogram over this edge predicts its position (Touma, Gotsman 1998).
-// The mean of the edge's ends predicts its normal and colour.
+//   The mean of the edge's ends predicts its normal and colour.
 // - Otherwise the previous vertex predicts all values.
 // - The prediction of a cluster's first vertex is a white vertex without normal, whose position is stored separately.
 // Differences are zigzag-coded and stored byte plane by byte plane, because the entropy coder that follows works on

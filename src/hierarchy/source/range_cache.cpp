@@ -180,10 +180,9 @@ void RangeCache::evictFor(std::uint64_t bytes) const {
 }
 
 std::string defaultCacheFolder() {
-    // NOLINT(concurrency-mt-unsafe): no thread changes the environment
-    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* cache = std::getenv("XDG_CACHE_HOME"); // NOLINT(concurrency-mt-unsafe): no thread changes it
     if (cache != nullptr && *cache == '/') return cache + std::string("/gnomon/ranges");
-    const char* home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe): no thread changes the environment
+    const char* home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe): no thread changes it
     if (home != nullptr && *home == '/') return home + std::string("/.cache/gnomon/ranges");
     return {};
 }

@@ -118,9 +118,10 @@ void addUsed(
     }
 }
 
-// The final threshold is the largest power of two that leaves at most kMaxSampled entries, so it does not depend on the
-// order of the triangles. To save memory, this constructor starts at a lower threshold than the max. In practice the
-// final threshold is never higher than this start: the margin of 1/50 is 14 standard deviations for random hashes.
+// A triangle is in the sample if its hash is below a threshold. The final threshold is the largest power of two that
+// leaves at most kMaxSampled entries, so it does not depend on the order of the triangles. To save memory, this
+// constructor does not start at the max threshold, but at an estimate. In practice the estimate is never below the
+// final threshold: the margin of 1/50 is 14 standard deviations for random hashes.
 EdgeSample::EdgeSample(std::uint64_t triangles) {
     for (; triangles > kMaxSampled + kMaxSampled / 50; triangles /= 2)
         threshold_ /= 2;

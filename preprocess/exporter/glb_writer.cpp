@@ -53,7 +53,7 @@ struct Content {
 
     Kind kind = Indices;
     std::size_t stride = 0; // bytes per element
-    std::size_t field = 0;  // number of the field if the content is a field
+    std::size_t field = 0;  // if the content is a field: the index of the field
 };
 
 /// A writer that appends values to memory.

@@ -11,7 +11,7 @@ using hierarchy::kNone;
 
 // Only levels below this number may defer clusters, so that the hierarchy reaches its root within kMaxLevels levels.
 constexpr std::uint32_t kDeferringLevels = hierarchy::kMaxLevels / 2;
-constexpr double kMinProgress = 0.95; // a next level with a larger share of the triangles is not useful
+constexpr double kMinProgress = 0.95; // max share of a level's triangles in a useful next level
 
 hierarchy::LevelInfo infoOf(const Level& level, const hierarchy::Grid& grid) {
     hierarchy::LevelInfo info;

@@ -54,7 +54,7 @@ Ray rayAt(double s, double around) {
 
 dvec3 firstHit(const BustShape& shape, const Ray& ray) {
     constexpr int kSteps = 60;
-    constexpr double kNear = 0.006; // metres; nearer to the surface the secant method replaces the ray march
+    constexpr double kNear = 0.006; // metres from the surface; from there on, the secant method replaces the ray march
     double t = 0.34;
     double distance = shape.distance(ray.origin + t * ray.outward);
     double slope = 1;

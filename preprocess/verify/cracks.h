@@ -16,9 +16,9 @@ namespace gnomon::verify {
 /// Edges are compared by position. The worst value of the result is the max number of cracks in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
 
-/// Makes the same check as the function above, but reads the model from `file` and loads only one cell of `cells` (from
-/// crackCells) at a time. `facts` are the facts of the file. The result is identical, except that its text may describe
-/// another crack of the same cut.
+/// Makes the same check as the other checkCracks, but reads the model from `file` and loads only one cell of `cells`
+/// (from crackCells) at a time. `facts` are the ModelFacts of the file. The result is identical, except that its text
+/// may describe another crack of the same cut.
 Check checkCracks(
     const hierarchy::ModelFile& file,
     const ModelFacts& facts,

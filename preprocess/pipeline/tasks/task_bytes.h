@@ -10,13 +10,13 @@
 
 namespace gnomon::pipeline {
 
-/// The facts that all tasks of chunks and nodes need.
+/// The data that each task of a chunk or a node needs.
 struct TaskFacts {
     hierarchy::Grid grid;
     chunk::VertexFormat format;
 };
 
-/// Encodes and decodes the facts. Decoding throws hierarchy::Damage if the bytes are malformed.
+/// Encode and decode TaskFacts. Decoding throws hierarchy::Damage if the bytes are malformed.
 std::vector<std::byte> encoded(const TaskFacts& facts);
 TaskFacts decodedFacts(std::span<const std::byte> bytes);
 

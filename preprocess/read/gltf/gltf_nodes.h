@@ -35,10 +35,10 @@ struct GltfScene {
     /// one another.
     std::vector<PlacedMesh> meshes;
 
-    /// Cameras in the order of the file's list of cameras. The nodes of one camera are in their own order. A camera
-    /// looks along -z of its node, and y is up. The scale of the node changes only the position of the camera (glTF
-    /// 2.0, section 3.10). For an orthographic camera, the distance to the target is such that `fovYRadians` gives the
-    /// camera's height.
+    /// Cameras in the order of the file's list of cameras. Cameras of several nodes with the same list entry are in the
+    /// order of the nodes. A camera looks along -z of its node, and y is up. The scale of the node changes only the
+    /// position of the camera (glTF 2.0, section 3.10). For an orthographic camera, the target is at the distance where
+    /// a vertical field of view of `fovYRadians` shows the camera's height.
     std::vector<Camera> cameras;
 
     std::map<std::string, std::uint64_t> rejected; ///< unused parts and their counts

@@ -13,7 +13,7 @@ enum class PlyFormat { Ascii, BinaryLittleEndian, BinaryBigEndian };
 
 enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 
-/// Returns the size in bytes of one value in a binary body.
+/// Returns the size in bytes of one value of type `type` in a binary body.
 constexpr std::uint32_t byteSize(PlyType type) {
     switch (type) {
     case PlyType::Int8:

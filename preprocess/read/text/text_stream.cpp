@@ -235,7 +235,7 @@ void TextStream::appendLine(std::string& text) {
 
 std::string TextStream::rest() {
     std::string text;
-    plainEnd_ = nullptr; // from here on, the general path reads this line
+    plainEnd_ = nullptr; // skipBlanks and appendLine read the rest of this line
     while (skipBlanks()) {
         appendLine(text);
         while (!text.empty() && isBlank(text.back()))

@@ -30,7 +30,7 @@ struct Box {
     glm::dvec3 extent() const { return isEmpty() ? glm::dvec3(0) : max - min; }
 };
 
-/// A ball: all points within `radius` of `center`.
+/// A ball: all points whose distance from `center` is at most `radius`.
 struct Sphere {
     glm::dvec3 center{0};
     double radius = 0;

@@ -10,8 +10,9 @@
 
 namespace gnomon {
 
-/// The type of projection: perspective, or orthographic with parallel primary rays. An orthographic image covers the
-/// same area at every depth as the perspective image covers at the target. It also shows surfaces behind the eye.
+/// The type of projection: perspective, or orthographic with parallel primary rays. At every depth, an orthographic
+/// image covers the area that the perspective image covers at the depth of the target. It also shows surfaces behind
+/// the eye.
 enum class Projection : std::uint8_t { Perspective, Orthographic };
 inline constexpr std::array kProjections = {
     Word<Projection>{Projection::Perspective, "perspective"},

@@ -28,9 +28,9 @@ enum class Containment { Outside, Intersecting, Inside };
 
 bool contains(const ConvexVolume& volume, const glm::dvec3& point);
 
-/// A box with precomputed values for tests against many planes. `Outside` and `Inside` are certain, because the test
-/// adds a bound of the rounding error for every rounding mode (Higham 2002, section 3.1). All uncertain cases are
-/// `Intersecting`.
+/// A box with precomputed values for tests against many planes. The results `Outside` and `Inside` are certain: the
+/// test adds a bound of the rounding error that is valid for every rounding mode (Higham 2002, section 3.1). All
+/// uncertain cases are `Intersecting`.
 class BoxAgainstPlanes {
 public:
     explicit BoxAgainstPlanes(const Box& box)
@@ -49,9 +49,9 @@ public:
     }
 
 private:
-    /// Relative bound of the rounding error. Between the corners of the box and the result lie eleven operations. Each
-    /// operation has an error of at most 2^-52 of its terms. The absolute values of these terms add up to at most twice
-    /// size_ + |offset|.
+    /// Bound of the rounding error of `classify`, relative to size_ + |offset|. The computation from the corners of the
+    /// box to the result has eleven operations. Each operation has an error of at most 2^-52 of its terms. The absolute
+    /// values of these terms add up to at most twice size_ + |offset|.
     static constexpr double kRounding = 0x1p-47;
 
     glm::dvec3 center_;

@@ -23,7 +23,7 @@ namespace {
 
 /// Resolves the symbolic links of `path`, also if the final target does not exist.
 std::string withoutLinks(const std::string& path) {
-    constexpr int kMaxLinks = 40; // the limit of the kernel; it ends cycles of links
+    constexpr int kMaxLinks = 40; // limit of the Linux kernel; it also detects cycles of links
     std::filesystem::path end = path;
     std::error_code error;
     for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(end, error); ++i)
@@ -43,7 +43,7 @@ bool isOtherThanFile(const std::string& path) {
 
 constexpr unsigned kNewPermissions = 0666; // before the user's umask
 
-/// Repeats `call` while signals interrupt it, and returns its result.
+/// Calls `call` again as long as a signal interrupts it, and returns its result.
 template <class Call>
 auto uninterrupted(const Call& call) {
     for (;;) {
@@ -206,7 +206,7 @@ void File::resize(std::uint64_t bytes) {
 }
 
 void File::release(std::uint64_t offset, std::uint64_t bytes) {
-    // The result is ignored: a file system without holes only uses more space.
+    // The result is ignored: on a file system without support for holes, the file only uses more space.
     static_cast<void>(::fallocate(
         descriptor_,
         FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,

@@ -65,8 +65,8 @@ public:
     /// Sets the size of the file to `bytes`: truncates the file, or extends it with zeros.
     void resize(std::uint64_t bytes);
 
-    /// Returns the disk space of a range to the file system if the file system supports holes. The range then contains
-    /// zeros, or its old bytes without such support.
+    /// Frees the disk space of a byte range (punches a hole) if the file system supports this. The range then reads as
+    /// zeros. Without this support, the range keeps its bytes.
     void release(std::uint64_t offset, std::uint64_t bytes);
 
     /// Tries to get the exclusive lock of the file, and returns true on success. The lock ends when the file is closed
@@ -77,8 +77,8 @@ public:
     /// does not exist.
     void resemble(const std::string& path);
 
-    /// Makes the written bytes visible to processes that open the file later, on network file systems with
-    /// "close-to-open" consistency. Does not flush to a device of this machine.
+    /// Makes the written bytes visible to processes that open the file later. This is necessary on network file systems
+    /// with "close-to-open" consistency. Does not flush to a device of this machine.
     void handOver() const;
 
     /// Flushes the file to the device, so that a later rename is safe.
@@ -92,9 +92,9 @@ private:
 };
 
 /// A file that appears under its final name only when it is complete. The bytes go to a temporary file
-/// FINAL.PROCESS.RANDOM.partial in the same folder. `commit` renames this file, and the destructor removes it without a
-/// commit. The class follows links, and never replaces a device or a pipe. A new file copies the permissions of the
-/// replaced file and, if allowed, its owner.
+/// FINAL.PROCESS.RANDOM.partial in the same folder. `commit` renames this file, and the destructor removes the file if
+/// `commit` was not called. The class follows links, and never replaces a device or a pipe. A new file copies the
+/// permissions of the replaced file and, if allowed, its owner.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::string& finalPath);

@@ -8,7 +8,7 @@
 namespace gnomon {
 
 /// Makes the heap return large blocks to the system as soon as they are freed. Otherwise the heap keeps fragments of up
-/// to a third of the memory in use. The cost is a tenth more time in code with many allocations.
+/// to a third of the memory in use. In return, code with many allocations takes 10% more time.
 void returnFreedMemoryAtOnce();
 
 /// Returns freed memory that the heap still keeps to the system.

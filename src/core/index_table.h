@@ -1,4 +1,5 @@
-// A hash table from keys in external storage to 32-bit indices. Its results depend only on the order of the calls.
+// A hash table from keys to 32-bit indices. The caller stores the keys. The results depend only on the order of the
+// calls.
 #pragma once
 
 #include "core/random.h"
@@ -7,7 +8,8 @@
 
 namespace gnomon {
 
-/// A hash table with open addressing and linear probing.
+/// A hash table with open addressing and linear probing. The table stores only indices. The callers pass the hash of a
+/// key and a function `equal(i)`, which returns true if index i belongs to this key.
 class IndexTable {
 public:
     static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
@@ -20,7 +22,7 @@ public:
         slots_.assign(size, kAbsent);
     }
 
-    /// Returns the index that is stored for an equal key. Without such a key, stores and returns `index`.
+    /// Returns the stored index for which `equal` is true. If there is none, stores and returns `index`.
     template <class Equal>
     std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t index, Equal equal) {
         const std::size_t mask = slots_.size() - 1;
@@ -30,7 +32,7 @@ public:
         }
     }
 
-    /// Returns the index that is stored for an equal key, or kAbsent.
+    /// Returns the stored index for which `equal` is true, or kAbsent.
     template <class Equal>
     std::uint32_t find(std::uint64_t hash, Equal equal) const {
         const std::size_t mask = slots_.size() - 1;

@@ -1,4 +1,5 @@
-// An error about a limit or a value of the caller, in separate parts. The command line adds the name of its option.
+// An error because a limit is too small or a value is invalid, in separate parts. The command line adds the name of the
+// option that sets the limit.
 #pragma once
 
 #include "core/error.h"
@@ -10,8 +11,8 @@
 
 namespace gnomon {
 
-/// The limits and values that an error can be about: first those of a build, then those of a picture. Textures means
-/// that the source can only be read without its textures.
+/// The limits and values that an error can be about: first those of a build, then those of a picture. `Textures` means
+/// that the source is readable only without its textures.
 enum class Limit : std::uint8_t {
     Memory,
     ChunkTriangles,
@@ -48,7 +49,7 @@ public:
     /// Returns the first limit.
     Limit limit() const { return limits_.front(); }
 
-    /// Returns all limits, at least one. A change of any of them can help.
+    /// Returns all limits, at least one. A change of any of them can avoid the error.
     const std::vector<Limit>& limits() const { return limits_; }
 
     const Parts& parts() const { return parts_; }

@@ -17,7 +17,7 @@ public:
     Progress(Progress&&) = delete;
     Progress& operator=(Progress&&) = delete;
 
-    /// Begins a new stage of `total` units (triangles, bytes, frames).
+    /// Begins a new stage. `total` is its number of units, for example of triangles, bytes or frames.
     virtual void stage(std::string_view name, std::string_view unit, std::uint64_t total) = 0;
 
     /// Corrects the total number of units of the current stage.

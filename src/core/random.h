@@ -31,7 +31,8 @@ public:
     /// Returns a uniform number in [low, high).
     double uniform(double low, double high) { return low + (high - low) * unit(); }
 
-    /// Returns a uniform integer in [0, count), with a bias of at most count / 2^64. `count` is at least 1.
+    /// Returns an almost uniform integer in [0, count). The relative error of each probability is at most count / 2^64.
+    /// `count` is at least 1.
     std::uint64_t below(std::uint64_t count) { return bits() % count; }
 
 private:

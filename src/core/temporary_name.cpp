@@ -12,12 +12,13 @@ namespace gnomon {
 
 namespace {
 
-// The signal handler uses only these two objects. It may wait for the lock without a deadlock, because the thread with
-// the lock blocks signals.
+// The signal handler uses only these two objects. It can wait for the lock without a deadlock, because a thread blocks
+// signals while it holds the lock.
 constinit std::atomic_flag isLocked;       // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 constinit TemporaryName* newest = nullptr; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
-/// A guard of the list of names: other threads wait, and this thread blocks signals. It preserves `errno`.
+/// A lock of the list of temporary names. Other threads wait for it, and this thread blocks signals meanwhile. It
+/// preserves `errno`.
 class Lock {
 public:
     Lock() {
@@ -80,7 +81,7 @@ void TemporaryName::removeAll() {
 }
 
 void TemporaryName::removeAllAndExit(int status) {
-    const Lock lock; // never released, so that no thread creates a new name
+    const Lock lock; // never unlocked, so that no other thread creates a new name
     removeNames();
     ::_exit(status);
 }

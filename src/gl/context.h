@@ -27,7 +27,8 @@ public:
 
     const Api& api() const { return *api_; }
 
-    /// Makes a context without a window current again, if another context was made after it.
+    /// Makes this context current on its thread again, after another context was made there. Does nothing for the
+    /// context of a window.
     void makeCurrent() const { native_->makeCurrent(); }
 
     /// Returns GL_RENDERER, for example "llvmpipe (LLVM 15.0.6, 256 bits)".
@@ -49,8 +50,9 @@ private:
     int maxTextureSize_ = 0;
 };
 
-/// A guard that makes a context current when it is destroyed. An owner of GL objects has it as its last member, because
-/// the same object names mean other objects in other contexts.
+/// A guard that makes a context current when it is destroyed. A class with GL objects declares the guard as its last
+/// member. The guard is then destroyed first, so that the GL objects are deleted in their own context. In another
+/// context, the same names could belong to other objects.
 class CurrentAtDestruction {
 public:
     explicit CurrentAtDestruction(const Context& context) : context_(&context) {}

@@ -112,8 +112,7 @@ private:
     void makeContext() {
         if (egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API) == EGL_FALSE)
             throw Error("EGL", "no desktop OpenGL");
-        // A config that renders OpenGL exists everywhere. EGL_KHR_no_config_context would also work, but it is an
-        // extension.
+        // A config for OpenGL exists on each device. EGL_KHR_no_config_context would also work, but it is an extension.
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;

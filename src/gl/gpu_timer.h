@@ -9,7 +9,8 @@
 
 namespace gnomon::gl {
 
-/// A timer with two timestamps per pass for the last few passes, so that `latest` never waits for the GPU.
+/// A timer that records two GPU timestamps per pass. It stores the queries of the last few passes, so that `latest`
+/// never waits for the GPU.
 class GpuTimer {
 public:
     explicit GpuTimer(const Api& api);
@@ -19,10 +20,10 @@ public:
     /// Ends the pass that `begin` started.
     void end();
 
-    /// Waits for the GPU and returns the time of the last pass.
+    /// Waits for the GPU and returns the GPU time of the last pass.
     Milliseconds finished();
 
-    /// Returns the time of the most recent pass that the GPU has finished, or 0 before the first. Does not wait.
+    /// Returns the GPU time of the most recent pass that the GPU has finished, or 0 if there is none. Does not wait.
     Milliseconds latest();
 
 private:

@@ -40,8 +40,8 @@ void MappedRing::enterNext() {
     left_[segment_] = api_->fenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     segment_ = (segment_ + 1) % kSegments;
     used_ = 0;
-    // Waits for the segment after the entered one. Commands that read the entered segment were issued before this
-    // fence.
+    // Waits until the GPU has passed the fence of the next segment in the ring. The fence was issued when that segment
+    // was full. All commands that read the new segment were issued before this fence.
     const GLsync fence = left_[(segment_ + 1) % kSegments];
     constexpr GLuint64 kNanoseconds = 1'000'000'000;
     if (fence == nullptr) return;

@@ -1,4 +1,4 @@
-// A ring buffer in mapped memory: the CPU fills a part while the GPU reads earlier parts.
+// A ring buffer in mapped memory: the CPU fills one part while the GPU reads the earlier parts.
 #pragma once
 
 #include "gl/objects.h"
@@ -9,15 +9,15 @@
 
 namespace gnomon::gl {
 
-/// A piece of a ring: its offset in the buffer, and its memory.
+/// A part of the ring that `take` returns: its byte offset in the buffer, and its mapped memory.
 struct RingPiece {
     std::size_t offset = 0;
     std::span<std::byte> bytes;
 };
 
-/// A persistently and coherently mapped buffer with three segments, which are filled in turn. A segment is written
-/// again when the GPU has finished all commands that were issued before the next segment was full. Therefore a command
-/// that reads a piece can be issued after its segment is full, but before the next segment is full.
+/// A persistently and coherently mapped buffer with three segments, which are filled in turn. A segment is reused when
+/// the GPU has finished all commands that were issued before the following segment was full. The command that reads a
+/// piece can therefore be issued some time after `take`, but not after the following segment is full.
 class MappedRing {
 public:
     MappedRing(const Api& api, std::size_t segmentBytes);
@@ -27,8 +27,8 @@ public:
     MappedRing(MappedRing&&) = delete;
     MappedRing& operator=(MappedRing&&) = delete;
 
-    /// Returns a piece of `bytes` bytes, at most one segment, at a multiple of `kAlignment`. Waits for the GPU only if
-    /// it is two segments behind.
+    /// Returns a piece of `bytes` bytes, at most the size of a segment. Its offset is a multiple of `kAlignment`. Waits
+    /// for the GPU only if the GPU is two segments behind.
     RingPiece take(std::size_t bytes);
 
     /// Returns the space in a segment that a piece of `bytes` bytes uses.
@@ -54,7 +54,7 @@ private:
     std::byte* memory_ = nullptr;
     std::size_t segment_ = 0;
     std::size_t used_ = 0; // bytes used in the current segment
-    // Fences that are signalled when all commands issued before the end of the segment are finished.
+    // One fence per segment. The GPU signals it after all commands that were issued before the segment was full.
     std::array<GLsync, kSegments> left_ = {};
 };
 

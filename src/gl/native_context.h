@@ -1,4 +1,5 @@
-// The interface of a platform: a current context and its functions. Each platform has one implementation.
+// The interface to a platform: a context that is current, and its OpenGL functions. Each platform has one
+// implementation.
 #pragma once
 
 #include "core/error.h"
@@ -29,8 +30,8 @@ public:
     virtual void makeCurrent() {}
 };
 
-/// Throws Error if there is too little address space for the compiler and the threads of a software driver, which would
-/// crash.
+/// Throws Error if the address space is too small for the compiler and the threads of a software driver. Such a driver
+/// would crash.
 void requireAddressSpace(const char* platform);
 
 /// Makes a core 4.5 context of OSMesa. Throws Error if that is impossible.

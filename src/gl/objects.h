@@ -56,7 +56,7 @@ public:
 
     void write(std::size_t offset, std::span<const std::byte> bytes) const;
 
-    /// Copies `bytes` bytes from the buffer `source` on the GPU, in command order.
+    /// Copies `bytes` bytes from the buffer `source`, on the GPU and in the order of the GL commands.
     void copy(std::size_t offset, GLuint source, std::size_t sourceOffset, std::size_t bytes) const;
 
     GLuint id() const { return object_.id(); }

@@ -7,9 +7,9 @@
 namespace gnomon::gl {
 
 /// A program that draws an image over the whole viewport.
-/// Mesa's software OpenGL has a fast path for images in the byte order of the window. It requires the same filter for
-/// minification and magnification, a shader that only samples the texture, and no blending. The fast path takes a third
-/// of the time. It gives wrong results if the shader multiplies by a colour, as the shader of Dear ImGui does.
+/// Mesa's software OpenGL has a fast path for images in the byte order of the window, which takes a third of the time.
+/// It requires the same filter for minification and magnification, a shader that only samples the texture, and no
+/// blending. The fast path gives wrong results if the shader multiplies by a colour, as the shader of Dear ImGui does.
 class PictureFill {
 public:
     PictureFill() = default;

@@ -1,5 +1,5 @@
-// The log of a session: one row per frame with the columns of a bench. The file gets its final name after it is
-// complete.
+// The log of a session in the window: one row per frame, with the same columns as the log of `gnomon bench`. The file
+// gets its final name after it is complete.
 #pragma once
 
 #include "core/file.h"
@@ -7,7 +7,7 @@
 
 namespace gnomon::viewer {
 
-/// A log of frames.
+/// A CSV file with one row per drawn frame.
 class FrameLog {
 public:
     /// Opens the log. Throws Error if `path` cannot be written.

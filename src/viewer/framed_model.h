@@ -1,4 +1,4 @@
-// The views that the window offers of a model: the first view, and views from its sides.
+// The standard cameras of a model in the window: the first view, and the views from its sides.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::viewer {
 
-/// The standard views of one model, given the options of the window.
+/// Computes the standard views of one model with the options of the window.
 class FramedModel {
 public:
     /// Reads the model's outline. Throws Error.

@@ -8,7 +8,8 @@
 
 namespace gnomon::viewer {
 
-/// The measures of one model. All measures but the last are complete. The last one receives new points.
+/// The measures of one model. All measures except the last are complete. The last one receives the points of new
+/// clicks.
 class Measuring {
 public:
     Measuring() = default;

@@ -60,12 +60,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of the record, which describes the files that the cache was built from.
+/// Returns the path of the record. The record describes the files from which the cache was built.
 std::string recordPath(const std::string& meshPath) {
     return cachePath(meshPath) + ".json";
 }
 
-/// Returns facts about a file that change with its content, or null if there is no such file.
+/// Returns the size and the time of change of a file, which differ if its content changes. Returns null if there is no
+/// such file.
 nlohmann::ordered_json factsOf(const fs::path& path) {
     std::error_code failure;
     if (!fs::is_regular_file(path, failure)) return nullptr;
@@ -106,8 +107,9 @@ pipeline::BuildOptions buildOptionsOf(const std::string& meshPath, const CacheOp
     return options;
 }
 
-/// Returns the record of a cache: the program version, the options that affect its bytes, and each of `files`. File
-/// names are relative to the folder of the mesh.
+/// Returns the record of a cache: the program version, the options that affect the bytes of the cache, the size and
+/// time of change of each of `files`, and the names from namesInFolder. File names are relative to the folder of the
+/// mesh.
 nlohmann::ordered_json recordOf(
     const std::string& meshPath, const std::vector<std::string>& files, const CacheOptions& options) {
     nlohmann::ordered_json record = {
@@ -133,7 +135,7 @@ bool isCacheFresh(const std::string& meshPath, const CacheOptions& options) {
         now["model"] = hierarchy::ModelFile(cachePath(meshPath)).contentHash();
         return now == stored;
     } catch (const std::exception&) {
-        return false; // no record, another version or damage; the build then reports errors of the mesh
+        return false; // no record, another version, or damage; a build then reports errors of the mesh
     }
 }
 

@@ -12,10 +12,11 @@
 
 namespace gnomon::viewer {
 
-/// Returns true if the suffix of `path` is that of a model. All other files are meshes.
+/// Returns true if `path` ends like the path of a model (.gnm). All other files are meshes.
 bool isModelPath(const std::string& path);
 
-/// Returns the path of a mesh's cache: "scan.ply.gnm" for "scan.ply". Users do not choose such names for models.
+/// Returns the path of a mesh's cache: "scan.ply.gnm" for "scan.ply". It does not collide with names that users choose
+/// for models.
 std::string cachePath(const std::string& meshPath);
 
 /// The options of a cache.
@@ -25,9 +26,9 @@ struct CacheOptions {
     std::string sourceRoot{}; // folder that files of the mesh may come from; empty: the folder of the mesh
 };
 
-/// Returns true if a build would write the same cache. The record (CACHE.json) must contain the same version, options
-/// and model, the same size and time of change of each file that was read, and the same libraries or textures in the
-/// folder of the mesh.
+/// Returns true if the cache is up to date, so that a build would write the same file. The record (CACHE.json) must
+/// contain the same version, options and model, the same size and time of change of each file that was read, and the
+/// same names of libraries or textures in the folder of the mesh.
 bool isCacheFresh(const std::string& meshPath, const CacheOptions& options);
 
 /// The progress of a build.

@@ -24,7 +24,8 @@ void PathRecorder::add(double seconds, const Camera& camera) {
     }
     const bool stood = isSame(kept.back().camera, last_ ? last_->camera : kept.back().camera);
     const bool stands = isSame(kept.back().camera, camera);
-    // A camera that rested until now must not drift towards this keyframe, so its last moment becomes a keyframe too.
+    // Until now the camera rested. Its last moment becomes a keyframe too, so that the interpolation does not move it
+    // before.
     if (last_ && stood && !stands) kept.push_back(*last_);
     last_ = now;
     if (!stands && seconds - kept.back().time >= kMinInterval) {

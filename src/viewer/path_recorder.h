@@ -1,4 +1,4 @@
-// The recorder of camera paths, and the player, whose frames are identical to those of a bench.
+// The recorder of camera paths, and the player. A played frame is identical to the same frame of a bench.
 #pragma once
 
 #include "path/camera_path.h"
@@ -19,7 +19,7 @@ public:
 
 private:
     path::CameraPath path_;
-    std::optional<path::Keyframe> last_; // not in the path yet
+    std::optional<path::Keyframe> last_; // the latest keyframe, not in the path yet
 };
 
 /// Plays a path, either by the clock or in a fixed number of frames.

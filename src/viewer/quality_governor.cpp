@@ -15,11 +15,11 @@ constexpr std::array kAllQualityKinds = {
 constexpr int kDetailSteps = 8;         // half octaves: up to 16 times the error
 constexpr int kTexelSteps = 4;          // down to a sixteenth of the texels
 constexpr int kResolutionSteps = 4;     // quarter octaves of a side: down to half the resolution
-constexpr double kOverload = 1.03;      // in targets; a longer frame exceeds the target
-constexpr double kRestoreMargin = 0.85; // in targets; a frame after a step back must stay below this
+constexpr double kOverload = 1.03;      // as a multiple of the target; longer frames count as too slow
+constexpr double kRestoreMargin = 0.85; // as a multiple of the target; max predicted time after a step back
 constexpr int kFramesToRestore = 12;
 constexpr double kTrianglesPerPixel = 1; // shading cost of a pixel, in drawn triangles
-constexpr double kMinShare = 0.005;      // min saving of a step, as a share of the frame time
+constexpr double kMinShare = 0.005;      // min time that a step must save, as a share of the frame time
 constexpr double kLearning = 0.3;
 constexpr double kMaxExactOverMaps = 16;
 
@@ -96,14 +96,14 @@ QualityLevel QualityGovernor::level(const QualityLevel& wanted) const {
     return levelAt(steps_, wanted);
 }
 
-/// Returns the time that depends on the triangles of the image and of the cuts for it.
+/// Returns the part of the frame time that is proportional to the number of triangles, of the image and of its shadows.
 double QualityGovernor::detailMs(const FrameLoad& load) const {
     const double work = load.triangles + kTrianglesPerPixel * load.pixels;
     const double ofImage = work > 0 ? load.imageMs * load.triangles / work : 0;
     return ofImage + load.shadowMs * (load.resolvesPoints ? 0.5 : 1 - load.errors.texelShare);
 }
 
-/// Returns the time that depends on the pixels of the image.
+/// Returns the part of the frame time that is proportional to the number of pixels.
 double QualityGovernor::pixelMs(const FrameLoad& load) const {
     const double work = load.triangles + kTrianglesPerPixel * load.pixels;
     const double ofImage = work > 0 ? load.imageMs * kTrianglesPerPixel * load.pixels / work : 0;
@@ -138,7 +138,8 @@ QualityGovernor::Change QualityGovernor::reduction(
     return {};
 }
 
-/// Returns the change of the inverse step: the time and error that `reduction` would save come back in proportion.
+/// Returns the effect of a step back of `kind`: the error that it removes, and the time that it adds. Both are
+/// estimated from the effect of the next reduction of this kind.
 QualityGovernor::Change QualityGovernor::restoration(
     QualityKind kind, const FrameLoad& load, const QualityLevel& now) const {
     Change change = reduction(kind, load, now);
@@ -147,7 +148,7 @@ QualityGovernor::Change QualityGovernor::restoration(
         change.error /= root(1, 2);
         change.milliseconds *= std::exp2(elasticity_ / 2);
         break;
-    case QualityKind::Slices: // the previous step is assumed to be as expensive as the next one
+    case QualityKind::Slices: // assumes that both steps take the same time
         change.milliseconds =
             load.shadowMs * (1 - load.errors.texelShare) / std::max(2.0 * now.slices.value_or(1), 1.0);
         change.error = load.errors.aliasingBound.value_or(0) / 4;
@@ -168,7 +169,7 @@ QualityGovernor::Change QualityGovernor::restoration(
     return change;
 }
 
-/// Returns the step with the lowest additional error per saved time.
+/// Returns the reduction with the smallest error per saved time.
 std::optional<QualityGovernor::Change> QualityGovernor::cheapest(
     const FrameLoad& load, const QualityLevel& wanted) const {
     const QualityLevel now = level(wanted);
@@ -182,7 +183,7 @@ std::optional<QualityGovernor::Change> QualityGovernor::cheapest(
     return best;
 }
 
-/// Returns the step back with the largest error reduction per time, among the steps that fit the target.
+/// Returns the step back that removes the largest error per added time, among the steps that fit the target.
 std::optional<QualityGovernor::Change> QualityGovernor::costliest(
     const FrameLoad& load, double target, const QualityLevel& wanted) const {
     const QualityLevel now = level(wanted);
@@ -225,7 +226,7 @@ void QualityGovernor::reduce(FrameLoad load, double target, const QualityLevel& 
         if (change->kind == QualityKind::Detail) load.triangles *= std::exp2(-elasticity_ / 2);
         load.imageMs *= part;
         load.shadowMs *= part;
-        load.errors.fewerSlices.reset(); // the errors of the next step are unknown until the next plan
+        load.errors.fewerSlices.reset(); // unknown until the next plan
         load.errors.fewerTexels.reset();
         load.errors.withMaps.reset();
     }
@@ -239,7 +240,7 @@ void QualityGovernor::restore(FrameLoad load, double target, const QualityLevel&
         load.milliseconds += change->milliseconds;
         if (change->kind == QualityKind::Slices || change->kind == QualityKind::Texels ||
             change->kind == QualityKind::Exactness)
-            return; // the time of maps must be measured first
+            return; // the effect on the time of shadow maps must be measured first
         if (change->kind == QualityKind::Resolution) load.pixels *= root(1, 2);
         if (change->kind == QualityKind::Detail) load.triangles *= std::exp2(elasticity_ / 2);
         load.imageMs += change->milliseconds;

@@ -29,11 +29,11 @@ inline constexpr std::size_t kQualityKinds = 5;
 /// The errors of a frame's shadows according to its plan, in drawn pixels. A value is missing if there are no maps or
 /// no cheaper plan.
 struct ShadowErrors {
-    std::optional<double> aliasingBound; // perspective aliasing
-    std::optional<double> fewerSlices;   // with one slice less
-    std::optional<double> fewerTexels;   // with half the texels
-    std::optional<double> withMaps;      // of shadow maps in place of exact shadows of kind auto
-    double texelShare = 0;               // of the counted cost of its maps; the rest is their casters'
+    std::optional<double> aliasingBound; // max perspective aliasing of this plan
+    std::optional<double> fewerSlices;   // aliasing bound with one slice less
+    std::optional<double> fewerTexels;   // aliasing bound with half the texels
+    std::optional<double> withMaps;      // aliasing bound of shadow maps in place of exact shadows of kind auto
+    double texelShare = 0; // part of the maps' estimated cost that depends on texels; the rest depends on casters
 };
 
 /// Returns the errors of `plan`. If `withLess` is true, also returns the errors of cheaper plans for the same scene.
@@ -41,12 +41,12 @@ ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& f
 
 /// The measured times and counts of a frame.
 struct FrameLoad {
-    double milliseconds = 0; // whole frame
+    double milliseconds = 0; // time of the whole frame
     double imageMs = 0;
     double shadowMs = 0;
-    double triangles = 0; // of the image
+    double triangles = 0; // triangles of the image
     double pixels = 0;
-    bool resolvesPoints = false; // shadows are computed per image point, without maps
+    bool resolvesPoints = false; // shadows are computed per visible point, without maps
     ShadowErrors errors;
 };
 
@@ -79,7 +79,8 @@ public:
 private:
     using Steps = std::array<int, kQualityKinds>;
 
-    /// A step of one kind of quality. A reduction adds `error`; its restoration adds `milliseconds`.
+    /// A step of one kind of quality. A reduction adds `error` and saves `milliseconds`. A step back removes `error`
+    /// and adds `milliseconds`.
     struct Change {
         QualityKind kind = QualityKind::Detail;
         double error = 0;        // pixels
@@ -104,14 +105,14 @@ private:
     int step(QualityKind kind) const { return steps_[static_cast<std::size_t>(kind)]; }
 
     Steps steps_{};
-    double elasticity_ = 0.5;       // of triangles to the error: T ~ error^-elasticity
-    double exactOverMaps_ = 2;      // the shadow time of exact shadows over that of maps: as measured last
-    double exactMs_ = 0;            // the shadow time of the last frame with exact shadows; 0: maps have followed it
-    double trianglesBefore_ = 0;    // of the last frame
-    int detailBefore_ = 0;          // its steps
-    double millisecondsBefore_ = 0; // of the last frame; 0 if the quality has changed since then
+    double elasticity_ = 0.5;       // exponent e of the model: number of triangles ~ error^-e
+    double exactOverMaps_ = 2;      // last measured ratio of shadow times: exact shadows divided by maps
+    double exactMs_ = 0;            // shadow time of the last exact frame; 0 after a frame with maps
+    double trianglesBefore_ = 0;    // triangles of the last frame
+    int detailBefore_ = 0;          // steps of detail in the last frame
+    double millisecondsBefore_ = 0; // time of the last frame; 0 if the quality has changed since
     bool isExhausted_ = false;
-    int framesWithTime_ = 0; // consecutive frames that would stay within the target after a step back
+    int framesWithTime_ = 0; // consecutive frames whose predicted time after a step back fits the target
 };
 
 } // namespace gnomon::viewer

@@ -31,7 +31,7 @@ public:
 
     bool needsOverlay() const { return overlayFrames_ > 0; }
 
-    /// Requests at least one more scene frame.
+    /// Requests one more scene frame if none is pending.
     void keepScene() { sceneFrames_ = std::max(sceneFrames_, 1); }
 
     /// Returns true if the next scene frame is the last one, as far as known.
@@ -62,11 +62,12 @@ public:
     /// Counts a drawn overlay frame.
     void countOverlay() { overlayFrames_ = std::max(overlayFrames_ - 1, 0); }
 
-    /// Requests at least one more overlay frame.
+    /// Requests one more overlay frame if none is pending.
     void keepOverlay() { overlayFrames_ = std::max(overlayFrames_, 1); }
 
 private:
-    // More frames than the near distance needs to rise, so that the resting image has its final value.
+    // Number of frames after a change. The near end of the depth range reaches its final value in fewer frames, so that
+    // the resting image has this value.
     static constexpr int kSettlingFrames = 16;
     static constexpr double kSettlingMs = 300;
     static constexpr int kUnansweredFrames = 60; // max consecutive frames with missing pages if no page arrives

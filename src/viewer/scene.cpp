@@ -67,14 +67,14 @@ Scene::Scene(
 const frame::Frame& Scene::draw(const Shot& shot) {
     plan::Quality quality = shot.quality;
     if (quality.shadows == plan::ShadowMode::Exact && !backend_->capabilities().exactShadows)
-        quality.shadows = plan::ShadowMode::Rays; // as exact as this backend can be
+        quality.shadows = plan::ShadowMode::Rays; // the most accurate shadows of this backend
     if (shadow::rowsOf(quality.warp.rule) == shadow::RowSpacing::Logarithmic && !backend_->capabilities().unevenRows)
-        quality.warp.rule = shadow::WarpRule::Auto; // the smallest bound of even rows
+        quality.warp.rule = shadow::WarpRule::Auto; // the smallest aliasing bound of evenly spaced rows
     accumulation_.clear();
     frame_ = renderer_.render(shot.view, quality, shot.options, history_);
     history_ = frame_->history;
     colored_.reset();
-    if (shot.colors.by != settings::ColorBy::None) { // before another frame is drawn
+    if (shot.colors.by != settings::ColorBy::None) { // before another frame replaces the data of this frame
         render::Picture colored = backend_->picture();
         inspect::colorByValues(shot.colors, renderer_, *frame_, colored);
         colored_ = std::move(colored);
@@ -109,7 +109,7 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool usesEyeDome) {
     if (!frame_) return {};
     if (const std::uint32_t texture = backend_->texture();
         texture != 0 && samples() <= 1 && !usesEyeDome && !colored_) {
-        // Software OpenGL would take longer for that than for all the rest of the window.
+        // With software OpenGL, linear filtering would take more time than everything else in the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
         context_->api().textureParameteri(texture, GL_TEXTURE_MAG_FILTER, filter);
         return {texture, true, false};

@@ -23,7 +23,8 @@ struct Shot {
     plan::View view;
     plan::Quality quality;
     frame::FrameOptions options;
-    settings::ValueColors colors;  // replace the surface colours in one frame; `options` must then keep the surfaces
+    // Values that replace the surface colours of this frame. `options` must then request the visible surfaces.
+    settings::ValueColors colors;
     bool measuresAliasing = false; // measures the aliasing after the frame with a second drawing
     int samples = 1;               // with `isAccumulated`: number of frames in the mean
 
@@ -76,13 +77,14 @@ public:
     /// Returns the number of frames in the mean, or 0 for a frame without `isAccumulated`.
     int samples() const { return accumulation_.samples(); }
 
-    /// Returns the final number of frames in the mean: the requested number, or as many as the light needs.
+    /// Returns the final number of frames in the mean: the requested number, or as many as the light directions need.
     int wantedSamples() const { return accumulation_.wanted(); }
 
     /// Returns the last image or the mean, as `gnomon render` would write it.
     render::Picture picture() const;
 
-    /// Returns the image as a texture for `size` pixels. If `usesEyeDome` is true, applies eye-dome lighting.
+    /// Returns the image as a texture for a window of `size` pixels. If `usesEyeDome` is true, applies eye-dome
+    /// lighting.
     ShownPicture shown(const glm::ivec2& size, bool usesEyeDome);
 
     /// Returns true if the last frame had visible geometry.
@@ -112,9 +114,9 @@ private:
     frame::History history_; // for the next frame
     frame::Accumulation accumulation_;
     Camera seenBy_;
-    std::optional<render::Picture> colored_; // the last frame's, if it is coloured by a value
-    render::WindowPicture words_;            // of it, as is:
-    gl::Texture uploaded_;                   // the picture of a backend without textures, or the mean
+    std::optional<render::Picture> colored_; // the last frame, if it is coloured by a value
+    render::WindowPicture words_;            // the last image in the byte order of windows
+    gl::Texture uploaded_;                   // texture with `words_`, if the backend has no texture of the image
     bool isUploaded_ = false;
 };
 

@@ -45,8 +45,8 @@ struct ViewSettings {
 std::vector<settings::ValueColors> colorChoices(
     const hierarchy::ModelSummary& model, const plan::Capabilities& capabilities);
 
-/// Returns the initial range of the colour map: all values of `model`, or for errors all values above the finest. `up`
-/// has any length above 0.
+/// Returns the initial range of the colour map: all values of `model`. The range of errors is from the max error of the
+/// finest level to that of the coarsest level. `up` has any length above 0.
 std::array<double, 2> widestEnds(
     const settings::ValueColors& colors, const hierarchy::ModelSummary& model, const glm::dvec3& up);
 

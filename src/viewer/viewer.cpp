@@ -108,7 +108,7 @@ void WindowSession::run(Progress& interrupt) {
     }
     keepViews();
     if (log_) log_->finish();
-    // A running reader would react too late to a stop request.
+    // A build that is reading a mesh would react too late to a stop request.
     if (file_.build() != nullptr) TemporaryName::removeAllAndExit(0);
 }
 
@@ -169,8 +169,8 @@ bool WindowSession::isRefining() const {
     return scene != nullptr && isIdle() && scene->samples() > 0 && scene->samples() < scene->wantedSamples();
 }
 
-/// Adds frames to the mean for a short time that does not block the window. Showing the mean also takes time, so not
-/// each frame is shown.
+/// Adds frames to the mean for about 0.02 s, so that the window does not block. Showing the mean also takes time, so
+/// not each frame is shown.
 void WindowSession::refine() {
     constexpr double kSeconds = 0.02;
     constexpr double kBetweenShown = 0.12;
@@ -191,7 +191,8 @@ QualityLevel WindowSession::wantedQuality() const {
     return level;
 }
 
-/// Returns true if frames must respect the time target: the view is moving, and no path with fixed frames is playing.
+/// Returns true if frames must respect the time target: the view is moving, and no path with a fixed number of frames
+/// is playing.
 bool WindowSession::isHurried() const {
     const bool rests = !walk_.isUnderWay() && scheduler_.isSettled(true);
     return settings_.targetMs > 0 && !walk_.playsFixed() && !rests;
@@ -278,7 +279,8 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
     if (isMeasured)
         governor_.measure(
             loadOf(*scene.frame(), milliseconds, settings_.targetMs), settings_.targetMs, wantedQuality());
-    const double distance = walk_.control().distance(); // parallel projection has no other distance
+    // With parallel projection, the distance to the target determines the speed.
+    const double distance = walk_.control().distance();
     const bool isParallel = plan.view.camera.isParallel();
     walk_.control().see(isParallel ? SceneDepths{distance, distance} : SceneDepths{plan.near, plan.far}, 1.0 / 30);
     scheduler_.update(row);

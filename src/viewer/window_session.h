@@ -60,8 +60,8 @@ private:
 
     Projection projection() const { return walk_.control().camera().projection; }
 
-    /// Returns true if the session ends by itself: after the path whose frames it writes, or if the path cannot be
-    /// played.
+    /// Returns true if the session ends by itself. This is the case if it plays a path and writes the images: it ends
+    /// after the path, or if the path cannot be played.
     bool isScripted() const { return !options_.path.empty() && !options_.images.empty(); }
 
     bool isIdle() const { return !scheduler_.needsScene() && !walk_.isUnderWay(); }

@@ -1,4 +1,4 @@
-// What the window session does with keys and mouse.
+// The reaction of the window session to keys and mouse.
 #include "settings/backend_choice.h"
 #include "viewer/input/setting_keys.h"
 #include "viewer/window_session.h"
@@ -37,7 +37,7 @@ void WindowSession::takeInput(double seconds) {
     }
 }
 
-/// Processes presses and clicks in their order, because a key may remove or save the point of a click.
+/// Processes key presses and clicks in their order, because a key can remove or save the point of a click.
 void WindowSession::takePressesAndClicks() {
     std::size_t clicked = 0;
     const auto measureBefore = [&](std::size_t presses) {

@@ -13,7 +13,8 @@ namespace gnomon {
 
 namespace {
 
-/// Returns true if half of the smallest normal number is not 0, and twice this half is the number again.
+/// Returns true if this thread computes with subnormal numbers: half of the smallest normal number is not 0, and twice
+/// this half is the number again.
 template <class Number>
 bool keepsSubnormals() {
     // The variables are volatile, so that the processor computes the result and not the compiler.

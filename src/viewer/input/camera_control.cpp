@@ -15,9 +15,9 @@ constexpr double kLongestStep = 0.1;         // seconds
 constexpr double kGlideSeconds = 0.4;
 constexpr double kInertiaSeconds = 0.06;
 constexpr double kSpeedSeconds = 0.3;    // response time of the speed to the visible depths
-constexpr double kSpeedOfDistance = 0.5; // distances per second
+constexpr double kSpeedOfDistance = 0.5; // speed before any wheel input, in visible distances per second
 constexpr double kNotchesPerOctave = 4;
-constexpr double kStill = 1e-3; // share of the speed below which the camera rests
+constexpr double kStill = 1e-3; // max velocity, as a share of speed(), at which the camera counts as resting
 constexpr double kAlong = 1e-9; // sine of the max angle between a view and an axis that count as parallel
 
 /// Returns `angle` plus the full turns that bring it nearest to `reference`.
@@ -89,7 +89,7 @@ void CameraControl::advance(const Flight& flight, double seconds) {
     glm::dvec3 wanted = flight.direction * flight.haste;
     const double length = glm::length(flight.direction);
     if (length > 1) wanted /= length;
-    // The exact solution for the velocity, so that the path does not depend on the frame times.
+    // Integrates the velocity exactly, so that the path does not depend on the frame times.
     const double decay = std::exp(-step / kInertiaSeconds);
     const glm::dvec3 way = wanted * step + (velocity_ - wanted) * (kInertiaSeconds * (1 - decay));
     velocity_ = wanted + (velocity_ - wanted) * decay;

@@ -22,8 +22,8 @@ struct SceneDepths {
 /// A camera that the user moves. `camera().up` is the up axis of the world, and the view never tips over it.
 class CameraControl {
 public:
-    /// Starts at `home`. The up axis of the world is that of `home`. If `home` looks along its up axis or along `up`,
-    /// the up axis is `up` (any length above 0). Throws Error if `home` is invalid.
+    /// Starts at `home`. The up axis of the world is `home.up`. If the view direction of `home` is parallel to
+    /// `home.up` or to `up`, the up axis is `up` instead (any length above 0). Throws Error if `home` is invalid.
     CameraControl(const Camera& home, const glm::dvec3& up);
 
     Camera camera() const;
@@ -56,24 +56,26 @@ public:
     /// Glides to `camera`. The up axis does not change, unless `camera` looks along it.
     void goTo(const Camera& camera);
 
-    /// Jumps to `camera` with the same rule for the up axis.
+    /// Jumps to `camera`. The up axis does not change, unless `camera` looks along it.
     void jumpTo(const Camera& camera);
 
     /// Switches between perspective and parallel projection. Objects at the distance of the target do not change their
     /// size.
     void toggleProjection();
 
-    /// Processes the visible depths, which determine the speed. The speed follows within some tenths of a second.
+    /// Adapts the speed to the visible depths. The speed follows them within some tenths of a second. `seconds` is the
+    /// time since the last call.
     void see(const SceneDepths& depths, double seconds);
 
     /// Processes the wheel: four notches double the speed.
     void changeSpeed(double notches);
 
-    /// Returns the speed at haste 1 in world units per second: half the geometric mean of the visible depths, times the
-    /// factor of the wheel.
+    /// Returns the speed at haste 1 in world units per second: half the geometric mean of the visible depths per
+    /// second, times the factor of the wheel.
     double speed() const;
 
-    /// Returns the assumed distance of the viewed object: from the last focus, or from the visible depths.
+    /// Returns the estimated distance of the object that the user looks at: from the last focus, or from the visible
+    /// depths.
     double distance() const { return pose_.distance; }
 
 private:
@@ -88,7 +90,7 @@ private:
     struct Glide {
         Pose from;
         Pose to;
-        double seconds = 0; // since its start
+        double seconds = 0; // since the start of the glide
     };
 
     Pose poseOf(const Camera& camera) const;
@@ -102,7 +104,7 @@ private:
     Projection projection_ = Projection::Perspective;
     Pose pose_;
     std::optional<Glide> glide_;
-    glm::dvec3 velocity_{0}; // camera axes, in units of speed()
+    glm::dvec3 velocity_{0}; // in camera axes, in units of speed()
     double sceneDistance_ = 1;
     double notches_ = 0;
 };

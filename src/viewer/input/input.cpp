@@ -74,7 +74,8 @@ void Input::onKey(int key, int action, int modifiers) {
 }
 
 void Input::onButton(int button, int action, int modifiers) {
-    constexpr double kOnePlace = 5; // pixels
+    // Max distance in pixels of the press and release of a click, and of both clicks of a double click.
+    constexpr double kOnePlace = 5;
     hasHappened_ = true;
     if (action == GLFW_RELEASE) {
         if (button != dragButton_) return;
@@ -89,7 +90,7 @@ void Input::onButton(int button, int action, int modifiers) {
     pressedAt_ = cursor_;
     drags_.push_back({button, modifiers, glm::dvec2(0), true});
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    constexpr double kBetweenClicks = 0.35; // seconds
+    constexpr double kBetweenClicks = 0.35; // seconds: max time between both clicks of a double click
     const double time = glfwGetTime();
     hasDoubleClicked_ = time - lastClick_ < kBetweenClicks && glm::distance(cursor_, lastClickAt_) < kOnePlace;
     lastClick_ = hasDoubleClicked_ ? -1 : time; // a third click starts a new double click
@@ -120,7 +121,7 @@ void Input::onCursor(double x, double y) {
 void Input::onFocus(bool hasFocus) {
     hasHappened_ = true;
     if (hasFocus) return;
-    // The window that has the focus now receives the releases.
+    // The releases go to the window that has the focus now, so this window would never receive them.
     held_.clear();
     dragButton_ = -1;
 }

@@ -20,7 +20,7 @@ struct KeyPress {
 /// A mouse drag since the last frame, in pixels of the framebuffer; x to the right, y down.
 struct Drag {
     int button = 0;    // button code of GLFW
-    int modifiers = 0; // modifiers of GLFW at its start
+    int modifiers = 0; // GLFW modifier bits at the start of the drag
     glm::dvec2 moved{0};
     bool hasBegun = false; // whether the drag started in this frame
 };

@@ -8,8 +8,9 @@
 
 namespace gnomon::viewer {
 
-/// Returns the pixel (column, row from the upper left) if something is drawn there. Otherwise returns the nearest drawn
-/// pixel within `reach` pixels, so that the user can hit wires and railings. Returns nothing if there is none.
+/// Returns the drawn pixel at `pixel` (column, row from the upper left). If nothing is drawn there, returns the nearest
+/// drawn pixel within `reach` pixels, so that the user can hit wires and railings. Returns nothing if there is no such
+/// pixel.
 std::optional<glm::ivec2> drawnPixel(const render::FloatPicture& viewDepth, const glm::ivec2& pixel, int reach);
 
 /// Returns the world point that `camera` sees at this pixel.

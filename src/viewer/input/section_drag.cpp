@@ -33,7 +33,8 @@ double distanceOf(const settings::Section& section, const glm::dvec3& point) {
 } // namespace
 
 std::vector<settings::Section> sectionBox(const Box& bounds) {
-    constexpr double kAside = 1e-3; // of the model's size, so that faces on the bounds stay whole
+    // Distance of the sections from the bounds, as a share of the model's size. It keeps faces on the bounds uncut.
+    constexpr double kAside = 1e-3;
     std::vector<settings::Section> sections;
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
@@ -52,8 +53,8 @@ std::string sectionInWords(const settings::Section& section, const Box& bounds) 
     return formatted("section: %.4g of %.4g left", left, reach.max - reach.min);
 }
 
-/// Returns the displacement along the normal, measured from the grip, of the point nearest to the line of sight through
-/// `cursor`.
+/// Returns the position, on the line along the plane's normal through the grabbed point, that is nearest to the line of
+/// sight through `cursor`. The position is in world units from the grabbed point.
 double SectionDrag::alongNormal(const glm::dvec2& cursor, const Camera& camera, const glm::ivec2& size) const {
     constexpr double kStraightAhead = 0.02; // min squared sine between the normal and the line of sight
     const CameraBasis basis = cameraBasis(camera);

@@ -20,10 +20,11 @@ std::string sectionInWords(const settings::Section& section, const Box& bounds);
 /// The drag of a section plane along its normal.
 class SectionDrag {
 public:
-    /// Moves a plane. At the start of a drag it selects the plane nearest to the point under the cursor, or the last
-    /// plane. The selected point then follows the cursor, as far as the direction of the normal permits. If the camera
-    /// looks along the normal, moving the cursor up moves the plane in the direction of its normal. The plane stays
-    /// within `bounds`. `sections` must not be empty, and `size` is the image size in pixels.
+    /// Moves a plane along its normal. At the start of a drag it selects the plane nearest to the surface point under
+    /// the cursor, or the last plane if there is no surface. The selected point then follows the cursor, as far as the
+    /// direction of the normal permits. If the camera looks along the normal, moving the cursor up moves the plane in
+    /// the direction of its normal. The plane stays within `bounds`. `sections` must not be empty, and `size` is the
+    /// image size in pixels.
     void drag(
         const Drag& drag,
         const DragScene& scene,

@@ -15,8 +15,8 @@ namespace gnomon::viewer {
 namespace {
 
 constexpr double kRadiansPerPixel = 0.004;
-constexpr double kLightPerPixel = 1.0 / 300; // in radii of the widget
-constexpr double kMaxRadius = 0.985;         // of the widget; a light on the horizon would be ambiguous
+constexpr double kLightPerPixel = 1.0 / 300; // in radii of the light widget
+constexpr double kMaxRadius = 0.985;         // in radii of the light widget; a light on the horizon would be ambiguous
 constexpr double kHaste = 5;                 // factor of the speed with Shift, and its inverse with Ctrl
 
 glm::dvec3 directionOf(Way way) {

@@ -17,7 +17,7 @@ Flight heldFlight(const std::function<bool(int key)>& isHeld);
 /// the panel, and does not cross the horizon.
 glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, const glm::dvec2& moved);
 
-/// Sets the light in `asked` after such a drag.
+/// Sets the light in `asked` to the direction after a drag by `moved` pixels (see turnedLight).
 void turnLight(settings::Settings& asked, const Camera& camera, const glm::dvec2& moved);
 
 /// The cursor and the image during a drag.

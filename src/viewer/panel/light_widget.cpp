@@ -9,7 +9,8 @@ namespace gnomon::viewer {
 
 namespace {
 
-constexpr int kAnswersAFrame = 24; // storage factors per frame; each needs well under a millisecond
+// Max number of storage factors that a frame computes. Each one takes well under a millisecond.
+constexpr int kAnswersAFrame = 24;
 
 /// Returns a colour from dark blue (0) through green and yellow to white (1).
 ImU32 heat(double part) {
@@ -24,7 +25,7 @@ ImU32 heat(double part) {
         {a.x + (b.x - a.x) * mix, a.y + (b.y - a.y) * mix, a.z + (b.z - a.z) * mix, 1});
 }
 
-/// Returns the input for the storage factors of a frame, or nothing if it has no maps.
+/// Returns the input of the texel plot for a frame, or nothing if the frame has no shadow maps.
 std::optional<TexelPlotInput> plotInput(const frame::Frame* frame, const LightDisc& disc) {
     if (frame == nullptr || frame->plan.passes.empty()) return std::nullopt;
     const plan::FramePlan& plan = frame->plan;

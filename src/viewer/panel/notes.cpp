@@ -37,7 +37,8 @@ PictureFrame windowFrame(const Camera& camera) {
 }
 
 void drawSegments(std::span<const PixelSegment> segments, ImU32 color, float thickness) {
-    // A line that starts near the eye plane can end very far away. Floats cannot represent such coordinates.
+    // A segment that starts near the plane of the eye can end very far away on the screen. Floats cannot represent such
+    // coordinates.
     constexpr double kFar = 1e5;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const PixelSegment& segment : segments) {

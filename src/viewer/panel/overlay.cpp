@@ -110,7 +110,7 @@ void drawStatus(const OverlayContent& content) {
     state.reductions = content.reductions;
     const std::string text = statusInWords(frame.plan, frame.row, state);
     const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * letterHeight(), 8 * letterHeight());
-    // Without this, the size is one frame late.
+    // Without this call, Dear ImGui would use the size of the previous frame.
     ImGui::SetNextWindowContentSize(ImGui::CalcTextSize(text.c_str(), nullptr, false, widest));
     if (beginNote("status", {0.5F * letterHeight(), 0.5F * letterHeight()}, {0, 0})) {
         ImGui::PushTextWrapPos(widest);

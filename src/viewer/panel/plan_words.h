@@ -13,7 +13,7 @@ namespace gnomon::viewer {
 /// value, and the reasons for skipped passes.
 std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetry::FrameRow& row);
 
-/// The facts about the image that the log row of the last frame does not contain.
+/// Facts about the image that the log row of its last frame does not contain.
 struct PictureState {
     double frameMs = 0;     // typical time of the last frames
     int samples = 0;        // frames in the mean; 0: the image is not a mean

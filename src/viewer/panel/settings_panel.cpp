@@ -136,7 +136,7 @@ bool drawQuality(settings::Settings& settings) {
     return hasChanged;
 }
 
-/// Draws the ends of the colour map: the range of the values, or a range that the user drags.
+/// Draws the controls for the range of the colour map: the range of the values, or a range that the user drags.
 bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
     bool isOwn = colors.range.has_value();
     const bool isToggled = ImGui::Checkbox("ends of one's own", &isOwn);

@@ -29,7 +29,7 @@ struct LightDisc {
 /// Returns the disc of a camera.
 LightDisc lightDisc(const Camera& camera, bool fromBelow);
 
-/// The input of a storage factor.
+/// The input for the computation of storage factors.
 struct TexelPlotInput {
     LightDisc disc;
     CameraBasis basis;
@@ -37,11 +37,11 @@ struct TexelPlotInput {
     shadow::Scheme scheme;
 };
 
-/// Returns the storage factor for a light in world space.
+/// Returns the storage factor for a light direction in world space.
 double storageFactor(const TexelPlotInput& input, const glm::dvec3& towardsLight);
 
-/// The storage factors over the disc on a square grid. They are computed a few at a time, so that no frame waits for
-/// them.
+/// The storage factors over the disc on a square grid. A frame computes only a few of them, so that no frame takes
+/// long.
 class TexelPlot {
 public:
     /// Creates a grid of `side` x `side` cells, with `side` at least 1.
@@ -50,8 +50,8 @@ public:
 
     int side() const { return side_; }
 
-    /// Starts the computation for another `input`. Old values remain until new ones replace them. An empty question
-    /// stops the computation.
+    /// Starts the computation for another `input`. Old values remain visible until new ones replace them. nullopt stops
+    /// the computation.
     void ask(const std::optional<TexelPlotInput>& input);
 
     /// Computes up to `count` more values.
@@ -64,7 +64,7 @@ public:
     /// the computation.
     std::optional<double> at(int column, int row) const { return values_[index(column, row)]; }
 
-    /// Returns the centre of a cell in the square of the unit circle.
+    /// Returns the centre of a cell, in coordinates from -1 to 1 over the disc.
     glm::dvec2 middle(int column, int row) const;
 
     /// The min and max of the computed factors.

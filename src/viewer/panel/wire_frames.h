@@ -13,8 +13,8 @@ namespace gnomon::viewer {
 
 using Segment = std::array<glm::dvec3, 2>;
 
-/// Returns the edges of `volume` clipped to `limit`, including the edges of the cut: the parts of intersection lines of
-/// two planes inside all other planes. Coincident planes produce an edge repeatedly.
+/// Returns the edges of the intersection of `volume` and `limit`. An edge is the part of the intersection line of two
+/// planes that is inside all other planes. Coincident planes produce an edge repeatedly.
 std::vector<Segment> edges(const ConvexVolume& volume, const ConvexVolume& limit);
 
 /// Returns the planes of `box`.
@@ -31,8 +31,8 @@ struct PlanVolume {
     std::vector<Segment> edges;
 };
 
-/// Returns the view volume with guaranteed shadow resolution, each partition, and the casters of each partition. They
-/// are clipped to `bounds` and the eye.
+/// Returns the part of the view with guaranteed shadow resolution, each partition, and the volume of the casters of
+/// each partition. All are clipped to `bounds` and the eye.
 std::vector<PlanVolume> planVolumes(const plan::FramePlan& plan, const Box& bounds);
 
 /// An image that segments are projected onto.

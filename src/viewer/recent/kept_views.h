@@ -36,7 +36,7 @@ private:
     void dropOldest() const;
 
     std::string folder_;
-    std::map<std::string, std::string> saved_; // texts, by model
+    std::map<std::string, std::string> saved_; // saved texts, by model
 };
 
 } // namespace gnomon::viewer

@@ -19,7 +19,7 @@ public:
     /// Returns all cameras, oldest first.
     const std::vector<Camera>& cameras() const { return cameras_; }
 
-    /// Processes the camera at a time (seconds on any clock). A camera that rested for half a second is added.
+    /// Processes the camera at a time (seconds on any clock). Adds the camera if it has rested for half a second.
     void see(const Camera& camera, double seconds);
 
     /// Adds a camera, unless it is almost equal to the current one: within a hundredth of the distance to its target,

@@ -75,7 +75,8 @@ ordered_json jsonOf(const Camera& camera) {
     return object;
 }
 
-/// The cubic between b and c with slopes from a, b, c, d and their times (Catmull and Rom 1974).
+/// The cubic between the keyframes b and c. Its slopes come from the values and times of a, b, c and d (Catmull and Rom
+/// 1974).
 struct Segment {
     double t0 = 0;
     double t1 = 0;
@@ -150,7 +151,8 @@ Camera cameraAt(const CameraPath& path, double time) {
     const auto at = static_cast<std::size_t>(next - keys.begin());
     const Keyframe& b = keys[at - 1];
     const Keyframe& c = keys[at];
-    // The last keyframe of a loop equals the first. The neighbours across the seam are therefore one period away.
+    // The last keyframe of a loop equals the first. The neighbours across the seam are therefore shifted by one
+    // duration of the path.
     const double period = path.loop ? path.duration() : 0;
     const bool wraps = path.loop && keys.size() > 2;
     const Keyframe a = at >= 2 ? keys[at - 2] : wraps ? shifted(keys[keys.size() - 2], -period) : b;

@@ -31,17 +31,18 @@ struct CameraPath {
     double duration() const { return keyframes.back().time - keyframes.front().time; }
 };
 
-/// Returns the camera of `path` at `time`. Times outside the path give the camera at its ends. Catmull-Rom is a cubic
-/// over uneven times (Catmull and Rom 1974), not the centripetal variant. Its differences are one-sided at the ends of
-/// an open path. In a loop, whose last keyframe equals the first, they continue across the seam. The angle stays
-/// between those of the two keyframes.
+/// Returns the camera of `path` at `time`. Times outside the path give the camera at its ends. The Catmull-Rom
+/// interpolation is a cubic between keyframes at unevenly spaced times (Catmull and Rom 1974), not the centripetal
+/// variant. The slope at a keyframe comes from both neighbours. At the ends of an open path it comes from one
+/// neighbour. In a loop, whose last keyframe equals the first, the neighbours continue across the seam. The angle of
+/// view stays between those of the two keyframes.
 Camera cameraAt(const CameraPath& path, double time);
 
 /// Returns the time of frame `frame` of `frames` evenly spaced frames. An open path includes both ends. A loop excludes
 /// its end, because it equals the start.
 double frameTime(const CameraPath& path, int frame, int frames);
 
-/// Returns the number of equal steps into which `frames` frames divide the duration of `path`.
+/// Returns the number of equal time steps into which `frames` frames divide the duration of `path`.
 int frameSteps(const CameraPath& path, int frames);
 
 /// Returns `camera` rotated about its target. The axis is `up`, and the rotation is counter-clockwise as seen from

@@ -11,8 +11,8 @@ namespace gnomon::path {
 namespace {
 
 constexpr glm::dvec3 kUprightLight(0.4, 1, 0.3);
-constexpr double kAside = 0.45;     // of a three-quarter view: tangent of the sideways angle
-constexpr double kFromAbove = 0.45; // of a three-quarter view: tangent of the angle from above
+constexpr double kAside = 0.45;     // three-quarter view: tangent of the sideways angle
+constexpr double kFromAbove = 0.45; // three-quarter view: tangent of the angle from above
 constexpr double kClosest = 0.02;   // min distance from the eye to the model, as a fraction of the model's size
 
 /// The range of tangents in the picture along one axis.
@@ -28,8 +28,8 @@ struct Extent {
     double middle() const { return 0.5 * (min + max); }
 };
 
-/// The position of the eye along the view (`depth`) and sideways (`aside`) at which `points` (camera space) exactly
-/// fill the range of `tangent` on one axis.
+/// The position of the eye on one axis of the picture at which `points` (camera space) exactly fill the range of
+/// `tangent`: its coordinate along the view (`depth`) and sideways (`aside`).
 struct Fit {
     double depth = 0;
     double aside = 0;

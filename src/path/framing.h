@@ -45,8 +45,8 @@ inline constexpr double kFramedPart = 0.875;
 /// / height, `fovYRadians` is in (0, pi).
 Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians);
 
-/// Returns the orthographic camera at `vantage` whose picture shows `points` with the size kFramedPart. The points lie
-/// in front of the eye, and the target is their middle.
+/// Returns the orthographic camera at `vantage` whose picture shows `points` with the size kFramedPart. The points are
+/// in front of the eye, and the target is the middle of the points.
 Camera orthographicFraming(
     std::span<const glm::dvec3> points, const Vantage& vantage, double aspect, double fovYRadians);
 

@@ -21,7 +21,7 @@ hierarchy::UpGuess guessedUp(const hierarchy::ModelFile& model);
 /// Returns the eight corners of a box. An empty box counts as a point at the origin.
 std::vector<glm::dvec3> cornersOf(const Box& box);
 
-/// Returns `outline` swept about the axis along `up` through `center`.
+/// Returns the points that `outline` reaches in a full turn about the axis along `up` through `center`.
 std::vector<glm::dvec3> sweptOutline(
     const std::vector<glm::dvec3>& outline, const glm::dvec3& center, const glm::dvec3& up);
 

@@ -15,7 +15,7 @@ struct SolidSpan {
     std::int32_t top = 0;
 };
 
-/// Square columns over a region, and height steps. World units, y up.
+/// A grid of square columns over a region, with steps of height. World units, y up.
 struct ColumnGrid {
     glm::dvec3 origin{0}; // corner of column (0, 0), at height 0
     double cell = 0.1;    // side of a column

@@ -54,7 +54,7 @@ std::vector<Storey> findStoreys(const WalkableFloor& floor) {
     for (const auto& area : areas) {
         const std::int32_t height = area.first;
         Storey storey{static_cast<double>(height), 0};
-        double maxValue = 0; // max area at a single height, which names the storey
+        double maxValue = 0; // area at the height with the largest area, which becomes the height of the storey
         for (auto i = areas.lower_bound(height - near); i != areas.end() && i->first <= height + near; ++i) {
             storey.area += i->second;
             if (i->second <= maxValue) continue;

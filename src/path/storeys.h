@@ -13,12 +13,13 @@ struct Storey {
     double area = 0;
 };
 
-/// Returns the storeys of `floor` from below, at least a body height apart. They are the storey with the largest area,
-/// and all storeys with 100 square metres (for a body of 1.7) or a quarter of the largest area.
+/// Returns the storeys of `floor` from below, at least a body height apart. The result contains the storey with the
+/// largest area. It also contains each storey with at least 100 square metres (for an eye height of 1.7), or with at
+/// least a quarter of the largest area.
 std::vector<Storey> findStoreys(const WalkableFloor& floor);
 
-/// Returns the range of heights of storey `index`: from two steps below to half a body above its floor, limited by the
-/// next storey.
+/// Returns the height range of storey `index`: from two steps below its floor to half a body height above it, limited
+/// by the next storey.
 HeightBand bandOf(const std::vector<Storey>& storeys, std::size_t index, const WalkBody& body);
 
 /// Returns a list for error messages, for example "0 (at 0.02), 1 (at 4.6)", or "none".

@@ -99,7 +99,8 @@ glm::dvec3 coarseVertexTowards(
 }
 
 /// Returns a path from far away to very near the surface, with distances in a geometric sequence. The target is the
-/// surface in front of the model's middle. If there is none, it is the vertex nearest to that line.
+/// surface point in front of the middle of the model. If there is none, the target is the vertex of the coarsest cut
+/// nearest to that line of sight.
 CameraPath approach(const hierarchy::ModelFile& model) {
     const Box bounds = hierarchy::mainPartOf(model.summary());
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);

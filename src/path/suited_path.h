@@ -8,9 +8,9 @@
 
 namespace gnomon::path {
 
-/// Returns a path of kind "walk", "orbit", "flyby" or "approach". The model's up direction is up. The path takes twelve
-/// seconds, except for a walk. An approach ends at a thousandth of the distance to the surface. A walk follows the
-/// model's floors (see `walk`) and throws Error if there are none.
+/// Returns a path of kind "walk", "orbit", "flyby" or "approach". Its up direction is that of the model. The path takes
+/// twelve seconds, except for a walk. An approach ends at a thousandth of its initial distance to the surface. A walk
+/// follows the model's floors (see `walk`) and throws Error if there are none.
 CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind, const WalkOptions& walkOptions = {});
 
 /// Returns a path through `cameras` at seconds 0, 1, 2, ... The list must not be empty, and all cameras must have the

@@ -62,7 +62,8 @@ CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHei
     return path;
 }
 
-/// Returns the end of a way without its last points in front of a wall. It removes at most a twelfth of the points.
+/// Returns the number of points of a way without its last points in front of a wall. Removes at most a twelfth of the
+/// points.
 std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const double minStraight = 2.2 * floor.body().eyeHeight / floor.grid().cell;
     std::size_t end = way.size();
@@ -74,8 +75,8 @@ std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& 
     return end;
 }
 
-/// Returns the eye positions along a way: at eye height above the floor, and smooth on stairs. The distance to floor or
-/// ceiling changes by at most half a step.
+/// Returns the eye positions along a way: at eye height above the floor, but smoothed on stairs. The smoothing changes
+/// the distance to floor or ceiling by at most half a step.
 std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const WalkBody& body = floor.body();
     const ColumnGrid& grid = floor.grid();
@@ -97,7 +98,7 @@ std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<
     return eyes;
 }
 
-/// Returns a path that looks along the way: to its position after the next strides, if no corner is in between. The
+/// Returns a camera path that looks along the way, to the position after the next strides if no corner hides it. The
 /// view direction turns smoothly.
 CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const WalkBody& body = floor.body();

@@ -77,7 +77,7 @@ void WalkableFloor::findFloors(const SolidSpans& solid) {
                 FloorCell cell;
                 cell.column = column;
                 cell.floor = spans[i].top;
-                // Has headroom, because spans with less are merged.
+                // This floor has enough headroom, because spans with less free height between them are merged.
                 if (i + 1 < spans.size()) cell.ceiling = spans[i + 1].bottom;
                 found.push_back(cell);
             }

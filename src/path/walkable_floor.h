@@ -9,14 +9,14 @@
 
 namespace gnomon::path {
 
-/// The dimensions of the walking body, in world units, in proportion to its eye height.
+/// The dimensions of the walking body, in world units. All are proportional to its eye height.
 struct WalkBody {
     double eyeHeight = 1.7;
     double headroom = 1.9;  // required free height above a floor
     double radius = 0.2;    // free radius around the body, at heights from step to headroom
     double step = 0.3;      // max height of a step, up or down
     double longStep = 0.6;  // max width of a gap in the floor that the body steps over
-    double barStep = 1.1;   // the same beside a bar narrower than a foot, for example in a coarse grating
+    double barStep = 1.1;   // max width of a gap beside a bar narrower than a foot, for example in a coarse grating
     double stepSlope = 0.9; // max rise over run for more than one step: stairs of 42 degrees, ramps of 45
     double pace = 1.4;      // units per second
 
@@ -50,7 +50,7 @@ public:
 
     const std::vector<FloorCell>& cells() const { return cells_; }
 
-    /// Returns true if the body keeps its radius at `cell`.
+    /// Returns true if the body has its free radius at `cell`.
     bool isWalkable(std::uint32_t cell) const { return cells_[cell].clearance >= bodyClearance_; }
 
     /// Returns true if a ceiling is less than 8 eye heights above the floor of the cell. A higher ceiling counts as

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kRegions = 12; // number of searched regions
 constexpr int kStarts = 3;           // start positions per region
 constexpr int kLegs = 4;             // max legs of a way
-constexpr double kAside = 0.8;       // in eye heights: distance of a leg from earlier legs
+constexpr double kAside = 0.8;       // eye heights: distance of a leg from earlier legs
 constexpr double kNearObjects = 2;   // in eye heights: max distance of an object beside the way
 
 /// A connected part of the floor.
@@ -50,7 +50,7 @@ public:
     /// Returns the best way from `start`, no longer than `longest`.
     FoundWay bestFrom(std::uint32_t start, double longest);
 
-    /// Closes the floor near `way` for later legs, except near its end.
+    /// Removes the floor near `way` from the search for later legs, except near the end of `way`.
     void close(const std::vector<std::uint32_t>& way);
 
 private:
@@ -61,10 +61,10 @@ private:
 
     const WalkableFloor& floor_;
     double longest_ = 0;
-    std::vector<std::uint8_t> weights_; // tenths; 0: not usable for this walk
+    std::vector<std::uint8_t> weights_; // wayWeight of each cell in tenths; 0: not usable for this walk
     WayTree tree_;
     std::vector<std::uint32_t> reached_; // cells in the tree
-    // By cost modulo the number of buckets; each step costs less than this number.
+    // The cells to visit, by their cost modulo the number of buckets. Each step costs less than this number.
     std::array<std::vector<std::uint32_t>, 256> buckets_;
 };
 

@@ -27,10 +27,10 @@ double wayWeight(const WalkableFloor& floor, std::uint32_t cell);
 
 /// Returns the way with the most interest, or nothing if no floor is walkable. The search begins at a few seeded
 /// positions on the largest connected floors, where indoor floor counts more. Shortest paths (Dijkstra 1959, with the
-/// buckets of Dial 1969) lead to the cell with the most interest within `bounds.longest`. The search repeats from that
-/// cell, like the search for the two ends of a tree. The end of a way is removed if it has less than half of the way's
-/// interest per length. More legs continue from the end without a return, if they have more than half of the way's
-/// interest per length.
+/// buckets of Dial 1969) lead to the cell with the most interest within `bounds.longest`. From that cell the search
+/// starts again, as in the search for the longest path of a tree. The last part of a way is removed if its interest per
+/// length is less than half of that of the whole way. Further legs continue from the end, without a return over the
+/// same floor, if their interest per length is more than half of that of the way.
 std::optional<FoundWay> findWay(const WalkableFloor& floor, const WayBounds& bounds);
 
 } // namespace gnomon::path

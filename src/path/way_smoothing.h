@@ -11,7 +11,7 @@ struct WayPoint {
     std::uint32_t cell = 0;
 };
 
-/// The result of a straight walk from `from` towards `to`: its reach over walkable floor, and its cost.
+/// The result of a straight walk from `from` towards `to`: how far it goes over walkable floor, and its cost.
 struct StraightRun {
     std::uint32_t end = FloorCell::kNone; // the cell of `to`, or kNone if the line is blocked
     double free = 0;                      // free length, in columns

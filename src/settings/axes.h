@@ -1,4 +1,4 @@
-// The axes of a bench: each swept setting with its list of values, and all combinations of the values.
+// The axes of a bench. An axis is a setting with a list of values. A bench runs all combinations of the values.
 #pragma once
 
 #include "settings/setting.h"

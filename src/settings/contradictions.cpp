@@ -15,7 +15,7 @@ namespace {
 
 using Condition = bool (*)(const Request&);
 
-// Uses of options whose default value does not say whether they are given, and of those that are no settings.
+// Conditions for options that are not settings, and for settings whose value does not show whether the user gave them.
 constexpr OptionUse kPath{"path", [](const Request& r) { return !r.output.path.empty(); }};
 constexpr OptionUse kTurntable{"turntable", [](const Request& r) { return r.output.turntable > 0; }};
 constexpr OptionUse kLight{"light", [](const Request& r) { return r.settings.isLightGiven; }};

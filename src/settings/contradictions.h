@@ -17,36 +17,38 @@ struct Request {
     Output output;
 };
 
-/// An option, and the condition on its value.
+/// An option, and the condition under which a request uses it.
 struct OptionUse {
-    const char* option;                               // without dashes
-    bool (*isUsed)(const Request&) = nullptr;         // null: it is a setting, and its value is not the default
-    std::string (*written)(const Request&) = nullptr; // null: the option, and its value if it is a setting
+    const char* option; // without dashes
+    // If null, the option is a setting. A request uses it if its value is not the default.
+    bool (*isUsed)(const Request&) = nullptr;
+    // Returns the option as error messages show it. If null, they show its name, with the value if it is a setting.
+    std::string (*written)(const Request&) = nullptr;
 };
 
-/// An option that contradicts each of the others.
+/// An option that cannot be combined with any of `others`.
 struct Contradiction {
     OptionUse option;
     std::vector<OptionUse> others;
     const char* reason;
 };
 
-/// An option that has an effect only beside another one.
+/// An option that has an effect only together with another option.
 struct Requirement {
     OptionUse option;
     bool (*isMet)(const Request&);
-    const char* needed; // the other option, with a value
+    const char* needed; // the needed option, with its value
 };
 
 std::span<const Contradiction> contradictions();
 
 std::span<const Requirement> requirements();
 
-/// Throws UsageError if options of `request` contradict each other, or if one lacks an option that it needs. The error
-/// names the first of them. A request without a picture has no output.
+/// Throws UsageError if options of `request` contradict each other, or if an option lacks another option that it needs.
+/// The error names the first such option. A command without a picture passes a request without an output.
 void requireSound(const Request& request);
 
-/// Throws the same for settings without an output.
+/// Throws the same errors for settings without an output.
 void requireSound(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -10,8 +10,8 @@ namespace gnomon::settings {
 /// option was not renamed.
 std::string_view currentName(std::string_view name);
 
-/// Returns `option` with its old names, as CLI11 takes them: "--geodetic,--ecef". A value of any of them is a value of
-/// `option`.
+/// Returns `option` with its old names, in the format of CLI11: "--geodetic,--ecef". A value of any of them is a value
+/// of `option`.
 std::string withOldNames(const std::string& option);
 
 } // namespace gnomon::settings

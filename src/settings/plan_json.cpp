@@ -66,8 +66,8 @@ ordered_json passJson(const plan::FramePlan& plan, const plan::ShadowPass& pass)
         matrixJson(glClipFromLightClip() * map.lightClipFromCamera() * cameraFromWorld(plan));
     json["rectangle"] = {r.x, r.y, r.width, r.height};
     json["kappa"] = map.warped.kappa;
-    // In a logarithmic map, the row above the lower edge of the rectangle is this factor times ln(w), with the w of the
-    // matrix. The value 0 means that rows are even in y / w.
+    // In a logarithmic map, the row of a point is this factor times ln(w), counted from the lower edge of the
+    // rectangle. w comes from the matrix. The value 0 means that rows are evenly spaced in y / w.
     json["rows_per_log"] = map.warped.rows == shadow::RowSpacing::Even ? 0.0 : map.rowsPerLog();
     json["promised_aliasing_x"] = map.aliasingBound.x;
     json["promised_aliasing_z"] = map.aliasingBound.z;

@@ -41,8 +41,8 @@ const char* whyStabilized(Effect effect) {
     return "stabilised slices are whole";
 }
 
-/// Returns the words for reasons about penumbrae, the sky, even rows and point lights. The calling function handles all
-/// other reasons.
+/// Returns the words for reasons about penumbrae, the sky, evenly spaced rows and point lights. The calling function
+/// handles all other reasons.
 std::string otherReason(const plan::SkippedEffect& skipped) {
     switch (skipped.reason) {
     case SkipReason::NarrowPenumbrae:

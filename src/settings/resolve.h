@@ -14,9 +14,9 @@ namespace gnomon::settings {
 /// The texts of the given options, by the name of the setting.
 using SettingTexts = std::map<std::string, std::string>;
 
-/// Returns settings with the values of `given`, and the default for all others. Old names of settings are accepted.
-/// Without `withSwept`, settings that a bench sweeps have their default too. Throws UsageError for an invalid text, for
-/// an unknown name, and for options of shadow maps together with exact shadows.
+/// Returns settings with the values of `given`, and the defaults of all other settings. Old names of settings are
+/// accepted. If `withSwept` is false, the settings that a bench sweeps also have their defaults. Throws UsageError for
+/// an invalid text, for an unknown name, and for options of shadow maps together with exact shadows.
 Settings settingsOf(const SettingTexts& given, bool withSwept = true);
 
 /// Throws UsageError if `texts` request exact shadows, because `option` applies to shadow maps only. The message names
@@ -29,15 +29,17 @@ bool isPosed(const Settings& settings);
 /// Returns true if no option gives the position of the eye, so that the camera frames the whole model.
 bool isFramed(const Settings& settings);
 
-/// Reads the camera file of `settings`, if there is one; it is a path if `time`, in seconds, is given. Throws Error.
+/// Reads the camera file of `settings`, if one is given. If `time` (seconds) is given, the file is a camera path, and
+/// its camera at this time is used. Throws Error.
 void readCamera(Settings& settings, std::optional<double> time = {});
 
-/// The pictures that a view without a camera frames the model for.
+/// The pictures in which the model must fit if no camera is given: one picture, all pictures of a turntable, or the
+/// pictures of a camera path. The cameras of a path need no framing.
 enum class Framing : std::uint8_t { OnePicture, EveryTurn, Path }; // the cameras of a path need no framing
 
-/// Returns the view of sound `settings` whose camera file is read. Without a camera the view frames `outline`
-/// (path/outline.h), or the bounds of `summary` if `outline` is empty. An up that is auto is the model's own. Throws
-/// UsageError if the eye is at the target.
+/// Returns the view that `settings` request. Call requireSound and readCamera before. Without a camera the view frames
+/// `outline` (path/outline.h), or the bounds of `summary` if `outline` is empty. Without a given up direction, uses
+/// that of the model. Throws UsageError if eye and target are the same point.
 plan::View viewOf(
     const Settings& settings,
     const hierarchy::ModelSummary& summary,
@@ -48,7 +50,8 @@ plan::View viewOf(
 /// the function reads coarse pages.
 Settings uprightIn(const Settings& settings, const hierarchy::ModelFile& model);
 
-/// Returns the view with that up and the outline of `model`. Reads coarse pages of the model if it has to frame it.
+/// Returns the view that `settings` request of `model`, after uprightIn. Reads coarse pages of the model if the view
+/// has to frame its outline.
 plan::View viewOf(const Settings& settings, const hierarchy::ModelFile& model, Framing framing = Framing::OnePicture);
 
 /// Sets the section planes of `view` (world space), and whether they also cut casters.
@@ -58,7 +61,7 @@ void setSections(const Settings& settings, plan::View& view);
 /// names `option`.
 void requireDirectionalLight(const Settings& settings, const std::string& option);
 
-/// Returns the quality of sound `settings`.
+/// Returns the quality that `settings` request. Call requireSound before.
 plan::Quality qualityOf(const Settings& settings);
 
 } // namespace gnomon::settings

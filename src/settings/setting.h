@@ -20,7 +20,7 @@ namespace gnomon::settings {
 /// The value of a setting, with the type of the setting.
 using Value = std::any;
 
-/// The kind of a setting's value. It decides the control in the window and the steps of keys. In order: a list of
+/// The type of a setting's value. It selects the control in the window and the steps of keys. In order: a list of
 /// words, bool, int, std::optional<int>, double, std::array<int, 2>, and all other types.
 enum class Kind : std::uint8_t { Words, Switch, Whole, WholeOrAuto, Number, Size, Other };
 
@@ -28,21 +28,21 @@ enum class Kind : std::uint8_t { Words, Switch, Whole, WholeOrAuto, Number, Size
 struct Offer {
     std::string title{};      // empty: the window has no control for it
     double min = 0;           // min of a number, and of each side of a size
-    double max = 0;           // max of the same
-    std::vector<int> steps{}; // the values of a whole number that its key steps through; empty: all numbers
+    double max = 0;           // max of a number, and of each side of a size
+    std::vector<int> steps{}; // values through which the key of a whole number steps; empty: all numbers
 };
 
 /// The name, the help and the properties of a setting.
 struct Description {
     std::string name;             // "error-pixels"
     std::string form;             // placeholder for the value in the help: "T"; empty: the list of words
-    std::string help;             // one clause; it names each word of a form that is not this list
-    std::string usually{};        // the default in words, if there is no default value or if it does not explain itself
-    bool isRepeated = false;      // may be given several times; its text is all of them with semicolons between
-    bool isSwept = false;         // a bench takes a list of values
-    bool isOfMaps = false;        // it says how shadow maps are, and contradicts shadows without them
-    bool changesPicture = true;   // else the picture is the same for all its values, but for the time that it takes
-    std::string statedAs{};       // under which key a bench states it and a baseline must agree; empty: it does not
+    std::string help;             // one clause; it explains each word of `form`, unless `form` is the list of words
+    std::string usually{};        // default in words, if there is no default value or if the value needs an explanation
+    bool isRepeated = false;      // may be given several times; its text joins all values with semicolons
+    bool isSwept = false;         // a bench accepts a list of values
+    bool isOfMaps = false;        // a property of shadow maps, which contradicts shadows without maps
+    bool changesPicture = true;   // if false, all values give the same picture, in different times
+    std::string statedAs{};       // key in the results of a bench, which must agree with the baseline; empty: no key
     std::optional<Limit> limit{}; // the limit of a LimitError that this option sets
     Offer offer{};
 };

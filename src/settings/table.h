@@ -1,6 +1,6 @@
 // The table of all settings. The command line, the axes of a bench, the panel and the keys of the window, the report
 // and the help all read it. --overlay and --oracle are not in the table: they do not change the view or its quality,
-// their values are defined in the layers backend and proof, and only some commands have them.
+// the layers render and validation define their values, and only some commands have them.
 #pragma once
 
 #include "settings/setting.h"
@@ -18,19 +18,19 @@ std::span<const Setting> table();
 /// Returns the setting with this name, which must exist.
 const Setting& named(std::string_view name);
 
-/// The option of a setting and its value, as they are written: "--eta 0.5".
+/// Returns the option of a setting with its value, as on a command line: "--eta 0.5".
 std::string optionText(const char* name, const Settings& settings);
 
-/// Returns whether there is a setting of that name.
+/// Returns true if a setting has this name.
 bool isSetting(std::string_view name);
 
-/// Returns the options that set `limits`, with ", " between them; empty if none does.
+/// Returns the options that set `limits`, separated by ", ". Returns an empty text if no option sets them.
 std::string optionsOf(std::span<const Limit> limits);
 
 /// Returns false for a setting of shadow maps if `settings` request exact shadows; otherwise true.
 bool appliesTo(const Setting& setting, const Settings& settings);
 
-/// Returns true if a given `setting` changes the shadow mode Auto to shadow maps.
+/// Returns true if `setting`, when it is given, changes the shadow mode Auto to shadow maps.
 inline bool asksForMaps(const Setting& setting) {
     return setting.description().isOfMaps ||
            setting.name() == "cull-casters"; // allowed with exact shadows, without effect

@@ -15,7 +15,7 @@ namespace {
 using Words = std::vector<std::uint64_t>;
 
 constexpr std::uint64_t kMagic = 0x31534B494C4E47FFU; // no text file begins with these bytes
-constexpr std::size_t kHeadWords = 2;                 // magic, length of the key
+constexpr std::size_t kHeadWords = 2;                 // number of 64-bit words: magic number, length of the key
 constexpr std::uint64_t kMaxKey = 65536;
 constexpr const char* kSuffix = ".steps";
 
@@ -30,7 +30,7 @@ std::uint64_t sumOf(const Words& words, std::size_t count, std::uint64_t seed) {
     return sum;
 }
 
-/// Returns true if the file begins like a log, as far as it exists.
+/// Returns true if the existing bytes of the file equal the beginning of a log.
 bool isLog(const std::string& path) {
     std::uint64_t magic = 0;
     const std::size_t found = File(path, File::Mode::Read).readSomeAt(0, std::as_writable_bytes(std::span(&magic, 1)));
@@ -75,14 +75,14 @@ std::optional<LitLog> LitLog::ofAnother(const std::string& path, const std::stri
     return log;
 }
 
-/// Returns true if the header is complete. Throws Error if the file is not a log.
+/// Returns true if the header of the log is complete. Throws Error if the file is not a log.
 bool LitLog::hasLog() const {
     Words head(kHeadWords);
     const std::size_t found = file_.readSomeAt(0, std::as_writable_bytes(std::span(head)));
     if (found >= sizeof(std::uint64_t) && head[0] != kMagic)
         throw Error(file_.path(), "this file is not a log of sun hours, and is not overwritten");
     const std::uint64_t headBytes = kHeadWords * sizeof(std::uint64_t);
-    // Otherwise, the process was killed before the key was written.
+    // If the file is shorter, the process was killed before it wrote the whole key.
     return found == headBytes && file_.size() - headBytes >= head[1];
 }
 

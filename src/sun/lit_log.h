@@ -10,8 +10,8 @@
 
 namespace gnomon::sun {
 
-/// A log file with one record per light, at a fixed position. A record has one bit per receiver and a checksum. An
-/// incomplete record from a killed process counts as missing.
+/// A log file with one record per light direction, at a fixed position. A record has one bit per receiver and a
+/// checksum. An incomplete record from a killed process counts as missing.
 class LitLog {
 public:
     /// Creates the log at `path` for `receivers` receivers, or opens the existing log if `isResumed` is true. `key`
@@ -23,7 +23,8 @@ public:
     /// Throws Error if the log has another key or if the file is not a log.
     static std::optional<LitLog> ofAnother(const std::string& path, const std::string& key, std::size_t receivers);
 
-    /// Writes the record of a light. A non-zero element means that the receiver is lit. Lights can come in any order.
+    /// Writes the record of the light with index `light`. A non-zero element means that the receiver is lit. Lights can
+    /// come in any order.
     void put(std::size_t light, const std::vector<std::uint8_t>& isLit);
 
     /// Reads the record of `light` into `isLit` as 0 and 1. Returns false if there is no complete record.

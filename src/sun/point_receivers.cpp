@@ -78,7 +78,8 @@ void PointReceivers::addCasters(const exporter::UniformCut& cut) {
     castersOfCut_ = casters_.size();
 }
 
-/// Adds receiver-only clusters. Their triangles have no extent and cast no shadow; the samples refer to their corners.
+/// Adds clusters that contain only receivers. Their triangles have no extent and cast no shadow. The samples refer to
+/// the corners of these triangles.
 void PointReceivers::addReceiverOnlyClusters() {
     static const std::array<hierarchy::Triangle, kHeld> kPoints = [] {
         std::array<hierarchy::Triangle, kHeld> result{};
@@ -88,7 +89,7 @@ void PointReceivers::addReceiverOnlyClusters() {
     }();
     const std::size_t first = positions_.size();
     for (const glm::i64vec3& p : points_) {
-        const glm::i64vec3 cell = p + origin_; // only differences from the origin matter, so the sum may wrap
+        const glm::i64vec3 cell = p + origin_; // may overflow, because only differences from the origin are used
         positions_.push_back(
             {static_cast<std::uint32_t>(cell.x),
              static_cast<std::uint32_t>(cell.y),

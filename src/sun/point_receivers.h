@@ -10,10 +10,10 @@
 
 namespace gnomon::sun {
 
-/// Points as receivers. A point is lit unless a triangle of the cut is ahead of it, farther than the tolerance
-/// (docs/exact_shadows.md). The point belongs to no surface, so no surface must face the light. A triangle that
-/// contains the point, for example around a vertex, is at distance 0 and casts no shadow on it. The near side of a body
-/// therefore darkens the far side.
+/// Points as receivers. A point is lit unless a triangle of the cut is between the point and the light, at a distance
+/// above the tolerance (docs/exact_shadows.md). The point belongs to no surface, so no surface has to face the light. A
+/// triangle that contains the point, for example around a vertex, is at distance 0 and casts no shadow on it. The near
+/// side of a body therefore darkens its far side.
 class PointReceivers final : public Receivers {
 public:
     /// Creates receivers at `points`, in cells of the model's grid (rounded by cellsOf). The casters are the parts of

@@ -1,4 +1,4 @@
-// The interface of receivers: points of a model that are tested against one light after another.
+// The interface of receivers: points of a model that are tested against one light direction after another.
 #pragma once
 
 #include "exact/exact_shadows.h"

@@ -9,7 +9,7 @@ namespace gnomon::sun {
 
 namespace {
 
-/// Adds a step to the result. Steps come in any order.
+/// Adds the lit receivers of one step to the result. Steps can come in any order.
 void add(const std::vector<std::uint8_t>& isLit, std::uint32_t step, LitSteps& result) {
     constexpr std::size_t kGrain = 65536;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, isLit.size(), kGrain), [&](const auto& range) {

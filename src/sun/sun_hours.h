@@ -23,12 +23,12 @@ struct LitSteps {
     std::uint64_t withinTolerance = 0; // samples whose result depends on the tolerance or on the rule for ties
 };
 
-/// Returns the lights of the steps in which the Sun is up.
+/// Returns the light directions of all steps in which the Sun is up.
 std::vector<IntegerLight> lightsOf(const std::vector<SunStep>& steps);
 
-/// Tests `receivers` for the lights of `share`. Skips lights that `logs` already contains, and adds each computed light
-/// to the logs. The result covers only the lights of `share`. `progress` advances by one per light. If the function
-/// throws, the logs contain the computed lights.
+/// Tests `receivers` against the light directions of `share`. Skips lights that `logs` already contains, and adds each
+/// computed light to the logs. The result covers only the lights of `share`. `progress` advances by one per light. If
+/// the function throws, the logs contain the computed lights.
 LitSteps litSteps(
     Receivers& receivers,
     const std::vector<SunStep>& steps,

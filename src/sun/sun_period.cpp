@@ -15,7 +15,7 @@ double secondsOf(const SunPeriod& period) {
 }
 
 double stepCount(const SunPeriod& period) {
-    // A microsecond more or less is the rounding of dates.
+    // Tolerates a rounding error of one microsecond in the dates.
     return std::ceil(secondsOf(period) / period.stepSeconds - 0.5 - 1e-6 / period.stepSeconds);
 }
 

@@ -25,9 +25,9 @@ double secondsOf(const SunPeriod& period);
 /// none.
 double stepCount(const SunPeriod& period);
 
-/// Returns the unit vector towards a Sun at that position, above the horizon or below it, in a world in which `up` is
-/// up. True north is `north` degrees clockwise, seen from above, of the world's own north. The world's north is
-/// opposite its front: -z if y is up, y if z is up.
+/// Returns the unit vector towards the Sun at the position `sun`, above or below the horizon, in a world with the up
+/// direction `up`. True north is `north` degrees clockwise of the world's own north, seen from above. The world's own
+/// north is opposite its front: -z if y is up, y if z is up.
 glm::dvec3 towardsSun(const SunPosition& sun, double north, const glm::dvec3& up);
 
 } // namespace gnomon::sun

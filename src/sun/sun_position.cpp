@@ -24,7 +24,7 @@ using Vector = std::array<double, 3>;
 Vector geocentricSun(double midnight, double terrestrialFraction) {
     double heliocentric[2][3];
     double barycentric[2][3];
-    // Outside 1900 to 2100, it warns and continues.
+    // Outside 1900 to 2100, the function returns a warning but still computes the result.
     eraEpv00(midnight, terrestrialFraction, heliocentric, barycentric);
     Vector sun;
     Vector direction;

@@ -9,8 +9,7 @@
 
 namespace gnomon::sun {
 
-/// The middle of one time step. It represents the whole step, so a start or an end of sunlight is off by at most half a
-/// step.
+/// One time step, represented by its middle. A start or an end of sunlight is therefore off by at most half a step.
 struct SunStep {
     std::string time; // ISO 8601, in the clock of the period's start
     bool isUp = false;

@@ -60,7 +60,8 @@ plan::FramePlan SunView::planFor(const IntegerLight& light) const {
     return plan::planFrame(view, quality_, frame_.facts).plan;
 }
 
-/// Cuts the image and the casters together. The error rule of the image, the facts and a plan must exist.
+/// Selects one cut for the image and the casters. `frame_` must already contain the error rule of the image, the facts
+/// about the scene, and a plan.
 void SunView::cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights) {
     if (!frame_.facts.visible->anything) {
         frame_.plan = planFor(lights.front());

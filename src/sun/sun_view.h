@@ -10,10 +10,10 @@
 
 namespace gnomon::sun {
 
-/// A view for sun studies. It is cut and drawn once for all lights. The casters are all clusters that may lie between
-/// the visible surfaces and any of the lights. They are in one cut with the image, so no surface is shadowed by another
-/// level of detail of itself. Detail is selected as for a frame. For casters, it uses up to kDetailLights evenly
-/// selected lights.
+/// A view for sun studies. The cut and the image are made once for all light directions. The casters are all clusters
+/// that may be between the visible surfaces and any of the lights. The cut contains image and casters together, so no
+/// surface is shadowed by another level of detail of itself. Detail is selected as for a frame. For casters, it uses up
+/// to kDetailLights evenly selected lights.
 class SunView final : public Receivers {
 public:
     static constexpr std::size_t kDetailLights = 64;
@@ -55,7 +55,7 @@ private:
     void prepare(frame::Renderer& renderer, std::span<const IntegerLight> lights);
     void cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights);
     plan::FramePlan planFor(const IntegerLight& light) const;
-    /// Collects the samples for a light.
+    /// Collects the samples for exact shadows of the plan's light. Returns the input of the renderer for this plan.
     render::DrawInputs collect(const plan::FramePlan& plan);
 
     plan::View view_;

@@ -1,4 +1,4 @@
-// The light of a surface and its displayed colour. render/light/light_model.h explains the model.
+// The light of a surface and its displayed colour. The file render/light/light_model.h explains the light model.
 
 #include "image/transfer.glsl"
 
@@ -6,7 +6,7 @@ vec3 toneMapped(vec3 light) {
     return min(isToneMapped == 1 ? light / (1.0 + light) : light, 1.0);
 }
 
-// Returns the unit direction to the light, and in w its brightness at `position` relative to the sun.
+// Returns the unit direction to the light. w is the brightness of the light at `position` relative to the sun.
 vec4 lightAt(vec3 position) {
     if (!(pointReach > 0.0)) return vec4(towardsLight, 1.0);
     vec3 way = towardsLight - position;

@@ -1,4 +1,4 @@
-// Passes the fragment if the image's alpha marks the pixel as lit.
+// Keeps a fragment if the alpha of the image marks its pixel as lit, so that a query can count lit pixels.
 #include "image/lit_alpha.glsl"
 
 layout(binding = 0) uniform sampler2D image;

@@ -1,12 +1,12 @@
 // Overlays that visualise the method. OVERLAY: 1 partitions, 2 texels, 3 aliasing, 4 lod, 5 clusters, 6 projection, 7
 // residency.
 
-// All colours equal those of render/overlay/overlay_colors.cpp, which explains their choice.
+// The C++ file render/overlay/overlay_colors.cpp has the same colours and explains their choice.
 vec3 indexColor(int index) {
     const vec3 colors[8] = vec3[](
         vec3(0.74, 0.57, 0.29), vec3(0.49, 0.12, 0.1), vec3(0.75, 0.9, 0.47), vec3(0.2, 0.38, 0.53),
         vec3(0.96, 0.99, 0.93), vec3(0.26, 0.03, 0.35), vec3(0.21, 0.8, 0.76), vec3(0.09, 0.54, 0.46));
-    return colors[uint(index) % 8u]; // unsigned, because index is -1 without a map
+    return colors[uint(index) % 8u]; // unsigned, because the index is -1 for a surface without a map
 }
 
 // Returns the colour of a factor: dark blue up to 1/4, grey at 1, orange at 4 and pale yellow from 16.
@@ -17,21 +17,21 @@ vec3 heat(float value) {
     return mix(above, vec3(1.0, 0.99, 0.86), clamp(x - 1.0, 0.0, 1.0));
 }
 
-// Returns the striped colour of surfaces without a map. The stripes are four pixels wide.
+// Returns the striped colour of a surface without a shadow map. The stripes are four pixels wide.
 vec3 withoutMap(float lightness) {
     ivec2 at = ivec2(gl_FragCoord.xy);
     return vec3(lightness) * ((at.x + at.y) / 4 % 2 == 0 ? 0.35 : 0.55);
 }
 
-// Returns the larger perspective aliasing of the map's two axes: width of a texel's beam of light divided by that of a
-// pixel's beam.
+// Returns the perspective aliasing along the map axis where it is larger: the width of a texel's beam of light divided
+// by the width of a pixel's beam.
 float aliasing(Partition part, vec3 position, float depth) {
     vec4 clip = clipOf(part, position);
     vec4 dx = part.clipFromOffset * vec4(part.axisX, 0.0);
     vec4 dz = part.clipFromOffset * vec4(part.axisZ, 0.0);
     vec2 perX = abs(dx.xy * clip.w - clip.xy * dx.w) * part.texelScale;
     vec2 perZ = abs(dz.xy * clip.w - clip.xy * dz.w) * part.texelScale;
-    // In a transposed map, x changes only the row, and z is measured along columns.
+    // In a transposed map, x changes only the row. Therefore z is measured along columns.
     float texels = min(max(perX.x, perX.y), perX.y > perX.x ? perZ.x : perZ.y) / (clip.w * clip.w);
     return 1.0 / (max(texels, 1e-30) * pixelSlope * depth);
 }
@@ -46,11 +46,12 @@ float texelGrid(Partition part, vec3 position) {
     vec2 at = (texelOf(part, clipOf(part, position)) - part.firstTexel) / 5.0;
     vec2 wide = max(fwidth(at), vec2(1e-6));
     vec2 line = 1.0 - smoothstep(vec2(0.5), vec2(1.5), abs(fract(at - 0.5) - 0.5) / wide);
-    vec2 density = clamp(1.5 - 3.0 * wide, 0.0, 1.0); // a grid finer than pixels fades, so that it does not alias
+    vec2 density = clamp(1.5 - 3.0 * wide, 0.0, 1.0); // fades a grid that is finer than pixels, because it would alias
     return max(line.x * density.x, line.y * density.y);
 }
 
-// Blue: the error is small enough; yellow: the refinement is not in memory; dark red: it cannot be read.
+// Returns the colour of the residency overlay. Blue: the error is small enough; yellow: the finer group is not in
+// memory; dark red: the finer group cannot be read.
 vec3 residence(float reason) {
     return reason < 0.5 ? vec3(0.35, 0.55, 0.75) : reason < 1.5 ? vec3(1.0, 0.85, 0.3) : vec3(0.55, 0.05, 0.1);
 }

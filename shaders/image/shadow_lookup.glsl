@@ -1,30 +1,31 @@
-// The partition of a point and the shadow lookup in its map.
+// Finds the shadow-map partition of a point and looks up the point in the map of this partition.
 
 layout(binding = 0) uniform sampler2D shadowDepth;
 
-// Returns the slice with near <= z < far. Points before the first slice or after the last belong to that slice.
+// Returns the slice with near <= z < far. Points before the first slice belong to the first, and points behind the last
+// slice to the last.
 int sliceOf(float z) {
     int slice = 0;
     while (slice + 1 < sliceCount && z >= slices[slice].far) ++slice;
     return slice;
 }
 
-// Returns the face partition of `p` (relative to the eye): the first face whose two tests succeed, or the last. Then it
-// tests the near face. Identical to shadow::partitionIndex.
+// Returns the face partition of `p` (relative to the eye): the first face whose two tests succeed, or the last face.
+// Then tests whether `p` belongs to the near face instead. The result is identical to shadow::partitionIndex.
 int faceOf(vec3 p, int slice) {
     int face = 0;
     float inside = dot(faceFirst[0].xyz, p);
     while (face + 1 < sideFaceCount) {
         float insideSecond = dot(faceSecond[face].xyz, p);
         if (inside >= 0.0 && insideSecond >= 0.0) break;
-        inside = -insideSecond; // both neighbours use the same number, so rounding cannot exclude a point from both
+        inside = -insideSecond; // Neighbouring faces use the same number, so rounding cannot exclude a point from both.
         ++face;
     }
     bool inNear = hasOwnNear == 1 && dot(faceEdge[face].xyz, p) < faceEdge[face].w * slices[slice].near;
     return inNear ? sideFaceCount : face;
 }
 
-// Returns the face of the cube around a point light that contains the direction `offset`. Identical to
+// Returns the face of the cube around a point light that contains the direction `offset`. The result is identical to
 // shadow::cubeFaceOf.
 int cubeFaceOf(vec3 offset) {
     vec3 size = abs(offset);
@@ -52,28 +53,29 @@ vec2 texelOf(Partition part, vec4 clip) {
     return clip.xy / clip.w * part.texelScale + part.texelOffset;
 }
 
-// Returns the bias of a receiver (shadow::receiverBias). It covers the depth change of the receiver's plane, and of a
-// somewhat steeper neighbour, over half a texel and the kernel in both directions. `plane` contains the offsets x with
-// dot(plane, (x, 1)) = 0. `w` is the w of the point.
+// Returns the bias of a receiver, as shadow::receiverBias does. It covers the depth change of the receiver's plane, and
+// of a somewhat steeper neighbour, over half a texel and the filter kernel in both directions. `plane` is the
+// receiver's plane: all offsets x with dot(plane, (x, 1)) = 0. `w` is the homogeneous w of the point.
 float receiverBias(Partition part, vec4 plane, float cosine, float w) {
     float across = max(abs(dot(plane, part.byDepth)), 1e-30);
     float slope = (abs(dot(plane, part.byColumn)) + abs(dot(plane, part.byRow))) / across;
     slope *= min(1.0, cosine / 0.1); // without this, grazing receivers would have an unlimited bias
-    // For a point light, both terms are proportional to 1/w.
+    // For a point light, the depth changes along both axes are proportional to 1/w.
     float uneven = pointReach > 0.0 ? length(vec2(part.unevenX, part.unevenZ)) / w
                                     : length(vec2(part.unevenX, part.unevenZ * w));
     return (slope + uneven) * part.reach + 6e-7;
 }
 
-// Returns the lit fraction of `p` (camera-relative space) on a receiver with flat normal `normal` and cosine `cosine` to the
-// light.
+// Returns the lit fraction of point `p` (camera-relative space) on a receiver. `normal` is the flat normal of the
+// receiver, and `cosine` is the cosine between it and the light direction. `index` is the partition.
 float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     if (index < 0) return 1.0;
     Partition part = partitionAt(index);
     vec4 clip = clipOf(part, p);
     vec2 texel = texelOf(part, clip);
     vec4 plane = vec4(normal, -dot(normal, p - part.origin));
-    // Clamped like the depths of casters: beyond the map's far end the map shows the only casters.
+    // Clamps to the far end of the map, like the depths of casters. For a receiver behind the far end, the map contains
+    // all casters.
     float depth = min(clip.z / clip.w - receiverBias(part, plane, cosine, clip.w), 1.0);
     int width = max(filterTexels, 1);
     ivec2 lowest = ivec2(part.firstTexel);
@@ -81,8 +83,8 @@ float litFraction(int index, vec3 p, vec3 normal, float cosine) {
     vec2 start = clamp(texel - 0.5 * float(width - 1), -1e6, 1e6);
     ivec2 first = ivec2(floor(start));
     vec2 fraction = start - floor(start);
-    // Interpolates between two squares that are one texel narrower than the kernel. Therefore the outer texels have the
-    // fraction of a texel as weight.
+    // Interpolates between two squares that are one texel narrower than the kernel. The outer texels of the kernel
+    // therefore get fractional weights.
     int box = max(width - 1, 1);
     vec2 lit = vec2(0.0); // x: sum over the first `box` rows, y: over the last `box` rows
     for (int y = 0; y < width; ++y) {

@@ -1,9 +1,9 @@
-// The sky behind the model. render/light/background.h defines its parameters, and background.cpp has the same
+// The sky behind the model. render/light/background.h defines its parameters, and background.cpp computes the same
 // colours.
 #include "image/transfer.glsl"
 
-// Sine of the view's elevation, sine of the image up direction's elevation, tangent of half the vertical angle, and
-// image height.
+// Four parameters: sine of the elevation of the view direction, sine of the elevation of the image's up direction,
+// tangent of half the vertical angle, and image height in pixels.
 layout(location = 0) uniform vec4 rows;
 
 layout(location = 0) out vec4 pixel;

@@ -1,7 +1,11 @@
-// The lit image. A surface that faces away from the light is dark without a lookup. Lighting is two-sided.
-// SHADOWS: 0 none, 1 maps, 2 an input mask.
-// AUXILIARY: 1 if surfaces are requested. LIGHT: 1 if reflected light is requested.
-// MANY_PARTITIONS: 1 if the partitions exceed the first block. OVERLAY: 0 none, see overlay.glsl.
+// The lit image. A surface that faces away from the light is dark without a shadow lookup. Both sides of a surface are
+// lit.
+// Values of the macros:
+// - SHADOWS: 0 none, 1 maps, 2 a mask texture.
+// - AUXILIARY: 1 if surfaces are requested.
+// - LIGHT: 1 if reflected light is requested.
+// - MANY_PARTITIONS: 1 if the partitions exceed the first uniform block.
+// - OVERLAY: 0 none, see overlay.glsl for the others.
 #include "shared/frame_block.h"
 #include "image/light.glsl"
 #include "image/lit_alpha.glsl"
@@ -20,7 +24,9 @@ layout(binding = 1) uniform sampler2D litMask;
 
 layout(location = 0) out vec4 pixel;
 #if AUXILIARY
-layout(location = 1) out vec4 auxiliary; // flat normal towards the viewer; w: partition + 1 + lit fraction / 2, or -1
+// xyz: flat normal towards the viewer. w: partition + 1 + lit fraction / 2, or -1 if the surface faces away from the
+// light.
+layout(location = 1) out vec4 auxiliary;
 layout(location = 2) out vec4 auxiliaryPosition; // w: 1
 #endif
 

@@ -11,7 +11,7 @@ out Surface {
 
 invariant gl_Position;
 
-// Decodes two octahedral snorm16 to a unit normal (Meyer et al. 2010).
+// Decodes an octahedral normal of two snorm16 numbers to a unit vector (Meyer et al. 2010).
 vec3 octahedral(uint bits) {
     vec2 e = unpackSnorm2x16(bits);
     vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));

@@ -21,7 +21,7 @@ using mat4 = glm::mat4;
 // A vec3 and the following scalar share a slot of 16 bytes, in std140 as in C++.
 GNOMON_BLOCK(0, Frame) {
     mat4 clipFromDraw;  // of the current pass
-    ivec3 originCell;   // grid point at the origin of camera-relative space
+    ivec3 originCell;   // grid point that is the origin of camera-relative space
     int filterTexels;   // width of the filter kernel
     vec3 eye;           // in camera-relative space
     float gridStep;     // in world units

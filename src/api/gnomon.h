@@ -51,7 +51,7 @@ GNOMON_API std::string build(
 
 // Models: hierarchy and selection ------------------------------------------------------------------------------------
 
-/// The triangles of one cut of a model.
+/// The triangles of one cut of a model. A cut contains each part of the surface once, at some level of detail.
 struct Mesh {
     std::vector<double> positions;        // x, y, z per vertex, in the axes and units of the source
     std::vector<float> normals;           // x, y, z per vertex, unit length; 0, 0, 0 if the source has no normals
@@ -112,14 +112,14 @@ private:
 
 // Shadow maps --------------------------------------------------------------------------------------------------------
 
-/// The cost of a scheme, which is a combination of partitions and warp (Lloyd et al. 2006).
+/// The cost of a scheme, which is a combination of partitions and warp of shadow maps (Lloyd et al. 2006).
 struct ShadowScheme {
-    std::string scheme;       // ZP: partitions by depth, FP: partitions by frustum face, +W: warped
-    std::string warp;         // name of the warp, as in the option warp
+    std::string scheme;       // ZP: partitions by depth, FP: partitions by frustum face, +W: with a warp
+    std::string warp;         // name of the warp, as in the option --warp
     int slices = 1;           // number of partitions by depth
     int maps = 1;             // total number of maps
     double storageFactor = 0; // S: texels per pixel that bound the aliasing by 1
-    double worstAcross = 0;   // M_x and M_z: max aliasing across and along the view if each map had one texel per pixel
+    double worstAcross = 0;   // max aliasing across the view direction (M_x) if each map had one texel per pixel
     double worstAlong = 0;
 };
 

@@ -21,7 +21,7 @@ namespace gnomon::api {
 
 namespace {
 
-/// Returns the settings of `options`. Memory and backend are those of the open model.
+/// Returns the settings of `options`. The memory and the backend come from the settings of the open model.
 settings::Settings askedFor(const Options& options, const settings::Settings& ofModel) {
     for (const char* name : {"memory", "gpu-memory", "backend", "shaders"})
         if (options.contains(name)) throw Error(name, "no option of a view: the model was opened without it");
@@ -81,7 +81,7 @@ struct Model::State {
         : settings(settingsFor(memory)),
           session(path, settings, [this](const std::string& line) { damage.push_back(line); }) {}
 
-    /// Returns view and quality of `options`.
+    /// Returns the view and the quality that `options` request.
     std::pair<plan::View, plan::Quality> viewOf(const Options& options) const {
         const settings::Settings asked = askedFor(options, settings);
         return {settings::viewOf(asked, session.model()), settings::qualityOf(asked)};
@@ -110,7 +110,7 @@ Mesh Model::cutByTriangles(std::uint64_t maxTriangles) const {
 Mesh Model::cutForView(const Options& options) const {
     return withPlainErrors([&] {
         auto [view, quality] = state_->viewOf(options);
-        quality.shadows = plan::ShadowMode::Off; // casters are not part of the result
+        quality.shadows = plan::ShadowMode::Off; // the cut contains no casters
         frame::Renderer& renderer = state_->session.renderer();
         const frame::PreparedFrame frame = renderer.prepare(view, quality);
         const hierarchy::Grid& grid = state_->session.model().summary().grid;

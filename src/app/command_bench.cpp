@@ -46,8 +46,8 @@ struct BenchOptions {
     std::string failAbovePercent = "10";
 };
 
-/// Returns the options of each walk. --quick reduces the number of frames. A report uses repetitions and validation by
-/// default.
+/// Returns how a bench walks along its path. --quick reduces the number of frames. With --report, the defaults are
+/// several repetitions and a validation.
 bench::WalkOptions walkOf(const BenchOptions& options) {
     bench::WalkOptions walk = options.walk;
     if (options.isQuick) {
@@ -84,7 +84,7 @@ Bounds boundsOf(const BenchOptions& options) {
     return bounds;
 }
 
-/// Returns the requested runs. Throws UsageError if options contradict each other in any of them.
+/// Returns the requested runs. Throws UsageError if options contradict each other in one of the runs.
 std::vector<bench::BenchRun> runsOf(const BenchOptions& options) {
     settings::Settings fixed = options.settings.fixedSettings();
     if (options.shadowMaps || validation::isOfMaps(options.walk.groundTruth)) settings::askForMaps(fixed);
@@ -98,7 +98,7 @@ std::vector<bench::BenchRun> runsOf(const BenchOptions& options) {
         bench::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
     if (runs.size() == 1 && !options.report.empty()) runs = bench::reportRuns(runs.front().settings, options.isQuick);
     for (const bench::BenchRun& run : runs)
-        settings::requireSound(run.settings); // a contradiction in the last run must not cost the first one's time
+        settings::requireSound(run.settings); // before the first run, because runs take long
     return runs;
 }
 
@@ -107,7 +107,7 @@ settings::Backend backendOf(const std::vector<bench::BenchRun>& runs) {
     return task::backendFor(bench::backendSettings(runs), settings::DrawingCommand::Bench).backend;
 }
 
-/// A bench that can be walked: once it is made, all that is known to fail without a walk has failed.
+/// A bench that is ready to run. The constructor finds all errors that can be known without drawing a frame.
 class Bench {
 public:
     explicit Bench(const BenchOptions& options)
@@ -139,7 +139,7 @@ public:
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), bench::summarize);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
         tellShortfall(results);
-        csv_.write(bench::csvText(results)); // written first, in case that a later step is interrupted
+        csv_.write(bench::csvText(results)); // first, because a later step can be interrupted
         json_.write(bench::benchmarkText(context_, results));
         std::fputs(bench::tableText(summaries).c_str(), stdout);
         std::fputs(choicesText(summaries).c_str(), stdout);
@@ -284,7 +284,7 @@ void addBenchCommand(CLI::App& program) {
     command->add_flag("--quick", options->isQuick, "First impression within two minutes: at most 8 frames per run");
     CLI::Option* shadowMaps = command->add_option_function<std::string>(
         "--shadow-maps",
-        [options](const std::string& text) { options->shadowMaps = text; }, // a plain option ignores empty text
+        [options](const std::string& text) { options->shadowMaps = text; }, // a plain option would ignore an empty text
         "List of numbers of shadow maps: --z-partitions with these numbers, without face partitions");
     shadowMaps->type_name("K,...");
     command->add_option("--csv", options->csv, "Write one row per frame")->type_name("FILE.csv");

@@ -63,7 +63,7 @@ std::optional<BuildReport> built(
         if (!buildBy) return buildModel(source, options, *progress);
         return buildBy(source, options, *progress);
     } catch (const Error&) {
-        printRemarks(source); // a remark can explain the error
+        printRemarks(source); // because a remark can explain the error
         throw;
     }
 }
@@ -100,7 +100,7 @@ void run(const BuildCommand& command, const BuildBy& buildBy) {
     options.onKeptFolder = printWarning;
     const std::map<std::string, Simplifier> simplifiers{
         {"quadric", Simplifier::Quadric},
-        {"own", Simplifier::Quadric}, // its earlier name, which models still contain
+        {"own", Simplifier::Quadric}, // earlier name, which models still contain
         {"meshopt", Simplifier::Meshopt},
         {"openmesh", Simplifier::OpenMesh}};
     options.level.simplifier = simplifiers.at(command.simplifier);
@@ -231,7 +231,7 @@ void addBuildCommand(CLI::App& program, const BuildBy& buildBy) {
         "Include triangles far outside the part with 99.9% of the triangles; the grid becomes coarser");
     command->add_option("--scratch-rate", options->scratchRate, "What a slower disk would do: bytes a second")
         ->check(memorySize())
-        ->group(""); // an option for measurements, which the help does not list
+        ->group(""); // for measurements only, so the help does not list it
     command->add_flag("--json", options->isJson, "Print one JSON document on stdout");
     addCommonOptions(*command, options->common);
     command->callback([options, buildBy] { run(*options, buildBy); });

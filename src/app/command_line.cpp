@@ -14,7 +14,8 @@ namespace gnomon::app {
 
 namespace {
 
-/// Returns a validator for a folder that contains a file for each built-in shader. Any backend then finds its shaders.
+/// Returns a validator for a folder that contains a file for each built-in shader, so that any backend finds its
+/// shaders there.
 CLI::Validator shaderFolder() {
     return {
         [](std::string& folder) {
@@ -27,8 +28,8 @@ CLI::Validator shaderFolder() {
         ""};
 }
 
-/// Returns the placeholder of the value of a setting for CLI11, with the list of its words if it has one:
-/// "KIND:{off,maps}".
+/// Returns the placeholder for the value of a setting in the form of CLI11. If the setting has a list of words, the
+/// placeholder contains them: "KIND:{off,maps}".
 std::string typeOf(const settings::Setting& setting) {
     std::string type = setting.description().form;
     for (const std::string& word : setting.words())

@@ -20,17 +20,21 @@ public:
     /// Adds one option per setting to `command`. This object must exist until the command line is parsed.
     void addTo(CLI::App& command);
 
-    /// Returns the settings of the options: sound, and with the camera of the camera file. Throws UsageError and Error.
+    /// Returns the settings of the given options. They are free of contradictions, and the camera file is read. Throws
+    /// UsageError and Error.
     settings::Settings settings() const;
 
-    /// Returns the settings of the options, which can contradict each other. Throws UsageError for a wrong value.
+    /// Returns the settings of the given options, which can contradict each other. Throws UsageError for an invalid
+    /// value.
     settings::Settings parsed() const;
 
-    /// Likewise, for a bench: those that it sweeps are as they are by default.
+    /// Returns the settings that all runs of a bench share. The settings that the bench sweeps have their defaults.
+    /// Throws UsageError and Error as `settings` does.
     settings::Settings fixedSettings() const;
 
-    /// Returns one axis per given setting that a bench sweeps, with the values of its list. If `shadowMaps` (a list of
-    /// numbers of maps) is given, it is the axis of --z-partitions, without face partitions. Throws UsageError.
+    /// Returns one axis for each given setting that a bench sweeps, with the values of its list. If `shadowMaps` (a
+    /// list of numbers of maps) is given, it becomes the axis of --z-partitions, without face partitions. Throws
+    /// UsageError.
     std::vector<settings::Axis> axes(const std::optional<std::string>& shadowMaps) const;
 
     /// Throws UsageError if `--shadows exact` is given, because `option` applies to shadow maps only.

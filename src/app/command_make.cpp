@@ -30,7 +30,7 @@ std::unique_ptr<make::MadeModel> modelOf(const MakeOptions& options, std::uint64
     try {
         return make::makeNamedModel(options.kind, triangles, options.seed);
     } catch (const Error& error) {
-        throw settings::UsageError{"", error.what()}; // the options are all that it is made of
+        throw settings::UsageError{"", error.what()}; // all values of the model come from options
     }
 }
 

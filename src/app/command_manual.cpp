@@ -14,7 +14,7 @@ void addManualCommand(CLI::App& program, bool isSilent) {
 
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("manual", "Print a manual page or a shell completion");
-    command->group(""); // not in the help: only makers of packages need it
+    command->group(""); // not in the help, because only makers of packages need it
     command->add_option("FORMAT", options->format, "Kind of output: man, bash, zsh or fish")
         ->required()
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));

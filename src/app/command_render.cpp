@@ -18,7 +18,7 @@ struct RenderOptions {
     task::RenderTask task;
 };
 
-/// The words of the command line that are not typed yet.
+/// The texts of options whose values are parsed later.
 struct RenderWords {
     SettingOptions settings;
     settings::ValueColorWords colors;
@@ -28,7 +28,8 @@ void streamToStdout(const std::string& bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) requirePrinted();
 }
 
-/// Turns the words and files that the command line names into values. Throws UsageError and Error.
+/// Returns the task of a render from the options in `request` and the texts in `words`. Reads the files that they name.
+/// Throws UsageError and Error.
 task::RenderTask taskOf(settings::Request request, const RenderWords& words) {
     request.settings = words.settings.parsed();
     request.output.colors = settings::valueColors(words.colors);
@@ -46,7 +47,7 @@ void runRender(const RenderOptions& options) {
     requirePrinted();
 }
 
-/// Adds the options that say which pictures are drawn.
+/// Adds the options that select the pictures to draw.
 void addPictures(CLI::App& command, settings::Output& output) {
     command.add_option("-o,--output", output.picture, "PNG to write; a series needs frame%04d.png, or - (y4m)")
         ->required()
@@ -80,7 +81,7 @@ void addPictures(CLI::App& command, settings::Output& output) {
         ->default_str(std::to_string(settings::kUsualSamples));
 }
 
-/// Adds the options of what is written and compared beside one picture.
+/// Adds the options of additional files and comparisons for one picture.
 void addFiles(CLI::App& command, settings::Output& output) {
     command
         .add_option(

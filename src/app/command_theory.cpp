@@ -153,7 +153,7 @@ void printTable(const TableOptions& options) {
     try {
         shadow::requireValid(frustum);
     } catch (const Error& error) {
-        throw settings::UsageError{"", error.what()}; // the options are all that it is made of
+        throw settings::UsageError{"", error.what()}; // all values come from options
     }
     const glm::dvec3 light = glm::normalize(settings::parsed(settings::direction(), "--light", options.light));
     const std::vector<theory::SchemeRow> table = theory::schemeTable(frustum, light);

@@ -27,8 +27,8 @@ struct CommonOptions {
 /// Adds `--threads` and `--progress` to `command`.
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// Yes: the work calls Progress::advance often, so that the function can stop it by an exception. No: a signal ends the
-/// process at once.
+/// Yes: the command calls Progress::advance often, and an exception from there stops it. No: a signal ends the process
+/// at once.
 enum class Polling : std::uint8_t { No, Yes };
 
 /// Returns the progress display of `options`, which writes to stderr. With Polling::Yes, the first Ctrl-C makes
@@ -46,11 +46,11 @@ void addModel(CLI::App& command, std::string& model);
 
 void addBenchCommand(CLI::App& program);
 
-/// A function that builds a model. It returns nullopt in a process that only worked for another process.
+/// A function that builds a model. It returns nullopt in a process of an MPI job that only worked for another process.
 using BuildBy = std::function<std::optional<pipeline::BuildReport>(
     read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress)>;
 
-/// Adds `gnomon build`. Without `buildBy`, only this process builds the model.
+/// Adds `gnomon build`. `buildBy` builds the model; without it, this process builds the model alone.
 void addBuildCommand(CLI::App& program, const BuildBy& buildBy = {});
 void addExplainCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
@@ -61,8 +61,8 @@ void addMeasureCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 
-/// Adds `gnomon sun`. With `team`, the command has only `sun hours`, which the team computes. Otherwise it has all its
-/// subcommands, and only this process computes.
+/// Adds `gnomon sun`. With `team`, the command has only the subcommand `hours`, which the processes of the team compute
+/// together. Otherwise it has all subcommands, and only this process computes.
 void addSunCommand(CLI::App& program, const std::shared_ptr<task::SunHoursTeam>& team = {});
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);

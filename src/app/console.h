@@ -5,8 +5,9 @@
 
 namespace gnomon::app {
 
-/// Opens each closed descriptor of 0 to 2 on /dev/null. Otherwise a file could get the number of stderr, and messages
-/// would go into this file. Reads from and writes to such a descriptor still fail. Call this first in `main`.
+/// Opens /dev/null for each of the descriptors 0 to 2 that is closed. Otherwise a file could get the number of stderr,
+/// and messages would go into this file. Reads from and writes to such a descriptor still fail. Call this first in
+/// `main`.
 void occupyStandardDescriptors();
 
 /// Prints "gnomon: TEXT" to stderr, in one line and without control characters.

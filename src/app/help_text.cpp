@@ -9,14 +9,14 @@ namespace {
 using manual::CommandWords;
 using manual::OptionWords;
 
-constexpr std::size_t kMaxLabel = 26; // columns of an option and its value; a longer label has a line of its own
-constexpr std::size_t kMaxForm = 14;  // columns of a list of words in place of a value: "on|off"
+constexpr std::size_t kMaxLabel = 26; // max columns of an option with its value; a longer label has its own line
+constexpr std::size_t kMaxForm = 14;  // max columns of a list of words that replaces the value: "on|off"
 
 std::string padded(const std::string& text, std::size_t columns) {
     return text + std::string(columns - std::min(columns, text.size()), ' ');
 }
 
-/// Returns the value of an option in its label: "WxH", "on|off", or only the first part of a long form.
+/// Returns the value of an option as its label shows it: "WxH", "on|off", or only the first part of a long form.
 std::string valueOf(const OptionWords& option) {
     std::string words;
     for (const std::string& choice : option.choices)
@@ -26,7 +26,7 @@ std::string valueOf(const OptionWords& option) {
     return option.value.size() <= kMaxForm ? option.value : option.value.substr(0, option.value.find('|'));
 }
 
-/// Returns the names and the value of an option: "-o, --output FILE.png".
+/// Returns the label of an option, its names and value: "-o, --output FILE.png".
 std::string labelOf(const OptionWords& option) {
     std::string label;
     for (const std::string& name : option.names)
@@ -88,7 +88,7 @@ std::size_t labelColumnsOf(const std::vector<const OptionWords*>& options) {
     return columns;
 }
 
-/// Returns the arguments and the options of `command` that `detail` shows, in the order of the help.
+/// Returns the arguments and options of `command` that the help with this `detail` shows, in the order of the help.
 std::vector<const OptionWords*> shownOptions(const CommandWords& command, HelpDetail detail) {
     std::vector<const OptionWords*> shown;
     for (const auto* const list : {&command.arguments, &command.options})

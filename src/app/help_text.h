@@ -1,4 +1,4 @@
-// The texts of --help and --help-all, from the words of the command line.
+// The texts of --help and --help-all, from the description of the command line.
 #pragma once
 
 #include "manual/command_words.h"

@@ -62,7 +62,8 @@ void catchSignals() {
         struct sigaction before {};
 
         const bool isIgnored = ::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
-        if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue; // nohup, or a shell expects EPIPE
+        // The parent can ignore HUP (nohup) or PIPE (a shell that expects EPIPE).
+        if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue;
         ::sigaction(signal, &action, nullptr);
     }
 }

@@ -15,8 +15,8 @@ void catchSignals();
 /// lack of memory or threads, the process removes its temporary files and its exit code is 1. Otherwise it aborts.
 void endCleanlyOnSignals();
 
-/// Calls `endCleanlyOnSignals`, but all signals only set the flag of `isInterrupted`. This is for a process for which
-/// another process prints the messages.
+/// Calls `endCleanlyOnSignals`, but all signals only set the flag of `isInterrupted`. Use this in a process of an MPI
+/// job if another process prints the messages.
 void onlyNoteSignals();
 
 /// Returns true if the process received one of the signals.

@@ -1,4 +1,4 @@
-// --oracle, an option of render and bench.
+// The option --oracle of the commands render and bench.
 #pragma once
 
 #include "app/commands.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::app {
 
-/// Adds `--groundTruth` to `command`: the ground truth that shadows are compared with. `groundTruth` must outlive the
-/// parsing.
+/// Adds `--oracle` to `command`: the ground truth with which shadows are compared. `groundTruth` must exist until the
+/// command line is parsed.
 void addOracleOption(CLI::App& command, validation::GroundTruth& groundTruth);
 
 } // namespace gnomon::app

@@ -22,7 +22,7 @@ namespace gnomon::app {
 
 namespace {
 
-/// Returns one line with the error of the command line and the command whose help explains it. `first` is the first
+/// Returns one line with the error in the command line and the command whose help explains it. `first` is the first
 /// argument.
 std::string usage(const CLI::App& program, const CLI::ParseError& error, const std::string& first) {
     const auto chosen = program.get_subcommands();

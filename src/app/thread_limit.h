@@ -1,4 +1,4 @@
-// The effect of the option --threads during the lifetime of an object.
+// Applies the option --threads during the lifetime of an object.
 #pragma once
 
 #include "app/commands.h"
@@ -9,8 +9,8 @@
 
 namespace gnomon::app {
 
-/// A limit of the worker threads of TBB to `--threads`, while the object exists. 0 sets no limit. The threads that load
-/// pages do not count, because they mostly wait.
+/// Limits the worker threads of TBB to the number of `--threads` while the object exists. 0 means no limit. The limit
+/// excludes threads that load pages, because they mostly wait.
 class ThreadLimit {
 public:
     explicit ThreadLimit(const CommonOptions& options);

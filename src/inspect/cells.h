@@ -8,8 +8,8 @@
 
 namespace gnomon::inspect {
 
-/// Returns the cell of `grid` nearest to a world-space point. The distance is at most half a cell's diagonal. The cell
-/// can lie outside the grid, up to 2^60 steps.
+/// Returns the grid cell of `grid` nearest to a world-space point. The distance is at most half of a cell's diagonal.
+/// The cell can be outside the grid, up to 2^60 steps.
 inline glm::i64vec3 cellOf(const hierarchy::Grid& grid, const glm::dvec3& point) {
     constexpr double kMaxCell = 0x1p60;
     const glm::dvec3 cells = glm::clamp((point - grid.origin) / grid.step(), -kMaxCell, kMaxCell);

@@ -44,13 +44,14 @@ glm::dvec3 rounded(const WideVector& v) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-/// Returns the angle between two adjacent legs. It is 180 if they form a straight line.
+/// Returns the angle in degrees between the two legs at a point. It is 180 if they form a straight line, and missing if
+/// a leg has no length.
 std::optional<double> angleBetween(const WideVector& back, const WideVector& on) {
     if (dot(back, back) == 0 || dot(on, on) == 0) return std::nullopt;
     return kDegrees * std::atan2(glm::length(rounded(cross(back, on))), static_cast<double>(dot(back, on)));
 }
 
-/// Returns the max distance of `cells` from the plane through their mean perpendicular to `normal`, in steps.
+/// Returns the max distance of `cells` from the plane through their mean that is perpendicular to `normal`, in steps.
 double offPlane(std::span<const glm::i64vec3> cells, const glm::dvec3& normal) {
     if (!(glm::length(normal) > 0)) return 0;
     const glm::dvec3 unit = glm::normalize(normal);

@@ -1,4 +1,5 @@
-// Distances, heights, angles and areas of points, computed with integers up to the last root or quotient.
+// Distances, heights, angles and areas of points. All steps before the last root or quotient are computed with
+// integers.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,13 +16,13 @@ constexpr std::int64_t kMaxSteps = std::int64_t{1} << 40;
 
 /// The figures of a sequence of points, in world units and degrees. A figure that needs more points is 0 or empty.
 struct Figures {
-    std::vector<double> legs;                         // from each point to the next
+    std::vector<double> legs;                         // length from each point to the next
     double along = 0;                                 // sum of the legs
-    double straight = 0;                              // from the first point to the last
-    double height = 0;                                // of the last point above the first; negative if below
+    double straight = 0;                              // distance from the first point to the last
+    double height = 0;                                // height of the last point above the first; negative if below
     double level = 0;                                 // horizontal length of `straight`
     double slopeDegrees = 0;                          // slope of `straight`, from -90 to 90
-    std::vector<std::optional<double>> anglesDegrees; // at each inner point; nothing if a leg has no length
+    std::vector<std::optional<double>> anglesDegrees; // angle at each inner point; nullopt if a leg has no length
     double perimeter = 0;                             // length of the closed polygon
     double area = 0;     // length of the polygon's vector area (Newell); for a planar polygon the enclosed area
     double planArea = 0; // horizontal area, seen from above

@@ -63,8 +63,8 @@ ordered_json measureJson(const Measure& measure, const Surveyed& of) {
     return json;
 }
 
-/// Returns the CSV row of the last point of `measure`, which contains the points so far. `number` is the number of the
-/// measure.
+/// Returns the CSV row of the last point of `measure`, which contains all points up to this one. `number` is the number
+/// of the measure.
 std::string csvRow(std::size_t number, const Measure& measure, const Surveyed& of) {
     const Figures figures = figuresOf(measure, of);
     const glm::dvec3 at = worldOf(of.grid, measure.back().cell);

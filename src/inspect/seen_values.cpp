@@ -104,7 +104,7 @@ ValuePicture seenField(const frame::Renderer& renderer, const frame::Frame& fram
     const std::size_t which = fieldNamed(model, name);
     const hierarchy::Field& field = model.summary().fields[which];
     ValuePicture values = noValues(frame);
-    std::map<std::uint32_t, hierarchy::PageFields> pages; // read again, because frames do not store them
+    std::map<std::uint32_t, hierarchy::PageFields> pages; // read again, because a frame does not store fields
     eachSeen(renderer, frame, [&](const SeenPixel& seen) {
         const auto [entry, isNew] = pages.try_emplace(seen.triangle.page);
         hierarchy::PageFields& fields = entry->second;

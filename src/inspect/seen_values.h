@@ -11,8 +11,9 @@ namespace gnomon::inspect {
 /// A value per pixel; NaN where the model is not visible.
 using ValuePicture = render::Raster<double>;
 
-/// In these functions, `frame` must be the last frame that `renderer` rendered, with `wantsSurfaces`. They throw Error
-/// with another backend than the software one, because only that backend stores the visible surfaces.
+/// In these functions, `frame` must be the last frame that `renderer` rendered, with FrameOptions::wantsSurfaces. They
+/// throw Error with a backend other than the software backend, because only the software backend stores the visible
+/// surfaces.
 
 /// Returns the stored error of the drawn cluster, in world units. At the finest level it is the error of the grid.
 ValuePicture seenErrors(const frame::Renderer& renderer, const frame::Frame& frame);
@@ -21,8 +22,8 @@ ValuePicture seenErrors(const frame::Renderer& renderer, const frame::Frame& fra
 /// names of the existing fields, if the model has no field `name`. Also throws Error if a page cannot be read again.
 ValuePicture seenField(const frame::Renderer& renderer, const frame::Frame& frame, const std::string& name);
 
-/// Returns the stored colours, interpolated in the same way, and black where the model is not visible. Throws Error if
-/// the model has no colours.
+/// Returns the stored colours, interpolated between the vertices of the visible triangle, and black where the model is
+/// not visible. Throws Error if the model has no colours.
 render::Picture seenColors(const frame::Renderer& renderer, const frame::Frame& frame);
 
 } // namespace gnomon::inspect

@@ -13,9 +13,9 @@ namespace gnomon::inspect {
 namespace {
 
 constexpr double kDecade = 10;
-constexpr float kInShadow = 0.7F; // remaining light in shadow
+constexpr float kInShadow = 0.7F; // share of the colour that remains in shadow
 
-/// Returns the default range of values for a picture.
+/// Returns the range of values for a picture without a requested range.
 std::array<double, 2> usualRange(
     const settings::ValueColors& colors,
     const hierarchy::ModelSummary& model,
@@ -75,7 +75,7 @@ render::Rgb inLight(const glm::vec3& color, float lit) {
 
 render::ValueScale valueScale(const settings::ValueColors& colors, const std::array<double, 2>& usual) {
     std::array<double, 2> range = colors.range.value_or(usual);
-    if (!(range[0] < range[1])) range[1] = range[0] + 1; // the surface is flat
+    if (!(range[0] < range[1])) range[1] = range[0] + 1; // makes a range for a flat surface
     const bool isWide = colors.by == settings::ColorBy::Field && range[1] > kDecade * range[0];
     const bool isLogarithmic = range[0] > 0 && (colors.by == settings::ColorBy::Error || isWide);
     if (isLogarithmic && !colors.range) range[0] = std::max(range[0], range[1] / render::kScaleSpan);

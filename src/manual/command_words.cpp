@@ -45,13 +45,14 @@ OptionWords optionWords(const CLI::Option& option, const std::string& command) {
         words.names.push_back("--" + name);
     if (option.nonpositional()) words.place = settings::helpPlace(command, words.names.back().substr(2));
     if (words.names.empty()) words.names.push_back(option.get_name(true));
-    // CLI11 appends its check to a type: "TEXT:{auto,bar}", "INT:INT in [0 - 1024]".
+    // CLI11 appends the check of a value to its type: "TEXT:{auto,bar}", "INT:INT in [0 - 1024]".
     const std::string type = option.get_type_name();
     const bool takesValue = option.get_items_expected_max() > 0;
     if (takesValue) words.choices = choicesOf(type);
     if (takesValue) words.value = type.substr(0, type.find(':'));
     if (takesValue && words.value.empty()) words.value = "VALUE";
-    const bool isFlagToo = option.get_items_expected_min() == 0; // the default text is then the value of the bare flag
+    // If an option may lack its value, CLI11's default text is the value of the option alone.
+    const bool isFlagToo = option.get_items_expected_min() == 0;
     if (!isFlagToo) words.byDefault = option.get_default_str();
     words.description = option.get_description();
     words.isRequired = option.get_required();

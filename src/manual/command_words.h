@@ -1,5 +1,4 @@
-// The commands and options of a command line as plain values. They come from the same table that parses the command
-// line and prints --help.
+// The commands and options of a command line as plain values. They are read from the parser that also prints --help.
 #pragma once
 
 #include "settings/help_table.h"
@@ -7,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI { // NOLINT(readability-identifier-naming): the library's
+namespace CLI { // NOLINT(readability-identifier-naming): the name is that of the library CLI11
 class App;
 }
 
@@ -15,7 +14,8 @@ namespace gnomon::manual {
 
 /// An option or a positional argument.
 struct OptionWords {
-    std::vector<std::string> names;   // "-o", "--output", without old names; the single name of a positional argument
+    // Names such as "-o" and "--output", without old names. A positional argument has one name.
+    std::vector<std::string> names;
     std::string value;                // placeholder of its value: "TEXT", "INT"; empty for a flag
     std::vector<std::string> choices; // the allowed values, if there is a short list
     std::string byDefault;
@@ -29,7 +29,7 @@ struct OptionWords {
 struct CommandWords {
     std::vector<std::string> path; // for example {"sun", "hours"}
     std::string description;
-    std::string notes;                  // what follows the options
+    std::string notes;                  // text after the options
     std::vector<OptionWords> arguments; // positional arguments
     std::vector<OptionWords> options;   // in the order of settings::helpTable()
     std::vector<CommandWords> commands;

@@ -69,7 +69,7 @@ void addZsh(const CommandWords& command, std::string& out) {
     out += "\n}\n\n";
 }
 
-/// Returns the condition under which fish offers the words of `command`.
+/// Returns the condition under which fish offers the subcommands and options of `command`.
 std::string fishCondition(const CommandWords& command) {
     std::string condition;
     for (const std::string& word : command.path)

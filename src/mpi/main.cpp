@@ -54,7 +54,7 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
     return code;
 }
 
-/// Runs a process of a rank other than 0. Returns 0 in any case, because the leader (rank 0) reports all errors and
+/// Runs the process of a rank other than 0. Always returns 0, because rank 0 (the leader) reports all errors and
 /// returns the exit code of the job.
 int help(distributed::Mailbox& mailbox, int argc, char** argv) {
     distributed::Helper helper(mailbox);

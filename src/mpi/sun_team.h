@@ -9,8 +9,8 @@
 
 namespace gnomon::mpi {
 
-/// A team of MPI ranks for hours of sun. Messages report failed and ready ranks. One reduction adds the results of all
-/// ranks.
+/// A team of MPI ranks that computes hours of sun. The ranks send messages when they are ready or have failed. One MPI
+/// reduction adds the results of all ranks.
 class SunTeam final : public task::SunHoursTeam {
 public:
     /// Joins the team. In a rank other than 0, the team calls `noteStop` if rank 0 sends Stop.
@@ -25,7 +25,7 @@ public:
 private:
     struct Member {
         std::string host;
-        bool hasArrived = false; // whether the rank has reached the next barrier
+        bool hasArrived = false; // true if the rank has reached the next barrier
     };
 
     std::string nameOf(std::uint32_t rank) const;
@@ -40,7 +40,7 @@ private:
     std::function<void()> noteStop_;
     std::string key_;
     std::vector<Member> members_; // used in rank 0
-    bool haveAllArrived_ = false; // in other ranks: whether rank 0 reported the arrival of all ranks
+    bool haveAllArrived_ = false; // in ranks other than 0: true if rank 0 has reported the arrival of all ranks
 };
 
 } // namespace gnomon::mpi

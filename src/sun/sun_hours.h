@@ -19,7 +19,7 @@ struct LitSteps {
     std::vector<std::uint32_t> first; // index of the first and of the last such step in the period
     std::vector<std::uint32_t> last;
     std::uint32_t stepsUp = 0;         // steps in which the Sun is up
-    std::uint64_t samples = 0;         // receivers that faced the Sun, summed over the steps that were computed now
+    std::uint64_t samples = 0;         // receivers that faced the Sun, summed over the steps that this run computed
     std::uint64_t withinTolerance = 0; // samples whose result depends on the tolerance or on the rule for ties
 };
 

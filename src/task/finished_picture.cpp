@@ -12,14 +12,14 @@ namespace gnomon::task {
 
 namespace {
 
-/// Converts the frames of several bands to a fixed total number of progress steps.
+/// Converts the progress of several bands of rows to a fixed total number of steps.
 class SharedProgress {
 public:
     SharedProgress(Progress& progress, int steps, std::size_t parts)
         : progress_(&progress), steps_(static_cast<std::uint64_t>(steps)), parts_(parts) {}
 
-    /// Reports that `done` of `wanted` frames of the current part (a band) are complete. Begins the next part if all
-    /// are.
+    /// Reports that `done` of the `wanted` frames of the current band are complete. If all are complete, continues with
+    /// the next band.
     void tell(int done, int wanted) {
         const std::uint64_t parts = static_cast<std::uint64_t>(wanted) * parts_;
         const std::uint64_t now =
@@ -37,7 +37,7 @@ private:
     std::uint64_t told_ = 0;
 };
 
-/// The picture of the rows that FrameOptions::rows selects, or of all rows.
+/// A drawn frame, and the picture of the rows that FrameOptions::rows selects (all rows by default).
 struct DrawnRows {
     frame::Frame frame;
     render::Picture picture;
@@ -67,9 +67,9 @@ DrawnRows drawRows(Session& session, const PictureRequest& request, SharedProgre
     return drawn;
 }
 
-/// Returns the shading that the whole picture would have, for a picture that is drawn in `bands`. For the shading Auto,
-/// this draws the bands with sunlight and counts sunlit pixels. The result is Headlight if the model is visible without
-/// a ground and almost no pixel is sunlit.
+/// Returns the shading for a picture that is drawn in `bands`, so that all bands have the same shading. If the shading
+/// is Auto, this draws the bands with sunlight and counts the sunlit pixels. The result is Headlight if the model is
+/// visible without a ground and almost no pixel is sunlit.
 plan::Shading shadingOf(Session& session, PictureRequest request, const std::vector<render::ImageRows>& bands) {
     plan::Shading& shading = request.quality.look.shading;
     if (shading != plan::Shading::Auto) return shading;

@@ -11,9 +11,9 @@
 
 namespace gnomon::task {
 
-/// The picture of one view. The backend of the session still contains its last frame.
+/// The picture of one view. After it is drawn, the backend of the session still contains its last frame.
 struct FinishedPicture {
-    frame::Frame frame; // the first frame, which samples the centres of the pixels
+    frame::Frame frame; // first frame, whose samples are at the centres of the pixels
     render::Picture picture;
     std::optional<render::Coverage> coverage; // only for a transparent background
 };
@@ -27,14 +27,14 @@ struct PictureRequest {
     frame::History history{};
 };
 
-/// Returns the bands of rows in which `drawFinished` draws the picture, from the bottom. There is one band if the
+/// Returns the bands of rows in which `drawFinished` draws the picture, from the bottom. There is one band if the whole
 /// picture fits into the memory of the session.
 std::vector<render::ImageRows> bandsOf(Session& session, const PictureRequest& request);
 
 /// Draws the frames of the picture and returns their mean. If the number of samples is above 1 and the plan requires
-/// more light directions than that, draws one frame per direction. A picture that does not fit into the memory of the
-/// session is drawn in bands, with the same bytes as result. `progress` advances by the number of samples in total. The
-/// caller sets its stage.
+/// more light directions than samples, draws one frame per light direction. A picture that does not fit into the memory
+/// of the session is drawn in bands, with the same bytes as result. `progress` advances by the number of samples in
+/// total. The caller sets its stage.
 FinishedPicture drawFinished(Session& session, const PictureRequest& request, Progress& progress);
 
 } // namespace gnomon::task

@@ -25,7 +25,8 @@ inspect::Point givenPoint(const glm::dvec3& point, const hierarchy::Grid& grid) 
     return {cell, grid.snapError()};
 }
 
-/// Returns the points at the pixels of `task`. Draws the view without shadows, because shadows do not move points.
+/// Returns the surface points at the pixels of `task`. Draws the view without shadows, because shadows do not move
+/// points.
 inspect::Measure shownPoints(const PointTask& task, Session& session) {
     plan::Quality quality = settings::qualityOf(task.settings);
     quality.shadows = plan::ShadowMode::Off;
@@ -56,7 +57,7 @@ MeasuredPoints measurePoints(const PointTask& task) {
         const settings::Settings upright = settings::uprightIn(task.settings, model);
         result.of = inspect::surveyedOf(task.model, model.summary(), upright.up.value_or(model.summary().up.direction));
     };
-    if (task.pixels.empty()) { // this draws nothing, so it needs no backend
+    if (task.pixels.empty()) { // without pixels, nothing is drawn and no backend is needed
         take(hierarchy::ModelFile(task.model, task.settings.memory));
         for (const glm::dvec3& point : task.points)
             result.measure.push_back(givenPoint(point, result.of.grid));

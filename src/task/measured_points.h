@@ -10,8 +10,8 @@
 
 namespace gnomon::task {
 
-/// The points to measure. If `pixels` is empty, they are `points`. Otherwise they are the surface points at the centres
-/// of `pixels` in the view of `settings`.
+/// The points to measure. If `pixels` is empty, the points are `points`. Otherwise they are the surface points at the
+/// centres of `pixels` in the view of `settings`.
 struct PointTask {
     std::string model;
     settings::Settings settings;
@@ -21,7 +21,7 @@ struct PointTask {
     bool takesVertices = false;     // uses the nearest vertex of the drawn triangle instead of the surface point
 };
 
-/// A measure and the model that it refers to.
+/// The measured points, and the model that they refer to.
 struct MeasuredPoints {
     inspect::Surveyed of;
     inspect::Measure measure;

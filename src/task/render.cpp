@@ -26,14 +26,14 @@ using settings::Output;
 constexpr int kUsualFrames = 60;
 constexpr double kUsualRate = 25; // frames per second, if no path gives the rate
 
-/// Returns the row of a picture's frame as JSON.
+/// Returns the log row of a picture's frame as JSON.
 std::string renderRow(telemetry::FrameRow row) {
     row.run = "render";
     row.sinceStartMs = telemetry::sinceProcessStart().count;
     return telemetry::jsonObject(row) + "\n";
 }
 
-/// Returns the depths that `output` wants of a frame, each with its file.
+/// Returns the depth images of a frame that `output` requests, each with the path of its file.
 std::vector<render::NamedDepths> depthsOf(const Output& output, const plan::FramePlan& plan, render::Backend& backend) {
     std::vector<render::NamedDepths> depths;
     if (!output.shadowDepth.empty()) depths = render::shadowMaps(plan, backend);
@@ -43,12 +43,13 @@ std::vector<render::NamedDepths> depthsOf(const Output& output, const plan::Fram
     return depths;
 }
 
-/// Returns the shading of all pictures of a series, so that it does not switch between them. If `quality` leaves it
-/// open, looks at small pictures of up to 16 of its `cameras`: headlight if more than half of them show next to no sun.
+/// Returns the shading for all pictures of a series, so that it does not switch between them. If `quality` requests the
+/// shading Auto, draws small pictures of up to 16 of the `cameras`. The result is Headlight if almost no pixel is
+/// sunlit in more than half of them.
 plan::Shading commonShading(
     Session& session, plan::View view, const plan::Quality& quality, const std::vector<Camera>& cameras) {
     constexpr std::size_t kMaxLooks = 16;
-    constexpr int kReduction = 4; // of the picture's sides
+    constexpr int kReduction = 4; // divides the width and the height of the pictures
     if (quality.look.shading != plan::Shading::Auto) return quality.look.shading;
     view.width = std::max(view.width / kReduction, 1);
     view.height = std::max(view.height / kReduction, 1);
@@ -89,7 +90,7 @@ void drawSeries(const RenderTask& task, plan::View view, Session& session, Progr
     frameOptions.overlay = task.output.overlay;
     progress.stage(
         "render", "frames", static_cast<std::uint64_t>(task.pictures) * static_cast<std::uint64_t>(task.samples));
-    // The small pictures that decide the shading must not fill the room of the large ones.
+    // Reserves memory for the large pictures first. The small pictures, which select the shading, must not use it.
     plan::Quality quality = task.quality;
     frame::FrameOptions whole = frameOptions;
     whole.isAccumulated = task.samples > 1;
@@ -113,7 +114,7 @@ void drawStill(const RenderTask& task, const plan::View& view, Session& session,
     const Output& output = task.output;
     const bool hasValues = output.colors.by != settings::ColorBy::None;
     for (const std::string& path : {output.picture, output.statistics, output.depth})
-        requireWritable(path); // drawing may take long
+        requireWritable(path); // before drawing, which can take long
     const PreparedFolder shadowDepth(output.shadowDepth);
     frame::FrameOptions options;
     options.overlay = output.overlay;

@@ -1,4 +1,4 @@
-// Pictures of a model: one with what is asked beside it, or many along a path or all around the model.
+// Pictures of a model: one picture with its additional files, or a series along a path or around the model.
 #pragma once
 
 #include "core/progress.h"
@@ -12,22 +12,22 @@
 
 namespace gnomon::task {
 
-/// The decided values of a render.
+/// The values of a render after all defaults and automatic choices.
 struct RenderTask {
     std::string model;
-    settings::Settings settings; // of the view, and of the memory
+    settings::Settings settings; // settings of the view and of the memory
     plan::Quality quality;
     settings::Output output;
-    int samples = 1;  // frames per picture
-    int pictures = 1; // of a series
+    int samples = 1;  // number of frames per picture
+    int pictures = 1; // number of pictures of the series
     settings::Backend backend = settings::Backend::Software;
-    std::optional<path::CameraPath> path;     // of `--path`
-    std::optional<render::Picture> reference; // of `--reference`
+    std::optional<path::CameraPath> path;     // path of `--path`
+    std::optional<render::Picture> reference; // picture of `--reference`
     std::function<void(const std::string&)> warn;
-    std::function<void(const std::string& bytes)> stream; // takes the bytes of a series to "-"
+    std::function<void(const std::string& bytes)> stream; // receives the bytes of a series with the output "-"
 };
 
-/// Returns the task of `request`: refuses contradictions, reads the cameras, and decides quality, samples and backend.
+/// Returns the task of `request`. Rejects contradictions, reads the cameras, and chooses quality, samples and backend.
 /// Throws UsageError and Error.
 RenderTask renderTask(settings::Request request);
 

@@ -12,26 +12,28 @@
 
 namespace gnomon::task {
 
-/// Returns the backend for `command`, which draws `pictures` pictures. Searches for a GPU only if `auto` can use one.
+/// Returns the backend for `command`, which draws `pictures` pictures. Searches for a GPU only if the backend is `auto`
+/// and could be a GPU.
 settings::BackendChoice backendFor(
     const settings::Settings& settings, settings::DrawingCommand command, int pictures = 1);
 
-/// Returns a warning that frames exceed their error or lack pages, with the options that change this. Returns an empty
-/// text if `shortfall` is empty.
+/// Returns the text of a warning that frames exceed their error or lack pages. It names the options that change this.
+/// Returns an empty text if `shortfall` is empty.
 std::string shortfallLine(const telemetry::Shortfall& shortfall);
 
 /// A model, its backend and its renderer.
 class Session {
 public:
-    /// Opens the model and makes `backend`, which is not the window. If `auto` chose a GPU that cannot be used, the
-    /// software backend draws. Tells `warn` in a line of each damaged page and of each GPU that cannot be used.
+    /// Opens the model and makes `backend`, which must not be Window. If the backend was chosen automatically and its
+    /// GPU cannot be used, the software backend draws. Calls `warn` with one line for each damaged page and for each
+    /// GPU that cannot be used.
     Session(
         const std::string& modelPath,
         const settings::Settings& settings,
         const std::function<void(const std::string&)>& warn,
         settings::Backend backend);
 
-    /// Makes the backend for one picture.
+    /// Opens the model and chooses the backend for one picture.
     Session(
         const std::string& modelPath,
         const settings::Settings& settings,

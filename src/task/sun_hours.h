@@ -10,9 +10,9 @@
 namespace gnomon::task {
 
 /// Computes the sun hours of `task` and writes its files. Each file appears when it is complete. Throws Error,
-/// UsageError for options that contradict each other, and Interrupted. After an exception, a log beside the first
-/// output contains the finished steps, and a task with `isResumed` continues from it. Returns nullopt in all ranks
-/// except rank 0.
+/// UsageError for options that contradict each other, and Interrupted. After an exception, a log in the folder of the
+/// first output contains the finished steps, and a task with `isResumed` continues from it. Returns nullopt in all
+/// ranks of an MPI job except rank 0.
 std::optional<SunHoursSummary> computeSunHours(const SunHoursTask& task, Progress& progress);
 
 /// Returns the summary as one line of text. `stepSeconds` is the length of a step, for the error of the times.

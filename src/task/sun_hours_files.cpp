@@ -46,7 +46,7 @@ render::ValueScale SunHoursFiles::scale() const {
     return {plan::ColorMap::Viridis, 0, run_->hours(std::max(lit_->stepsUp, 1U))};
 }
 
-/// Returns the picture of the view with hours as colours.
+/// Returns the picture of the view in which colours show the hours of sun.
 render::Picture SunHoursFiles::coloured() const {
     render::Picture picture = view_->picture();
     const render::ValueScale values = scale();

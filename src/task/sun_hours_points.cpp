@@ -97,7 +97,7 @@ std::uint64_t cellSum(const std::vector<glm::i64vec3>& cells) {
     return sum;
 }
 
-/// Returns the sections that cut casters, in cells of the grid.
+/// Returns the section planes if sections also cut casters, in cells of the grid.
 std::vector<Plane> cutsOfCasters(const plan::View& view, const hierarchy::Grid& grid) {
     std::vector<Plane> planes;
     if (view.cutsCasters)

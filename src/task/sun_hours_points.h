@@ -6,8 +6,8 @@
 
 namespace gnomon::task {
 
-/// Computes the sun hours of the points or vertices of `task` and writes its file. Returns nullopt in all ranks except
-/// rank 0. Throws Error and UsageError.
+/// Computes the sun hours of the points or vertices of `task` and writes its file. Returns nullopt in all ranks of an
+/// MPI job except rank 0. Throws Error and UsageError.
 std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progress& progress);
 
 } // namespace gnomon::task

@@ -28,7 +28,7 @@ std::string keyOfRun(const SunHoursTask& task, const std::vector<sun::SunStep>& 
         static_cast<unsigned long long>(sum));
 }
 
-/// Returns the common path of the logs, without their extension: the path of the first output.
+/// Returns the common beginning of the paths of all logs: the path of the first output.
 std::string logStemOf(const SunHoursTask& task) {
     std::string path = !task.output.empty() ? task.output : !task.pfm.empty() ? task.pfm : task.csv;
     if (path.empty()) path = task.report;
@@ -38,7 +38,7 @@ std::string logStemOf(const SunHoursTask& task) {
     return path;
 }
 
-/// A progress that polls the team after each light. The poll throws if the job has to stop.
+/// A progress that polls the team after each light. The poll throws an exception if the job has to stop.
 class PolledProgress final : public Progress {
 public:
     PolledProgress(SunHoursTeam& team, Progress& progress) : team_(team), progress_(progress) {}

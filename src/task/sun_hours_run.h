@@ -10,8 +10,8 @@ namespace gnomon::task {
 /// Returns "x,y,z" with the shortest text of each number that reads back as the same value.
 std::string textOf(const glm::dvec3& point);
 
-/// Returns the steps of the task's period, with the direction of the Sun in a world with this up direction. Throws
-/// Error if the Sun is down in all steps.
+/// Returns the time steps in the period of the task, with the direction of the Sun in a world with this up direction.
+/// Throws Error if the Sun is down in all steps.
 std::vector<sun::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec3& up);
 
 /// Returns a text that identifies the sections of a view. It is empty for a view without sections.
@@ -20,13 +20,14 @@ std::string keyOfSections(const plan::View& view);
 /// A run that tests receivers against the Sun in all steps.
 class SunHoursRun {
 public:
-    /// `key` identifies the receivers within the model. The logs are beside the first output of the task. Throws Error.
+    /// Starts a run. `key` identifies the receivers within the model. The logs are in the folder of the first output of
+    /// the task. Throws Error.
     SunHoursRun(const SunHoursTask& task, std::vector<sun::SunStep> steps, const std::string& key);
 
     const std::vector<sun::SunStep>& steps() const { return steps_; }
 
-    /// Tests `receivers` in all steps, together with all ranks of the task's team. Uses the results of the logs if they
-    /// contain the step. Returns nullptr in all ranks except rank 0. The result is valid while this object exists.
+    /// Tests `receivers` in all steps, together with all ranks of the task's team. Reads the steps that the logs
+    /// already contain. Returns nullptr in all ranks except rank 0. The result is valid while this object exists.
     const sun::LitSteps* decide(sun::Receivers& receivers, Progress& progress);
 
     /// Reads from the logs which receivers light `light` reaches, and sets `isLit` to 0 or 1 per receiver. Call this
@@ -35,7 +36,7 @@ public:
 
     double hours(std::uint32_t steps) const { return steps * stepSeconds_ / 3600; }
 
-    /// Returns the columns kSunHoursColumns of a receiver.
+    /// Returns the values of one receiver for the columns kSunHoursColumns.
     std::string row(std::size_t receiver) const;
 
     /// Removes the logs and returns the summary. Call this after all output files are complete. `detail` is

@@ -22,9 +22,9 @@ struct RunTimes {
 /// be empty.
 double quantile(std::span<const double> values, double fraction);
 
-/// Returns JSON with `context` (machine and settings) and `benchmarks`, one entry per run. An entry contains `name`,
-/// `iterations`, the means `real_time` and `cpu_time`, `time_unit`, and `p50`, `p95` and `p99` in milliseconds. It also
-/// contains `pages_damaged` and `pages_missing`.
+/// Returns JSON with `context` (machine and settings) and `benchmarks` (one entry per run). An entry contains `name`,
+/// `iterations`, the means `real_time` and `cpu_time`, `time_unit`, and the percentiles `p50`, `p95` and `p99` in
+/// milliseconds. It also contains `pages_damaged` and `pages_missing`.
 std::string benchmarkJson(const std::map<std::string, std::string>& context, std::span<const RunTimes> runs);
 
 /// Returns the context of this machine and build: date, host_name, num_cpus, cpu, memory_bytes, compiler and

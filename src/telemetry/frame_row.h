@@ -27,9 +27,9 @@ struct FrameRow {
     bool stabilize = false;
     std::int64_t filter = 0;
     std::int64_t shadowMaps = 0;      // planned maps
-    std::int64_t shadowMapsDrawn = 0; // without reused and skipped maps
+    std::int64_t shadowMapsDrawn = 0; // number of maps without reused and skipped maps
     std::string cullCasters;          // culling of casters: "on", "off" or "receivers"; empty without maps
-    std::string shadowTexels;         // WxH, the total of all maps
+    std::string shadowTexels;         // WxH, the total size of all maps
     double errorPixels = 1;
     std::int64_t width = 0;
     std::int64_t height = 0;
@@ -45,7 +45,7 @@ struct FrameRow {
 
     std::optional<std::int64_t> imageTriangles;
     std::optional<std::int64_t> shadowTriangles;
-    // Pixels covered by triangles of casters, with overdraw. OpenGL does not count them.
+    // Number of pixels that triangles of casters cover, with overdraw. OpenGL does not count them.
     std::optional<std::int64_t> shadowFragments;
     std::optional<std::int64_t> castersTested;
     std::optional<std::int64_t> castersKept;
@@ -72,19 +72,21 @@ struct FrameRow {
     std::optional<double> crawl;
 
     std::optional<double> sinceStartMs; // from the start of the process to the end of the frame
-    // Share of lit-side pixels that miss their shadow because the caster is thinner than a texel. They are not counted
-    // as wrong.
+    // Share of the pixels on surfaces towards the light that miss their shadow because the caster is thinner than a
+    // texel. These pixels do not count as wrong.
     std::optional<double> missedShadowFraction;
-    // Share of lit-side pixels with N.L above 0.1 that are wrong and farther from a true edge than a texel's footprint.
+    // Share of the pixels on surfaces towards the light, with N.L above 0.1, that are wrong and farther from a true
+    // shadow edge than the footprint of a texel.
     std::optional<double> unexplainedShadowFraction;
 
     // The following columns about shadows and light were appended later. They are empty if they do not apply.
-    std::string shadows;                               // shadow method: off, maps, exact or rays
-    std::optional<std::int64_t> shadowSamples;         // visible points that face the light
-    std::optional<std::int64_t> shadowCells;           // that they are sorted into
-    std::optional<std::int64_t> sampleTests;           // pairs of a caster's triangle and a sample in its cells
-    std::optional<std::int64_t> exactDecisions;        // of those whose verdict doubles left open
-    std::optional<std::int64_t> pixelsWithinTolerance; // whose verdict hangs on the tolerance, or on the rule for ties
+    std::string shadows;                        // shadow method: off, maps, exact or rays
+    std::optional<std::int64_t> shadowSamples;  // visible points that face the light
+    std::optional<std::int64_t> shadowCells;    // number of cells into which the samples are sorted
+    std::optional<std::int64_t> sampleTests;    // pairs of a caster's triangle and a sample in the same cell
+    std::optional<std::int64_t> exactDecisions; // sample tests that doubles could not resolve
+    // Pixels whose result depends on the tolerance or on the rule for ties.
+    std::optional<std::int64_t> pixelsWithinTolerance;
     std::optional<std::string> occlusion;
     std::optional<std::int64_t> clustersHidden;
     // Share of all pixels whose lit or dark result differs from the ground truth.
@@ -93,7 +95,8 @@ struct FrameRow {
     std::optional<std::int64_t> samplesPerPixel;
     std::optional<double> sunAngle;
     std::optional<double> lightError;
-    std::optional<std::int64_t> trianglesSetUp; // given edge functions in an image without what is hidden
+    // Triangles with computed edge functions in the image, if occlusion culling skips hidden geometry.
+    std::optional<std::int64_t> trianglesSetUp;
 };
 
 /// The value of a column, or monostate if it was not measured.

@@ -50,7 +50,7 @@ Milliseconds processorTime() {
 }
 
 Bytes peakResident() {
-    // The peak that getrusage knows includes what the parent had when it started this process.
+    // The peak of getrusage can include the memory of the parent process at the start of this process. VmHWM does not.
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);) {
         constexpr std::string_view kName = "VmHWM:";

@@ -1,4 +1,4 @@
-// The shortfall of drawings against the requested error, and the warning about it.
+// How far drawings fall short of the requested error, and the warning about it.
 #pragma once
 
 #include "telemetry/frame_row.h"
@@ -16,7 +16,7 @@ struct DrawnDetail {
     bool isDamaged = false;         // some pages cannot be read; a warning was printed for each
 };
 
-/// A collection of the shortfalls of all drawings of one command.
+/// Collects the shortfalls of all drawings of one command.
 class Shortfall {
 public:
     void add(const DrawnDetail& detail);
@@ -28,7 +28,7 @@ public:
     /// requested error and pages. Damaged pages do not count, because each one has its own warning.
     std::string text() const;
 
-    /// Returns whether pages do not fit into the page memory.
+    /// Returns true if pages are missing because the page memory is too small.
     bool lacksMemory() const { return worst_.pagesMissing > 0; }
 
 private:

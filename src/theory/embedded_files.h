@@ -8,8 +8,9 @@ namespace gnomon::theory {
 
 extern const std::string_view kFiguresScript;
 
-/// A CSV table with a header. Each line is for one power of ten of f/n - 1, and column 0 is the exponent. Each other
-/// column, `FORM: OUTPUT`, is the largest error in units in the last place. A cell is empty if no input was drawn.
+/// A CSV table with a header. Each line is for one power of ten of f/n - 1, and column 0 is its exponent. Each other
+/// column, `FORM: OUTPUT`, contains the largest error in units in the last place. A cell is empty if there was no
+/// random input for it.
 extern const std::string_view kUlpsTable;
 
 } // namespace gnomon::theory

@@ -29,8 +29,8 @@ double storageAt(const glm::dvec3& light, const Scheme& scheme) {
     return storageFactor(schemeMaps(kFrustum, light, scheme));
 }
 
-/// Returns S of self-similar slices in the orientation of the smallest S. All slices are similar, so the function
-/// computes one of them.
+/// Returns S of self-similar slices in the orientation with the smallest S. All slices have the same S, so the function
+/// computes only the first one.
 double storageChosen(const glm::dvec3& light, int slices) {
     const ViewFrustum first = slice(kFrustum, 1, selfSimilarSplits(1, 1000, slices)[1]);
     const LightFit fit = fitSlice(chosenFrame(first, light, {}, std::nullopt), first);

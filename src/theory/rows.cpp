@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using namespace gnomon::shadow;
 
-/// The inputs of one row, and the name of the row for errors.
+/// The inputs of one row, and the name of the row in error messages.
 struct Row {
     const json& inputs;
     std::string where;

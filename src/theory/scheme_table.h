@@ -11,11 +11,11 @@ namespace gnomon::theory {
 /// A row of the table: a scheme with k slices.
 struct SchemeRow {
     std::string scheme{}; // ZP, ZP+W, FP+ZP, FP+ZP+W, FP, ZP stable
-    std::string warp{};   // the word of the option --warp; auto* is auto with the orientation of the smallest S
+    std::string warp{};   // value of the option --warp; auto* is auto with the orientation of the smallest S
     int slices = 1;
     std::size_t maps = 1;
     double storageFactor = 0;
-    double shearedStorageFactor = 0; // with the shear of texels
+    double shearedStorageFactor = 0; // storage factor that includes the shear of texels
     double worstX = 0;               // M_x and M_z with res_i = res_s = res_t = 1, max over all maps
     double worstZ = 0;
 };

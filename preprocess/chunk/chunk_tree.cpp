@@ -105,7 +105,7 @@ CellCounts::CellCounts(const hierarchy::GridPoint& furthest, std::span<const std
         parent.table = static_cast<std::uint32_t>(in.takeVarint());
         parent.cell = static_cast<std::uint32_t>(in.takeVarint());
         if (parent.table >= tables_.size() || parent.cell >= tables_[parent.table].weights.size())
-            throw hierarchy::Damage{"a cell that is not there"};
+            throw hierarchy::Damage{"it refers to a missing cell"};
         cut(parent);
     }
     in.expectEnd();
@@ -131,7 +131,7 @@ void CellCounts::addOpenWeights(std::span<const std::byte> weights) {
     for (std::size_t t = firstOpen_; t < tables_.size(); ++t) {
         std::size_t next = 0;
         while (const std::uint64_t step = in.takeVarint()) {
-            if (step > tables_[t].weights.size() - next) throw hierarchy::Damage{"a cell that is not there"};
+            if (step > tables_[t].weights.size() - next) throw hierarchy::Damage{"it refers to a missing cell"};
             next += step;
             tables_[t].weights[next - 1] += in.takeVarint();
         }
@@ -237,13 +237,13 @@ ChunkTree::ChunkTree(std::span<const std::byte> bytes) {
         Table& table = tables_.emplace_back();
         table.bits = static_cast<int>(in.takeVarint());
         table.shift = static_cast<int>(in.takeVarint());
-        if (table.bits > kRootBits) throw hierarchy::Damage{"a table of too many cells"};
+        if (table.bits > kRootBits) throw hierarchy::Damage{"a table has too many cells"};
         const std::size_t cells = std::size_t{1} << static_cast<unsigned>(3 * table.bits);
         table.chunks.reserve(cells);
         while (table.chunks.size() < cells) {
             const auto chunk = static_cast<std::uint32_t>(in.takeVarint());
             const std::uint64_t count = in.takeVarint();
-            if (count > cells - table.chunks.size()) throw hierarchy::Damage{"a table of too many cells"};
+            if (count > cells - table.chunks.size()) throw hierarchy::Damage{"a table has too many cells"};
             table.chunks.insert(table.chunks.end(), count, chunk);
         }
     }

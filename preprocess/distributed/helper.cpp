@@ -70,7 +70,7 @@ public:
     }
 
     void tell(const pipeline::TaskFacts& facts) {
-        if (!tasks_) throw Error("facts before the build began");
+        if (!tasks_) throw Error("rank 0 sent facts about the build before its start");
         tasks_->tell(facts);
     }
 
@@ -79,7 +79,7 @@ public:
     void start(Assignment assignment) {
         const std::uint32_t task = assignment.task;
         pool_.start(task, [this, kind = assignment.kind, input = std::move(assignment.input)] {
-            if (!tasks_) throw Error("a task before the build began");
+            if (!tasks_) throw Error("rank 0 sent a task before the start of the build");
             return tasks_->perform(kind, input);
         });
     }

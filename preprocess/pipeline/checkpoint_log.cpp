@@ -225,10 +225,10 @@ void requireStreams(const std::vector<std::byte>& directory, std::uint64_t count
 
 /// Throws Damage if a record contains an unknown node number, or if its numbers of clusters and ClusterPlaces differ.
 void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
-    if (node.node >= nodeCount) throw hierarchy::Damage{"a node that is not there"};
+    if (node.node >= nodeCount) throw hierarchy::Damage{"a record refers to a missing node"};
     if (node.places.bytes % levels::placeBytes(1) != 0 ||
         node.places.bytes / levels::placeBytes(1) != node.pending.clusters)
-        throw hierarchy::Damage{"a node with places of another number of clusters"};
+        throw hierarchy::Damage{"a node has different numbers of places and clusters"};
 }
 
 /// Appends the kind of the record as its last byte, and returns the bytes.
@@ -257,7 +257,8 @@ const RoundRecord* CheckpointLog::binnedRound(std::uint32_t round) const {
 }
 
 void CheckpointLog::add(RoundRecord record) {
-    if (record.round != binnedRounds_.size() + 1) throw hierarchy::Damage{"a round that does not follow"};
+    if (record.round != binnedRounds_.size() + 1)
+        throw hierarchy::Damage{"a round is not the one after the last round"};
     binnedRounds_.push_back(std::move(record));
 }
 
@@ -280,9 +281,9 @@ std::uint64_t CheckpointLog::builtTriangles(std::uint32_t round) const {
 }
 
 void CheckpointLog::add(NodeRecord record) {
-    if (record.round > rounds_.size()) throw hierarchy::Damage{"a node of a round that does not follow"};
+    if (record.round > rounds_.size()) throw hierarchy::Damage{"a node belongs to a round that has not begun"};
     beginRound(record.round);
-    if (isBuilt(record.round, record.node)) throw hierarchy::Damage{"a node that was built before"};
+    if (isBuilt(record.round, record.node)) throw hierarchy::Damage{"a node is recorded twice"};
     std::map<std::uint32_t, NodeRecord>& early = early_[record.round];
     const std::vector<NodeRecord>& inOrder = rounds_[record.round];
     early.emplace(record.node, std::move(record));
@@ -312,7 +313,7 @@ void CheckpointLog::requireConsistent() const {
     const std::uint64_t chunks = binned_ ? binned_->chunkCount : 0;
     if (chunks > chunk::kMaxChunks) throw hierarchy::Damage{"too many chunks"};
     if (!binned_ && (bordered_ || !binnedRounds_.empty() || !rounds_.empty()))
-        throw hierarchy::Damage{"records of chunks that are not there"};
+        throw hierarchy::Damage{"records refer to missing chunks"};
     if (binned_) requireStreams(binned_->directory, chunk::binStreams(binned_->chunkCount));
     if (bordered_) requireStreams(bordered_->directory, chunk::borderStreams(binned_->chunkCount));
     for (const RoundRecord& round : binnedRounds_)
@@ -336,7 +337,8 @@ void CheckpointLog::requireChildren(const NodeRecord& node) const {
     };
     for (const NodeRecord::LevelOfNode& level : node.levels)
         for (const PageInfo& page : level.pages)
-            if (!std::ranges::all_of(page.children, isThere)) throw hierarchy::Damage{"a page that is not there"};
+            if (!std::ranges::all_of(page.children, isThere))
+                throw hierarchy::Damage{"a page refers to a missing page"};
 }
 
 std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {
@@ -346,10 +348,10 @@ std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {
         if (block.bytes == 0) return;
         const std::uint32_t part = scratch::partOf(block.offset);
         const std::uint64_t room = scratch::placeOf(part, 0) + scratch::kMaxPartBytes - block.offset;
-        if (block.bytes > room) throw hierarchy::Damage{"a block that is too long"};
+        if (block.bytes > room) throw hierarchy::Damage{"a block is too long"};
         ends[part] = std::max(ends[part], scratch::kMaxPartBytes - room + block.bytes);
         sums[part] += block.bytes;
-        if (sums[part] > scratch::kMaxPartBytes) throw hierarchy::Damage{"blocks that share bytes"};
+        if (sums[part] > scratch::kMaxPartBytes) throw hierarchy::Damage{"blocks overlap"};
     };
     if (binned_) forEachBlock(binned_->directory, take);
     if (bordered_) forEachBlock(bordered_->directory, take);
@@ -362,7 +364,7 @@ std::map<std::uint32_t, std::uint64_t> CheckpointLog::scratchBytes() const {
             forEachBlock(node, take);
     }
     for (const auto& [part, sum] : sums)
-        if (sum > ends[part]) throw hierarchy::Damage{"blocks that share bytes"};
+        if (sum > ends[part]) throw hierarchy::Damage{"blocks overlap"};
     return ends;
 }
 
@@ -383,7 +385,7 @@ std::vector<std::uint32_t> partsOf(const NodeRecord& record) {
 }
 
 void CheckpointLog::addEncoded(std::span<const std::byte> record) {
-    if (record.empty()) throw hierarchy::Damage{"an empty record"};
+    if (record.empty()) throw hierarchy::Damage{"a record is empty"};
     ByteReader in(record.first(record.size() - 1));
     Taker fields{in};
     switch (static_cast<Kind>(record.back())) {
@@ -408,21 +410,21 @@ void CheckpointLog::addEncoded(std::span<const std::byte> record) {
     case Kind::Node:
         return add(decodedNode(record));
     default:
-        throw hierarchy::Damage{"a record of unknown kind"};
+        throw hierarchy::Damage{"a record has an unknown kind"};
     }
     in.expectEnd();
 }
 
 NodeRecord decodedNode(std::span<const std::byte> record) {
     if (record.empty() || static_cast<Kind>(record.back()) != Kind::Node)
-        throw hierarchy::Damage{"not the record of a node"};
+        throw hierarchy::Damage{"a record is not that of a node"};
     ByteReader in(record.first(record.size() - 1));
     Taker fields{in};
     NodeRecord node;
     nodeFields(fields, node);
     in.expectEnd();
     if (node.firstLevel > hierarchy::kMaxLevels || node.levels.size() > hierarchy::kMaxLevels - node.firstLevel)
-        throw hierarchy::Damage{"a node of too many levels"};
+        throw hierarchy::Damage{"a node has too many levels"};
     return node;
 }
 

@@ -26,7 +26,7 @@ pipeline::BuildOptions buildOptionsOf(
     settings::requireDistinctFiles(named, {{"the output", output}});
     settings::requireExtension("the output", output, ".gnm");
     const auto unit = hierarchy::unitNamed(asked.unit);
-    if (!unit) throw Error("unit", "there is no such unit", "m, cm, mm, ft or in", asked.unit);
+    if (!unit) throw Error("unit", "unknown unit", "m, cm, mm, ft or in", asked.unit);
     pipeline::BuildOptions options;
     options.output = output;
     options.memory = {asked.memory};
@@ -55,7 +55,7 @@ std::string build(
     const BuildOptions& options,
     const OnProgress& onProgress) {
     requireUsualFloatingPoint();
-    if (inputs.empty()) throw Error("build", "nothing to build of", "at least one mesh", "none");
+    if (inputs.empty()) throw Error("build", "no input files", "at least one mesh", "none");
     const pipeline::BuildOptions asked = withPlainErrors([&] { return buildOptionsOf(inputs, output, options); });
     const auto source =
         read::openMeshSources(inputs, asked.memory, asked.fields, read::Textures::Bake, options.sourceRoot);

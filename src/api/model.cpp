@@ -24,7 +24,7 @@ namespace {
 /// Returns the settings of `options`. The memory and the backend come from the settings of the open model.
 settings::Settings askedFor(const Options& options, const settings::Settings& ofModel) {
     for (const char* name : {"memory", "gpu-memory", "backend", "shaders"})
-        if (options.contains(name)) throw Error(name, "no option of a view: the model was opened without it");
+        if (options.contains(name)) throw Error(name, "this option cannot be set for a view of an open model");
     settings::Settings result = settings::settingsOf(options);
     settings::requireSound(result);
     settings::readCamera(result);
@@ -99,7 +99,7 @@ std::string Model::info() const {
 }
 
 Mesh Model::cutByError(double error) const {
-    if (!(error >= 0)) throw Error("error", "no length", "a number of at least 0", formatted("%g", error));
+    if (!(error >= 0)) throw Error("error", "invalid length", "a number of at least 0", formatted("%g", error));
     return uniformMesh(state_->session.model(), {std::nullopt, error});
 }
 
@@ -136,7 +136,10 @@ std::string Model::plan(const Options& options) const {
 Picture Model::render(const Options& options, int samples) const {
     if (samples < 1 || samples > settings::kMaxSamples)
         throw Error(
-            "samples", "no number of frames", "1 to " + std::to_string(settings::kMaxSamples), std::to_string(samples));
+            "samples",
+            "invalid number of frames",
+            "1 to " + std::to_string(settings::kMaxSamples),
+            std::to_string(samples));
     return withPlainErrors([&] {
         const auto [view, quality] = state_->viewOf(options);
         NoProgress progress;

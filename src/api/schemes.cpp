@@ -16,7 +16,7 @@ std::vector<ShadowScheme> shadowSchemes(
     const glm::dvec3 light(towardsLight[0], towardsLight[1], towardsLight[2]);
     const double length = glm::length(light);
     if (!(length > 0) || !std::isfinite(length))
-        throw Error("towardsLight", "no direction", "three finite numbers that are not all 0", "others");
+        throw Error("towardsLight", "invalid direction", "three finite numbers that are not all 0", "other numbers");
     std::vector<ShadowScheme> result;
     for (const theory::SchemeRow& row : theory::schemeTable(frustum, light / length))
         result.push_back(

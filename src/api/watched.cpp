@@ -24,7 +24,7 @@ void Watched::advance(std::uint64_t count) {
 }
 
 void Watched::told() {
-    if (tell_ && !tell_(stage_, done_, total_)) throw Error(stage_, "stopped by who asked for it");
+    if (tell_ && !tell_(stage_, done_, total_)) throw Error(stage_, "cancelled by the caller");
 }
 
 } // namespace gnomon::api

@@ -146,10 +146,11 @@ public:
         if (!options_.images.empty()) writeImages();
         if (!options_.report.empty()) bench::writeReport(options_.report, pageOf(summaries), results);
         const bool hasFiles = !(options_.csv + options_.json + options_.images + options_.report).empty();
-        requirePrinted(hasFiles ? "the files that were asked for are complete" : "");
+        requirePrinted(hasFiles ? "the requested files are complete" : "");
         if (baseline_) {
             for (const std::string& name : bench::notCompared(*baseline_, summaries))
-                printMessage(baseline_->path + ": not compared, on one side only: " + name);
+                printMessage(
+                    baseline_->path + ": only one of the two benches has this run, so it is not compared: " + name);
             bench::requireComplete(*baseline_, summaries, !options_.walk.isRealTime);
             bench::requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
         }

@@ -118,7 +118,7 @@ void runHours(HoursOptions options, task::SunHoursTeam& team) {
         return;
     }
     std::printf("%s\n", task::summaryJson(*done).c_str());
-    requirePrinted("the files that were asked for are complete");
+    requirePrinted("the requested files are complete");
 }
 
 void addPlace(CLI::App& command, std::string& place) {

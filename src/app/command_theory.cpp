@@ -119,7 +119,7 @@ void writeFigures(const std::string& folder) {
     if (runQuietly(*python, {script, folder}, true) != 0) throw Error(script, "the script that draws the plots failed");
     for (const theory::Figure& figure : figures)
         std::printf("%s/%s.svg\n%s/%s.png\n", shown.c_str(), figure.name.c_str(), shown.c_str(), figure.name.c_str());
-    requirePrinted("what is in " + folder + " is complete");
+    requirePrinted("the files in " + folder + " are complete");
 }
 
 void addFigures(CLI::App& theory) {

@@ -30,7 +30,7 @@ void requireSound(const viewer::ViewerOptions& options) {
     if (settings.backend == settings::Backend::Osmesa || settings.backend == settings::Backend::Egl)
         throw settings::UsageError{
             "--backend",
-            settings::optionText("backend", settings) + " draws to no window; use auto, software or window"};
+            settings::optionText("backend", settings) + " cannot draw to a window; use auto, software or window"};
     if (!hierarchy::isAddress(options.file) && !std::filesystem::exists(options.file))
         throw Error(options.file, "cannot open the model", "a file", "none");
 }

@@ -42,9 +42,9 @@ extern "C" void onSignal(int /*signal*/) {
         printMessage(std::string("the operating system refused: ") + error.what());
         TemporaryName::removeAllAndExit(1);
     } catch (const std::exception& error) {
-        printMessage(std::string("ended by ") + error.what());
+        printMessage(std::string("ended by an unexpected error: ") + error.what());
     } catch (...) {
-        printMessage("ended by an unknown exception");
+        printMessage("ended by an unexpected error of unknown type");
     }
     std::abort();
 }

@@ -54,7 +54,7 @@ void addSections(PreparedFrame& frame, const glm::dvec3& origin) {
     if (frame.volumes.size() > lod::kMaxVolumes)
         throw Error(
             "sections",
-            "there are too many shadow maps beside them",
+            "too many sections and shadow maps together",
             "at most " + std::to_string(lod::kMaxVolumes - 1) + " maps and planes",
             std::to_string(frame.volumes.size() - 1));
 }

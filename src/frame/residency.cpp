@@ -32,8 +32,8 @@ Bytes memoryWithoutProgram(const hierarchy::ModelFile& model, const ResidencyOpt
         throw LimitError(
             Limit::PageMemory,
             {"page memory",
-             options.holdsPictures ? "the program and the page table alone take more"
-                                   : "the page table alone takes more",
+             options.holdsPictures ? "too small: the program and the page table alone need more"
+                                   : "too small: the page table alone needs more",
              "above " + readableBytes(required),
              readableBytes(options.memory)});
     return {options.memory.count - program.count};
@@ -92,7 +92,7 @@ void Residency::reservePicture(Bytes bytes) {
         throw LimitError(
             Limit::PageMemory,
             {"page memory",
-             "a picture of this size does not fit into it",
+             "too small for a picture of this size",
              "at least " + readableBytes({required.count + kProgram.count}),
              readableBytes({memory_.count + kProgram.count})});
     const Bytes reserved{bytes.count + working};

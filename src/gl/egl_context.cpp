@@ -111,7 +111,7 @@ private:
 
     void makeContext() {
         if (egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API) == EGL_FALSE)
-            throw Error("EGL", "no desktop OpenGL");
+            throw Error("EGL", "the display does not support desktop OpenGL");
         // A config for OpenGL exists on each device. EGL_KHR_no_config_context would also work, but it is an extension.
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
         EGLConfig config = nullptr;
@@ -119,7 +119,7 @@ private:
         egl_.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig")(display_, wanted.data(), &config, 1, &count);
         context_ = egl_.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(
             display_, count > 0 ? config : nullptr, EGL_NO_CONTEXT, kContextAttributes.data());
-        if (context_ == EGL_NO_CONTEXT) throw Error("EGL", "no context", "core 4.5", "nothing");
+        if (context_ == EGL_NO_CONTEXT) throw Error("EGL", "cannot create a context", "OpenGL 4.5 core", "none");
         makeCurrent();
     }
 

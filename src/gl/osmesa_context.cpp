@@ -32,7 +32,7 @@ public:
     OsmesaContext() {
         requireAddressSpace("OSMesa");
         context_ = library_.function<CreateContext>("OSMesaCreateContextAttribs")(kAttributes.data(), nullptr);
-        if (context_ == nullptr) throw Error("OSMesa", "no context", "core 4.5", "nothing");
+        if (context_ == nullptr) throw Error("OSMesa", "cannot create a context", "OpenGL 4.5 core", "none");
         if (makeCurrent_(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
             destroy_(context_);
             throw Error("OSMesa", "the context cannot be made current");

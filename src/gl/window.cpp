@@ -32,7 +32,7 @@ public:
         if (window_ == nullptr) {
             const std::string reason = lastError();
             glfwTerminate();
-            throw Error("window", "no OpenGL context (" + reason + ")", "core 4.5", "none");
+            throw Error("window", "no OpenGL context (" + reason + ")", "OpenGL 4.5 core", "none");
         }
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);

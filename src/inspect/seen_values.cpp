@@ -45,7 +45,7 @@ void eachSeen(const frame::Renderer& renderer, const frame::Frame& frame, const 
     const render::Raster<render::SeenTriangle> seen = renderer.backend().seenTriangles();
     if (seen.pixels.empty())
         throw Error(
-            "values of vertices and clusters",
+            "colours by vertex, error or field",
             settings::onlySoftware(&plan::Capabilities::seesTriangles),
             "software",
             renderer.backend().name());
@@ -80,7 +80,7 @@ std::size_t fieldNamed(const hierarchy::ModelFile& model, const std::string& nam
         known += ", " + field.name;
     throw Error(
         model.path(),
-        "the model has no such value for colours; fields are kept by the build that is told to",
+        "the model has no such value for colours; gnomon build --fields stores fields",
         "one of " + known,
         "'" + name + "'");
 }

@@ -34,7 +34,8 @@ Loaders::Loaders(const PageSource& source, unsigned threadCount) : source_(&sour
         try {
             threads_.emplace_back([this] { run(); });
         } catch (const std::system_error& error) {
-            if (threads_.empty()) throw Error("a loader of pages", std::string("no thread for it: ") + error.what());
+            if (threads_.empty())
+                throw Error("loading of pages", std::string("cannot start a thread: ") + error.what());
             break; // the system starts no more threads, and fewer threads are sufficient
         }
     }

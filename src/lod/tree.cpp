@@ -81,7 +81,7 @@ std::vector<RTCBuildPrimitive> primitives(std::span<const Item> items) {
 
 const BuildNode* embreeTree(std::span<const Item> items, BuildContext& context) {
     const std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)> device(rtcNewDevice("threads=1"), rtcReleaseDevice);
-    if (!device) throw Error("bounding volume tree: Embree gives no device");
+    if (!device) throw Error("bounding volume tree: cannot create an Embree device");
     const std::unique_ptr<RTCBVHTy, void (*)(RTCBVH)> bvh(rtcNewBVH(device.get()), rtcReleaseBVH);
     std::vector<RTCBuildPrimitive> boxes = primitives(items);
     RTCBuildArguments arguments = rtcDefaultBuildArguments();

@@ -30,14 +30,14 @@ glm::dvec3 vectorOf(const ordered_json& object, const char* key, const std::stri
     const auto found = object.find(key);
     const bool isVector = found != object.end() && found->is_array() && found->size() == 3 &&
                           std::all_of(found->begin(), found->end(), [](const auto& v) { return v.is_number(); });
-    if (!isVector) throw Error(where, std::string("\"") + key + "\" is missing or no vector", "[x, y, z]", "none");
+    if (!isVector) throw Error(where, std::string("\"") + key + "\" is missing or not a vector", "[x, y, z]", "none");
     return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
 }
 
 double numberOf(const ordered_json& object, const char* key, const std::string& where) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_number())
-        throw Error(where, std::string("\"") + key + "\" is missing or no number");
+        throw Error(where, std::string("\"") + key + "\" is missing or not a number");
     return found->get<double>();
 }
 
@@ -107,7 +107,7 @@ ordered_json cameraDocument(const std::string& path) {
             throw Error(
                 path,
                 "this file is not a camera file",
-                "a file that the command path writes from it (kind source)",
+                "a file that gnomon path --kind source writes from the glTF",
                 "a glTF");
     return readJsonFile(path);
 }

@@ -65,7 +65,7 @@ void separate(DepthSpan& depths, const Quality& quality) {
         throw LimitError(
             {Limit::NearDepth, Limit::FarDepth},
             {"near depth and far depth",
-             "it is no range for shadows",
+             "invalid range",
              "near above 0 and far finite",
              std::to_string(depths.near) + " to " + std::to_string(depths.far)});
     if (depths.far > depths.near * (1 + 1e-6)) return;
@@ -73,7 +73,7 @@ void separate(DepthSpan& depths, const Quality& quality) {
         throw LimitError(
             Limit::FarDepth,
             {"far depth",
-             "it must be above the near one",
+             "it must be greater than the near depth",
              "above " + std::to_string(depths.near),
              std::to_string(depths.far)});
     if (quality.far)

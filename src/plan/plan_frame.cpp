@@ -25,18 +25,18 @@ void requireValid(const View& view) {
         throw LimitError(
             Limit::ImageSize,
             {"image size",
-             "an image has pixels",
+             "the image has no pixels",
              "at least 1x1",
              std::to_string(view.width) + "x" + std::to_string(view.height)});
     if (!(degrees > 0 && degrees < 180))
         throw LimitError(
             Limit::FieldOfView,
-            {"vertical angle", "this angle is impossible", "above 0 and below 180 degrees", std::to_string(degrees)});
+            {"vertical angle", "out of range", "above 0 and below 180 degrees", std::to_string(degrees)});
     const double lightLength = glm::length(view.towardsLight);
     if (!(lightLength > 0) || !std::isfinite(lightLength))
         throw LimitError(
             Limit::LightDirection,
-            {"light direction", "this is no direction", "a finite length above 0", formatted("%g", lightLength)});
+            {"light direction", "not a direction", "a finite length above 0", formatted("%g", lightLength)});
 }
 
 /// Returns the reason why this view needs no shadow maps, or nullopt if it needs them.

@@ -15,7 +15,7 @@ namespace gnomon::raytrace {
 /// Returns a new device, which the caller releases. Throws Error if Embree returns none.
 inline RTCDevice newDevice() {
     RTCDevice device = rtcNewDevice(nullptr);
-    if (device == nullptr) throw Error("ray tracing: Embree gives no device");
+    if (device == nullptr) throw Error("ray tracing: cannot create an Embree device");
     return device;
 }
 
@@ -55,7 +55,7 @@ inline TriangleGeometry newTriangles(RTCDevice device, std::size_t vertices, std
         result.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
     result.indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         result.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles));
-    requireNoError(device, "making room");
+    requireNoError(device, "allocating geometry");
     return result;
 }
 

@@ -13,7 +13,7 @@ DrawStatistics Backend::draw(const DrawInputs& frame) {
 }
 
 DrawStatistics Backend::drawExactly(const DrawInputs&) {
-    throw Error("exact shadows", "this backend has none", "the software rasteriser", name());
+    throw Error("exact shadows", "this backend does not support them", "the software backend", name());
 }
 
 } // namespace gnomon::render

@@ -167,8 +167,8 @@ glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
         if (!(std::abs(cell[axis]) < kMaxCells))
             throw UsageError{
                 "--light-at",
-                "--light-at: the lamp is too far from the model; use --light " + direction().write(at) +
-                    " in its place"};
+                "--light-at: the point light is too far from the model; use --light " + direction().write(at) +
+                    " instead"};
     return grid.origin + cell * grid.step();
 }
 

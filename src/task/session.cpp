@@ -53,7 +53,7 @@ Session::Session(
           {.memory = settings.memory,
            .onDamaged =
                [warn](const lod::DamagedPage& page) {
-                   warn("a page is damaged, its parents are drawn: " + page.reason);
+                   warn("a page is damaged, coarser pages are drawn instead: " + page.reason);
                },
            .holdsPictures = backend_->capabilities().bands}) {}
 

@@ -115,7 +115,11 @@ struct Row {
             if (rule == WarpRule::Eta) result.eta = number("eta");
             return result;
         }
-        throw Error(where, "policy", "one of the warp rules", policy);
+        throw Error(
+            where,
+            "unknown policy",
+            "minmz, minimax, ortho, none, w04, lspsm, sopt, auto, psm, tsm, eta, given or log",
+            policy);
     }
 };
 

@@ -48,7 +48,8 @@ bool OpenFile::watchFile() {
     const Fate fate = scene_->fate();
     if (fate != std::exchange(fate_, fate)) {
         const std::string& path = scene_->model().path();
-        if (fate == Fate::Gone) messages_->fail(path + ": the model has vanished; what is open stays open");
+        if (fate == Fate::Gone)
+            messages_->fail(path + ": the model file has vanished; the window keeps the open model");
         if (fate == Fate::Changed) messages_->fail(path + ": the model has changed; F9 opens it again");
         if (fate == Fate::Same) messages_->note(path + ": the model is back");
     }

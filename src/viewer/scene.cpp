@@ -57,9 +57,9 @@ Scene::Scene(
            .onDamaged =
                [onDamaged = std::move(onDamaged)](const lod::DamagedPage& page) {
                    onDamaged(
-                       (page.isRetried  ? "pages could not be read, their parents are drawn and it is tried again: "
-                        : page.isUnread ? "a page could not be read, its parents are drawn: "
-                                        : "a page is damaged, its parents are drawn: ") +
+                       (page.isRetried  ? "pages could not be read, coarser pages are drawn until a new try succeeds: "
+                        : page.isUnread ? "a page could not be read, coarser pages are drawn instead: "
+                                        : "a page is damaged, coarser pages are drawn instead: ") +
                        page.reason);
                },
            .drawsWithoutUnread = true}) {}

@@ -125,7 +125,9 @@ void WindowSession::enter(const Scene& scene) {
     framed_ = std::move(framed);
     caps_.pages = model.pages().size();
     if (!isAmong(colorChoices(model.summary(), scene.capabilities()), settings_.colors)) {
-        messages_.fail(model.path() + ": the model has no such value for colours");
+        messages_.fail(
+            model.path() +
+            ": the model does not have the value that the colours show; it is drawn with its own colours");
         settings_.colors = {};
     }
     saved_ = SavedFiles(model.path());
@@ -395,7 +397,7 @@ void runViewer(const ViewerOptions& options, Progress& interrupt) {
     try {
         WindowSession(options).run(interrupt);
     } catch (const gl::NoDisplay& error) {
-        throw Error(std::string(error.what()) + "; `gnomon render` draws without one");
+        throw Error(std::string(error.what()) + "; `gnomon render` draws without a window");
     }
 }
 

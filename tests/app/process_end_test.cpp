@@ -208,8 +208,8 @@ TEST(Termination, ForWantOfMemoryOrThreadsIsAFailureAndAllElseAFault) {
     EXPECT_TRUE(threads.said.starts_with("gnomon: the operating system refused: ")) << threads.said;
     const Ending fault = ended([] { throw std::logic_error("a fault"); });
     EXPECT_EQ(fault.signal, SIGABRT);
-    EXPECT_EQ(fault.said, "gnomon: ended by a fault\n");
-    EXPECT_EQ(ended([] { throw 3; }).said, "gnomon: ended by an unknown exception\n");
+    EXPECT_EQ(fault.said, "gnomon: ended by an unexpected error: a fault\n");
+    EXPECT_EQ(ended([] { throw 3; }).said, "gnomon: ended by an unexpected error of unknown type\n");
 }
 
 TEST(OracleOption, IsAFlagOrNamesHowFarItGoes) {

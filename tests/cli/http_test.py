@@ -187,7 +187,7 @@ class HttpTest(ProgramTest):
         self.assertEqual(row["pages_damaged"], 1)
         self.assertEqual(len(spoilt), 2, "it was asked for again")
         self.assertEqual(said.count("\n"), 1)
-        self.assertIn("a page is damaged, its parents are drawn", said)
+        self.assertIn("a page is damaged, coarser pages are drawn instead", said)
         self.assertEqual(picture, (self.place / "damaged.png").read_bytes())
         self.assertNotEqual(picture, self.picture)
         spoilt.clear()

@@ -159,7 +159,7 @@ TEST_F(ModelResidency, TheTableMustFitTheMemory) {
         const Residency residency(model, tight);
         ADD_FAILURE() << "no byte is left for pages";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("the page table alone takes more"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("the page table alone needs more"), std::string::npos) << error.what();
     }
 }
 

@@ -57,7 +57,8 @@ const std::string kPlace = filePath() + ": keyframe 1";
 
 TEST(CameraFiles, NameTheKeyframeWhoseVectorIsNone) {
     for (const char* key : {"eye", "target", "up"}) {
-        const std::string said = kPlace + ": \"" + key + "\" is missing or no vector: expected [x, y, z], found none";
+        const std::string said =
+            kPlace + ": \"" + key + "\" is missing or not a vector: expected [x, y, z], found none";
         for (const ordered_json& wrong :
              {ordered_json(3),
               ordered_json("0,0,0"),
@@ -84,10 +85,10 @@ TEST(CameraFiles, NameTheKeyframeWhoseAngleOrTimeIsNone) {
         for (const ordered_json& wrong : {ordered_json("60"), ordered_json(nullptr), ordered_json(true)})
             EXPECT_EQ(
                 objection(changed([&](ordered_json& frame) { frame[key] = wrong; })),
-                kPlace + ": \"" + key + "\" is missing or no number");
+                kPlace + ": \"" + key + "\" is missing or not a number");
     EXPECT_EQ(
         objection(changed([](ordered_json& frame) { frame.erase("time"); })),
-        kPlace + ": \"time\" is missing or no number");
+        kPlace + ": \"time\" is missing or not a number");
 }
 
 TEST(CameraFiles, NameTheKeyframeThatGoesBackInTimeOrLooksAtItself) {

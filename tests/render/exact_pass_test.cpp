@@ -144,7 +144,7 @@ TEST(ExactPass, OpenGlRefusesIt) {
     } catch (const Error& error) {
         EXPECT_EQ(
             error.what(),
-            "exact shadows: this backend has none: expected the software rasteriser, found " + gl->name());
+            "exact shadows: this backend does not support them: expected the software backend, found " + gl->name());
     }
 }
 

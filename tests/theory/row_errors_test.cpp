@@ -143,7 +143,9 @@ TEST(RowErrors, APolicyIsAWarpRuleUnderAnyOfItsNames) {
     json inputs = families().at("general_frustum")["inputs"];
     inputs["policy"] = "best";
     EXPECT_EQ(
-        refusal("general_frustum", inputs), "rows.json: row 0: policy: expected one of the warp rules, found best");
+        refusal("general_frustum", inputs),
+        "rows.json: row 0: unknown policy: expected minmz, minimax, ortho, none, w04, lspsm, sopt, auto, psm, tsm, "
+        "eta, given or log, found best");
     for (const auto& [one, other] :
          std::map<std::string, std::string>{{"minmz", "minimax"}, {"ortho", "none"}, {"w04", "lspsm"}}) {
         inputs["policy"] = one;

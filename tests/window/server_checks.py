@@ -47,14 +47,14 @@ def check_server(display, program, folder, model):
     with RangeServer(pathlib.Path(model).parent) as server:
         server.faults.status = lambda number: 503 if number > healthy * 4 // 5 else None  # all but the finest pages come
         session = at_server(server, cache)
-        session.expect("pages could not be read, their parents are drawn and it is tried again")
+        session.expect("pages could not be read, coarser pages are drawn until a new try succeeds")
     port = server.server_port
     coarse = session.shot("shift+F12").read_bytes()
     assert len(coarse) > 10000, "something is drawn"
     with RangeServer(pathlib.Path(model).parent, port) as server:
         expect_picture(session, expected)
         assert server.requests > 0
-    told = [line for line in session.complaints() if "tried again" not in line]
+    told = [line for line in session.complaints() if "new try" not in line]
     assert told == [] and len(session.complaints()) < 4, session.complaints()
     session.leave()
     assert any(cache.rglob("*-*")), "what was read is kept"

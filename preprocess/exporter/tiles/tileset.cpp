@@ -332,7 +332,7 @@ ExportedTileset exportTileset(
     if (fs::exists(folder, missing) && !(fs::is_directory(folder, missing) && fs::is_empty(folder, missing)))
         throw Error(folder, "tiles need an empty folder", "an empty or new folder", "other files");
     if (options.place && !(std::abs(options.place->x) <= 90))
-        throw Error("a place on the earth", "bad latitude", "-90 to 90", std::to_string(options.place->x));
+        throw Error("place of the model on the earth", "bad latitude", "-90 to 90", std::to_string(options.place->x));
     const ModelFile file(model);
     const bool isNew = !fs::exists(folder, missing);
     try {

@@ -17,7 +17,7 @@ RowRange takeRange(ByteReader& in) {
     RowRange range;
     range.begin = in.takeVarint();
     range.end = in.takeVarint();
-    if (range.end < range.begin) throw hierarchy::Damage{"a range that ends before it begins"};
+    if (range.end < range.begin) throw hierarchy::Damage{"a range ends before it begins"};
     range.index = takeBlocks(in);
     return range;
 }

@@ -133,7 +133,7 @@ std::vector<std::byte> TaskWork::resultOf(TaskKind kind, ByteReader& in) const {
     case TaskKind::WritePages:
         return writePages(in);
     }
-    throw hierarchy::Damage{"a task of unknown kind"};
+    throw hierarchy::Damage{"a task has an unknown kind"};
 }
 
 std::vector<std::byte> TaskWork::answer(TaskKind kind, ByteReader& in) const {

@@ -208,7 +208,7 @@ std::optional<PagePlace> GeometryPool::insert(
         throw LimitError(
             Limit::DrawingMemory,
             {"drawing memory",
-             "a page of the model does not fit",
+             "too small for a page of the model",
              readableBytes({pageSize.vertices * kVertexBytes + pageSize.indices * sizeof(Index)}),
              readableBytes(cap_)});
     if (!found) return std::nullopt;

@@ -184,7 +184,7 @@ void GlBackend::prepareTargets(const DrawInputs& frame) {
         throw LimitError(
             Limit::DrawingMemory,
             {"drawing memory",
-             "the image and its shadow maps alone take more",
+             "too small: the image and its shadow maps alone need more",
              "above " + readableBytes(taken),
              readableBytes(memory_)});
     pool_.keepUnder({memory_.count - taken.count});

@@ -27,7 +27,7 @@ void GlTargets::prepare(const gl::Context& context, const DrawInputs& frame) {
         throw LimitError(
             {Limit::ImageSize, Limit::ShadowTexels},
             {"image size or shadow texels",
-             "larger than a texture of this OpenGL",
+             "larger than the max texture size of this OpenGL",
              "at most " + std::to_string(context.maxTextureSize()),
              std::to_string(largest)});
     prepareImage(context.api(), frame);

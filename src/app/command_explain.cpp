@@ -47,8 +47,8 @@ void addExplainCommand(CLI::App& program) {
     options->settings.addTo(*command);
     addCommonOptions(*command, options->common);
     command->footer(
-        "A promise is a bound on perspective aliasing: the max width of a texel divided by the width of a\n"
-        "pixel, from --shadow-near to --shadow-far. `sheared` is the bound in z with the shear of the texel.");
+        "The aliasing bound is the max perspective aliasing from --shadow-near to --shadow-far: the width of\n"
+        "a texel divided by the width of a pixel. `sheared` is the bound in z with the shear of the texel.");
     command->callback([options] {
         const ThreadLimit limit(options->common);
         runExplain(*options);

@@ -130,10 +130,10 @@ std::string mapsText(const plan::FramePlan& plan) {
     const auto asked = [&](double depth) { return depthFromAskedEye(plan, depth); };
     std::string text;
     text += line(
-        "promise x %.3g, z %.3g over [near, far]%s; %s texels would do for %g\n",
+        "aliasing bound x %.3g, z %.3g over [near, far]%s; %s texels would suffice for %g\n",
         plan.aliasingBound.x,
         plan.aliasingBound.z,
-        plan.isBoundKept ? "" : ", which is NOT what was asked for",
+        plan.isBoundKept ? "" : ", which is NOT what was requested",
         plan.requiredTexels > 0 ? std::to_string(plan.requiredTexels).c_str() : "no number of",
         plan.quality.maxAliasing);
     text += line(
@@ -144,7 +144,7 @@ std::string mapsText(const plan::FramePlan& plan) {
         "far",
         "texels",
         "kappa",
-        "promise x",
+        "bound x",
         "z",
         "sheared",
         "triangles");
@@ -166,7 +166,7 @@ std::string mapsText(const plan::FramePlan& plan) {
     }
     const auto isLog = [](const plan::ShadowPass& pass) { return shadow::hasLogRows(pass.map.warped); };
     if (std::any_of(plan.passes.begin(), plan.passes.end(), isLog))
-        text += "rows of warped maps lie evenly in the logarithm of w; z is promised sheared\n";
+        text += "rows of warped maps are evenly spaced in the logarithm of w; the bound in z includes the shear\n";
     return text;
 }
 
@@ -181,7 +181,9 @@ std::string planText(const plan::FramePlan& plan, const BackendChoice& backend) 
     text += line("far    %-12g %s\n", asked(plan.far), sourceInWords(plan.farFrom).c_str());
     if (plan.shown != DepthSpan{plan.near, plan.far})
         text += line(
-            "shown  %g to %g: beyond the range nothing is promised\n", asked(plan.shown.near), asked(plan.shown.far));
+            "shown  %g to %g: outside near and far there is no aliasing bound\n",
+            asked(plan.shown.near),
+            asked(plan.shown.far));
     if (const auto& lamp = plan.view.pointLight)
         text += line(
             "light  a point at %.6g, %.6g, %.6g, as bright as the sun at %.6g\n",

@@ -32,13 +32,14 @@ std::string minGain() {
 
 std::string whyGainIsTooSmall(const plan::SkippedEffect& skipped) {
     const char* const what = skipped.effect == Effect::Orientation ? "a roll about the light" : "at the same cost they";
-    return std::string(what) + " would lower the promise by " + percent(skipped.gain, 1) + ", less than " + minGain();
+    return std::string(what) + " would lower the aliasing bound by " + percent(skipped.gain, 1) + ", less than " +
+           minGain();
 }
 
 const char* whyStabilized(Effect effect) {
     if (effect == Effect::Warp) return "stabilised slices are unwarped";
-    if (effect == Effect::Orientation) return "stabilised slices keep that of the world";
-    return "stabilised slices are whole";
+    if (effect == Effect::Orientation) return "stabilised slices keep the orientation of the world";
+    return "stabilised slices have no face partitions";
 }
 
 /// Returns the words for reasons about penumbrae, the sky, evenly spaced rows and point lights. The calling function
@@ -55,11 +56,11 @@ std::string otherReason(const plan::SkippedEffect& skipped) {
     case SkipReason::BackendHasEvenRows:
         return onlySoftware(&plan::Capabilities::unevenRows);
     case SkipReason::SlicesGiven:
-        return "--z-partitions gives the slices, and with them a scheme of even rows";
+        return "--z-partitions selects a scheme with evenly spaced rows";
     case SkipReason::NothingHidesTheSky:
-        return "nothing stands between what is seen and the sky";
+        return "nothing hides the sky from a visible surface";
     case SkipReason::FacesOfCube:
-        return "a lamp's maps are the faces of a cube about it";
+        return "the maps of a point light are the faces of a cube around it";
     default:
         return "";
     }
@@ -100,7 +101,7 @@ std::string effectInWords(const plan::SkippedEffect& skipped) {
     case Effect::OcclusionCulling:
         return "occlusion culling";
     case Effect::LateCasters:
-        return "the casters that were left";
+        return "late casters";
     case Effect::Penumbra:
         return "penumbrae";
     case Effect::SkyLight:
@@ -113,7 +114,7 @@ std::string reasonInWords(const plan::SkippedEffect& skipped) {
     switch (skipped.reason) {
     case SkipReason::SwitchedOff:
         if (skipped.effect == Effect::Filter)
-            return "switched off; its kernel would widen the texels, and so raise the promise";
+            return "switched off; its kernel would widen the texels, and so raise the aliasing bound";
         return "switched off";
     case SkipReason::RayTraced:
         return "shadows are ray-traced";
@@ -122,14 +123,14 @@ std::string reasonInWords(const plan::SkippedEffect& skipped) {
     case SkipReason::NothingInView:
         return "nothing is in view";
     case SkipReason::NothingFacesLight:
-        if (skipped.effect == Effect::MapOfSlice) return "nothing that is seen in it faces the light";
+        if (skipped.effect == Effect::MapOfSlice) return "no visible surface in it faces the light";
         return "no visible surface faces the light";
     case SkipReason::NoCasterInReach:
         return "no caster can reach a visible surface";
     case SkipReason::SlicesStabilized:
         return whyStabilized(skipped.effect);
     case SkipReason::NotStabilized:
-        return "only stabilised ones stay where they are while the camera moves";
+        return "only stabilised maps stay in place while the camera moves";
     case SkipReason::LightGrazesFaces:
         return "the light grazes every face of the view";
     case SkipReason::FacesGiveIt:
@@ -137,12 +138,12 @@ std::string reasonInWords(const plan::SkippedEffect& skipped) {
     case SkipReason::GainTooSmall:
         return whyGainIsTooSmall(skipped);
     case SkipReason::NoGain:
-        if (skipped.effect == Effect::Warp) return "it would not lower the promise under this light";
-        return "at the same cost they would not lower the promise";
+        if (skipped.effect == Effect::Warp) return "it would not lower the aliasing bound under this light";
+        return "at the same cost they would not lower the aliasing bound";
     case SkipReason::BetterWithout:
-        return "without them the promise costs less, or is lower by " + minGain() + " at least";
+        return "without them the same aliasing bound costs less, or the bound is lower by " + minGain() + " at least";
     case SkipReason::OneSliceSuffices:
-        return "a single slice is best at this promise";
+        return "a single slice is best for this aliasing bound";
     case SkipReason::NoCasterBeforeMaps:
         return "no caster is nearer to the light than its map begins";
     case SkipReason::MapsComeFirst:
@@ -150,15 +151,15 @@ std::string reasonInWords(const plan::SkippedEffect& skipped) {
     case SkipReason::MapsAreKept:
         return "stabilised maps are kept for views with other receivers";
     case SkipReason::FewCasters:
-        return "there are few casters beside the pixels that would have to be asked";
+        return "there are few casters compared with the pixels to test";
     case SkipReason::BackendDrawsAll:
         return onlySoftware(&plan::Capabilities::occlusionCulling);
     case SkipReason::FewLayers:
         return "few clusters lie behind one another, so little is hidden";
     case SkipReason::ParallelSight:
-        return "lines of sight are parallel: pixels are alike at every depth, and so are texels without it";
+        return "lines of sight are parallel: pixels have the same size at every depth, and so have texels without it";
     case SkipReason::AllAreDark:
-        return "all that is seen and faces the light was dark before they were looked at";
+        return "all visible surfaces that face the light were already dark";
     case SkipReason::NarrowPenumbrae:
     case SkipReason::NoShadows:
     case SkipReason::NoSun:
@@ -179,7 +180,7 @@ std::string reasonInWords(plan::ShadowReason reason) {
     case ShadowReason::NoSun:
         return "the shading has no sun";
     case ShadowReason::MapsRequested:
-        return "an option, an overlay or a proof of shadow maps is requested";
+        return "an option, an overlay or a validation of shadow maps is requested";
     case ShadowReason::FrameTime:
         return "exact shadows take too long for the target frame time";
     case ShadowReason::BackendHasMaps:
@@ -226,7 +227,7 @@ std::string sourceInWords(plan::DepthSource source) {
     case DepthSource::Floor:
         return "the floor";
     case DepthSource::Held:
-        return "held from the frame before";
+        return "kept from the previous frame";
     case DepthSource::NothingInView:
         return "nothing is in view";
     }

@@ -17,7 +17,7 @@ struct Removed {
 
 constexpr std::array kRemoved = {
     Removed{"--local-tmp", "", "all temporary files of a build are in --tmp"},
-    Removed{"--warp", "fitted", "use --warp log, which keeps its promise for the whole frustum"},
+    Removed{"--warp", "fitted", "use --warp log, which keeps its aliasing bound in the whole frustum"},
 };
 
 void refuse(const Removed& removed) {

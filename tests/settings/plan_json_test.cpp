@@ -198,7 +198,7 @@ TEST(PlanText, HasALineForEachMapAndEachOmission) {
         for (const plan::SkippedEffect& skipped : plan.omitted)
             EXPECT_NE(text.find(reasonInWords(skipped)), std::string::npos) << text;
         EXPECT_NE(text.find(sourceInWords(plan.nearFrom)), std::string::npos);
-        EXPECT_EQ(text.find("promise x") != std::string::npos, !plan.passes.empty());
+        EXPECT_EQ(text.find("aliasing bound x") != std::string::npos, !plan.passes.empty());
     }
 }
 
@@ -211,14 +211,15 @@ TEST(PlanText, SaysWhereAPromiseIsNotKept) {
     plan.requiredTexels = 123456;
     EXPECT_EQ(planText(plan, {Backend::Software, "a reason"}).find("NOT"), std::string::npos);
     EXPECT_NE(
-        planText(plan, {Backend::Software, "a reason"}).find("; 123456 texels would do for 4\n"), std::string::npos)
+        planText(plan, {Backend::Software, "a reason"}).find("; 123456 texels would suffice for 4\n"),
+        std::string::npos)
         << planText(plan, {Backend::Software, "a reason"});
     plan.isBoundKept = false;
     plan.requiredTexels = 0;
     EXPECT_NE(
-        planText(plan, {Backend::Software, "a reason"}).find("which is NOT what was asked for"), std::string::npos);
+        planText(plan, {Backend::Software, "a reason"}).find("which is NOT what was requested"), std::string::npos);
     EXPECT_NE(
-        planText(plan, {Backend::Software, "a reason"}).find("; no number of texels would do for 4\n"),
+        planText(plan, {Backend::Software, "a reason"}).find("; no number of texels would suffice for 4\n"),
         std::string::npos)
         << planText(plan, {Backend::Software, "a reason"});
     EXPECT_TRUE(planJson(plan, {Backend::Software, "a reason"})["texels_that_would_do"].is_null());

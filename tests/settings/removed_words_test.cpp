@@ -19,7 +19,8 @@ std::string objection(const Do& action) {
     }
 }
 
-const std::string kFitted = "--warp fitted is removed: use --warp log, which keeps its promise for the whole frustum";
+const std::string kFitted =
+    "--warp fitted is removed: use --warp log, which keeps its aliasing bound in the whole frustum";
 
 TEST(RemovedWords, NameTheirReplacement) {
     EXPECT_EQ(objection([] { named("warp").parse("fitted"); }), kFitted);

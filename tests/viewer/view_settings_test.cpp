@@ -93,7 +93,7 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
     for (const std::string& line : planInWords(plan, row))
         all += line + "\n";
     EXPECT_NE(all.find("4 maps, 4 slices, warp auto"), std::string::npos) << all;
-    EXPECT_NE(all.find("promised aliasing 1.25 across, 2.5 along"), std::string::npos) << all;
+    EXPECT_NE(all.find("aliasing bound 1.25 across, 2.5 along"), std::string::npos) << all;
     EXPECT_NE(all.find("measured aliasing: not yet"), std::string::npos) << all;
     for (const plan::SkippedEffect& skipped : plan.omitted)
         EXPECT_NE(all.find(settings::reasonInWords(skipped)), std::string::npos) << all;
@@ -102,12 +102,14 @@ TEST(PlanWords, SayWhatIsPlannedAndWhatIsLeftOut) {
 
     row.imageTriangles = 1200;
     EXPECT_EQ(
-        statusInWords(plan, row, {17.6, 0, 64, ""}), "18 ms \xC2\xB7 1.2k triangles \xC2\xB7 4 maps, promise 2.5");
+        statusInWords(plan, row, {17.6, 0, 64, ""}),
+        "18 ms \xC2\xB7 1.2k triangles \xC2\xB7 4 maps, aliasing bound 2.5");
     row.pagesMissing = 3;
     row.pagesDamaged = 1;
     EXPECT_EQ(
         statusInWords(plan, row, {5, 7, 64, "slices 4 -> 3"}),
-        "5 ms \xC2\xB7 1.2k triangles \xC2\xB7 4 maps, promise 2.5 \xC2\xB7 given up: slices 4 -> 3 \xC2\xB7 loading "
+        "5 ms \xC2\xB7 1.2k triangles \xC2\xB7 4 maps, aliasing bound 2.5 \xC2\xB7 given up: slices 4 -> 3 \xC2\xB7 "
+        "loading "
         "3 "
         "pages \xC2\xB7 1 pages DAMAGED \xC2\xB7 sample 7 of 64");
     EXPECT_EQ(statusInWords(plan, row, {5, 64, 64, ""}).find("sample"), std::string::npos) << "it is done";

@@ -218,7 +218,7 @@ Legend legendOf(Overlay overlay, const plan::FramePlan& plan) {
         legend.scale = heatScale();
         if (!plan.passes.empty()) {
             legend.scale = heatScale(plan.aliasingBound.worst());
-            legend.title.push_back(formatted("mark: promised at most %.3g", plan.aliasingBound.worst()));
+            legend.title.push_back(formatted("mark: aliasing bound %.3g", plan.aliasingBound.worst()));
         }
         addWithoutMap(legend);
         break;

@@ -29,7 +29,10 @@ std::string boundInWords(const plan::FramePlan& plan, const telemetry::FrameRow&
     if (!row.aliasingBoundX) return mapsInWords(plan);
     const std::size_t maps = plan.passes.size();
     return formatted(
-        "%zu map%s, promise %.2g", maps, maps == 1 ? "" : "s", std::max(*row.aliasingBoundX, *row.aliasingBoundZ));
+        "%zu map%s, aliasing bound %.2g",
+        maps,
+        maps == 1 ? "" : "s",
+        std::max(*row.aliasingBoundX, *row.aliasingBoundZ));
 }
 
 } // namespace
@@ -60,8 +63,7 @@ std::vector<std::string> planInWords(const plan::FramePlan& plan, const telemetr
     lines.push_back(formatted("light %.0f\xC2\xB0 from the view", row.lightAngle.value_or(0)));
     if (row.aliasingBoundX) {
         lines.back() += formatted(", storage factor %.3g", row.storageFactor.value_or(0));
-        lines.push_back(
-            formatted("promised aliasing %.3g across, %.3g along", *row.aliasingBoundX, *row.aliasingBoundZ));
+        lines.push_back(formatted("aliasing bound %.3g across, %.3g along", *row.aliasingBoundX, *row.aliasingBoundZ));
         const bool isAuto = !plan.quality.zPartitions || plan.quality.facePartitions == plan::Choice::Auto;
         if (isAuto)
             lines.back() +=

@@ -75,7 +75,7 @@ bool drawWholeOrAuto(const Setting& setting, settings::Settings& settings) {
     const settings::Offer& offer = setting.description().offer;
     auto value = std::any_cast<std::optional<int>>(setting.value(settings));
     bool isAuto = !value;
-    bool hasChanged = ImGui::Checkbox(("as many " + offer.title + " as the promise needs").c_str(), &isAuto);
+    bool hasChanged = ImGui::Checkbox(("as many " + offer.title + " as the aliasing bound needs").c_str(), &isAuto);
     if (hasChanged)
         settings::step(setting, settings, 0);
     else if (value && slide(offer, *value)) {

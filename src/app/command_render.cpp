@@ -75,10 +75,10 @@ void addPictures(CLI::App& command, settings::Output& output) {
         ->type_name("N");
     command.add_option("--time", output.time, "Time in seconds of the view, if --camera is a camera path")
         ->type_name("T");
-    command.add_option("--samples", output.samples, "Frames that are averaged to one picture")
+    command.add_option("--samples", output.samples, "Frames averaged per picture")
         ->check(CLI::Range(1, settings::kMaxSamples))
         ->type_name("N")
-        ->default_str(std::to_string(settings::kUsualSamples));
+        ->default_str(std::to_string(settings::kUsualSamples) + ", or 1 with data outputs");
 }
 
 /// Adds the options of additional files and comparisons for one picture.
@@ -128,6 +128,9 @@ void addRenderCommand(CLI::App& program) {
     addFiles(*command, request->output);
     words->settings.addTo(*command);
     addCommonOptions(*command, options->common);
+    command->footer(
+        "A picture has a single frame by default with --overlay, --color-by, --oracle, --stats, --reference,\n"
+        "--depth or --shadow-depth. All of them except --reference allow only --samples 1.");
     command->callback([options, words, request] {
         options->task = taskOf(*request, *words);
         runRender(*options);

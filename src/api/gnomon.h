@@ -97,7 +97,7 @@ public:
     /// effect.
     std::string plan(const Options& options) const;
 
-    /// Draws a view on the CPU and returns the mean of `samples` frames. The result has the same bytes as that of
+    /// Draws a view on the CPU and returns the mean of `samples` frames. The result is identical to the picture of
     /// `gnomon render`.
     Picture render(const Options& options, int samples = 16) const;
 
@@ -123,9 +123,9 @@ struct ShadowScheme {
     double worstAlong = 0;
 };
 
-/// Returns the cost of all schemes with 1 to 8 slices. The view frustum has the depth range from `near` to `far`, a
-/// full vertical angle in degrees, and the ratio `aspect` of width to height. The direction towards the light has the
-/// components right, up and along the view.
+/// Returns the cost of all schemes with 1 to 8 slices. The view frustum has the depth range from `near` to `far`, the
+/// full vertical angle `fovYDegrees` in degrees, and the ratio `aspect` of width to height. The components of
+/// `towardsLight` point to the right, up and along the view.
 GNOMON_API std::vector<ShadowScheme> shadowSchemes(
     double near, double far, double fovYDegrees, double aspect, const std::array<double, 3>& towardsLight);
 

@@ -16,8 +16,8 @@ void printMessage(const std::string& text);
 /// Prints "gnomon: warning: TEXT" to stderr, in one line and without control characters.
 void printWarning(const std::string& text);
 
-/// Flushes stdout and throws Error if some output is lost. `kept` names the results that are complete nevertheless,
-/// such as "the model o.gnm is complete".
+/// Flushes stdout and throws Error if output is lost. `kept` is added to the message and says which results are
+/// complete nevertheless, for example "the model o.gnm is complete".
 void requirePrinted(const std::string& kept = "");
 
 } // namespace gnomon::app

@@ -5,7 +5,7 @@
 
 namespace gnomon::app {
 
-/// Returns `error` with the name of the option that sets its limit, such as --memory.
+/// Returns `error` with the names of the options that set its limits, such as --memory.
 Error inOptions(const LimitError& error);
 
 } // namespace gnomon::app

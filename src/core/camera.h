@@ -45,7 +45,7 @@ struct CameraBasis {
 };
 
 /// Returns the basis of `camera`. If `up` is parallel to the view direction, the world axis with the smallest component
-/// along the view replaces it. Throws Error if eye and target are the same point or if a coordinate is not finite.
+/// along the view replaces `up`. Throws Error if eye and target are the same point or if a coordinate is not finite.
 CameraBasis cameraBasis(const Camera& camera);
 
 /// Transforms `vector`, a direction or an eye-relative position, from world space to camera space.

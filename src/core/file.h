@@ -13,7 +13,7 @@
 
 namespace gnomon {
 
-/// An open, move-only file. Many threads can call the positional functions at the same time.
+/// An open file that can be moved but not copied. Many threads can call the functions with an offset at the same time.
 class File {
 public:
     /// The way to open a file.
@@ -114,7 +114,7 @@ private:
     std::optional<File> file_;
 };
 
-/// Reads the whole text of a small file, pipe or device. Throws Error if it has more than `maxBytes` bytes.
+/// Reads the text of a small file, pipe or device. Throws Error if it has more than `maxBytes` bytes.
 std::string readTextFile(const std::string& path, Bytes maxBytes = {std::uint64_t{1} << 30U});
 
 /// Writes `text` to `path` through an AtomicFile.

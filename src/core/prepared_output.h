@@ -18,7 +18,7 @@ public:
         if (!path.empty()) file_.emplace(path);
     }
 
-    /// Writes the whole file if an output was requested. Call this once.
+    /// Writes the content of the file if an output was requested. Call this at most once.
     void write(const std::string& text);
 
 private:

@@ -16,7 +16,7 @@ struct Word {
     const char* word;
 };
 
-/// Returns the name of `value` in `words`, or an empty string if `words` does not contain the value.
+/// Returns the name of `value` in the table `words`, or an empty string if the table does not contain the value.
 template <class Words, class T>
 constexpr std::string_view wordOf(const Words& words, const T& value) {
     for (const auto& each : words)
@@ -24,7 +24,7 @@ constexpr std::string_view wordOf(const Words& words, const T& value) {
     return {};
 }
 
-/// Returns the value with the name `word` in `words`, or nullopt.
+/// Returns the value with the name `word` in the table `words`, or nullopt.
 template <class Words>
 constexpr auto valueOf(const Words& words, std::string_view word)
     -> std::optional<std::decay_t<decltype(std::begin(words)->value)>> {

@@ -82,7 +82,7 @@ public:
     ~EglContext() override {
         if (isCurrent()) makeCurrent_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl_.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext")(display_, context_);
-        // There is no eglTerminate, because another context of this process may use the same display.
+        // The display is not terminated, because another context of this process may use it.
     }
 
     EglContext(const EglContext&) = delete;

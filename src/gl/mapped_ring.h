@@ -15,9 +15,9 @@ struct RingPiece {
     std::span<std::byte> bytes;
 };
 
-/// A persistently and coherently mapped buffer with three segments, which are filled in turn. A segment is reused when
-/// the GPU has finished all commands that were issued before the following segment was full. The command that reads a
-/// piece can therefore be issued some time after `take`, but not after the following segment is full.
+/// A persistently and coherently mapped buffer with three segments, which are filled in turn. Segment k is reused when
+/// the GPU has finished all commands that were issued before segment k + 1 was full. A command that reads a piece of
+/// segment k must therefore be issued before segment k + 1 is full.
 class MappedRing {
 public:
     MappedRing(const Api& api, std::size_t segmentBytes);

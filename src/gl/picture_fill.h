@@ -1,4 +1,4 @@
-// Drawing of an image over a whole window.
+// A program that draws an image over a whole window.
 #pragma once
 
 #include "gl/objects.h"

@@ -1,4 +1,4 @@
-// Positions as whole steps of a model's grid, so that measurements between them are exact.
+// Positions in whole steps of a model's grid. Measurements between such positions are exact.
 #pragma once
 
 #include "hierarchy/grid.h"

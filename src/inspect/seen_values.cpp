@@ -39,7 +39,7 @@ std::array<double, 3> weightsAt(const std::array<glm::dvec3, 3>& corners, const 
     return weights;
 }
 
-/// Calls `take` for each pixel that shows a triangle of the model.
+/// Calls `take` with a SeenPixel for each pixel that shows a triangle of the model.
 template <class Take>
 void eachSeen(const frame::Renderer& renderer, const frame::Frame& frame, const Take& take) {
     const render::Raster<render::SeenTriangle> seen = renderer.backend().seenTriangles();

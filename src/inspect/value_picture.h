@@ -16,10 +16,10 @@ std::array<double, 2> heightRange(const Box& bounds, const glm::dvec3& up);
 /// 1 and points to either side.
 double valueOf(settings::ColorBy by, const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& up);
 
-/// Returns the scale that maps values to `colors`. `usual` is the range of the values if no range is requested. Errors
-/// have a logarithmic scale. Positive fields that span more than a decade have one too, because a linear scale from 0
-/// cannot distinguish factors of two near its end. By default, a logarithmic scale begins at the max divided by
-/// kScaleSpan or later.
+/// Returns the scale that maps values to colours, as `colors` requests. `usual` is the range of the values if no range
+/// is requested. Errors have a logarithmic scale. Positive fields that span more than a decade have one too, because a
+/// linear scale from 0 cannot distinguish factors of two near its end. Without a requested range, a logarithmic scale
+/// spans at most a factor of kScaleSpan.
 render::ValueScale valueScale(const settings::ValueColors& colors, const std::array<double, 2>& usual);
 
 /// Colours the surfaces of `frame` in `picture` by their values and draws the legend. Surfaces in shadow are darker.

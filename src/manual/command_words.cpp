@@ -11,8 +11,8 @@ namespace gnomon::manual {
 
 namespace {
 
-/// Returns the literal values of `type`. CLI11 writes them between braces. In "auto|on|MB" the words in capitals are
-/// placeholders and are skipped.
+/// Returns the allowed values in the type text of an option, for example "a" and "b" in "KIND:{a,b}". In "auto|on|MB"
+/// the words in capitals are placeholders and are skipped.
 std::vector<std::string> choicesOf(const std::string& type) {
     const std::size_t open = type.find('{');
     const std::size_t close = type.find('}');

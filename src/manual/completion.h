@@ -1,4 +1,4 @@
-// Shell completions, generated from the words of the command line.
+// Shell completions, generated from the commands and options of a command line.
 #pragma once
 
 #include "manual/command_words.h"

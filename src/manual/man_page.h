@@ -1,4 +1,4 @@
-// Manual pages, generated from the words of the command line.
+// Manual pages, generated from the commands and options of a command line.
 #pragma once
 
 #include "manual/command_words.h"

@@ -11,9 +11,9 @@ namespace gnomon::path {
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
 
-/// Calls `visit` with each triangle of a cut, in world space. The cut refines groups for which `isRefined(error,
-/// bounds)` is true. Bounds are in local space, and the rule must be monotone along refinements. Pages that the cut
-/// does not reach are not read, so the time does not depend on the size of the model.
+/// Calls `visit` with each triangle of a cut, in world space. The cut refines all groups for which `isRefined(error,
+/// bounds)` is true. `bounds` are in local space. If the function is false for a group, it must be false for all finer
+/// groups. Pages that the cut does not reach are not read, so the time does not depend on the size of the model.
 template <class IsRefined, class Visit>
 void forEachTriangle(const hierarchy::ModelFile& model, const IsRefined& isRefined, const Visit& visit) {
     const hierarchy::Grid& grid = model.summary().grid;

@@ -36,7 +36,8 @@ struct Fit {
 };
 
 Fit fitAlong(std::span<const glm::dvec3> points, int axis, double tangent) {
-    // A point is inside the border if x - tx z <= ex - tx ez and, for the other border, -x - tx z <= -ex - tx ez.
+    // With the eye at (ex, ez), a point (x, z) is inside the one border if x - tx z <= ex - tx ez. It is inside the
+    // other border if -x - tx z <= -ex - tx ez.
     double right = -std::numeric_limits<double>::infinity();
     double left = right;
     for (const glm::dvec3& p : points) {

@@ -29,8 +29,9 @@ struct ColumnGrid {
     std::size_t columnCount() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(depth); }
 };
 
-/// The solid spans over a grid. Spans with less than `headroom` steps between them are merged, because no body can
-/// stand there. A column therefore has at most as many spans as storeys, and the order of triangles has no influence.
+/// The solid spans of all columns of a grid. Two spans of a column are merged if the space between them is less than
+/// `headroom` steps, because no body fits there. A column therefore has at most as many spans as storeys, and the order
+/// of triangles has no influence.
 class SolidSpans {
 public:
     SolidSpans(const ColumnGrid& grid, std::int32_t headroom, double margin);

@@ -13,8 +13,8 @@ namespace gnomon::path {
 /// follows the model's floors (see `walk`) and throws Error if there are none.
 CameraPath suitedPath(const hierarchy::ModelFile& model, const std::string& kind, const WalkOptions& walkOptions = {});
 
-/// Returns a path through `cameras` at seconds 0, 1, 2, ... The list must not be empty, and all cameras must have the
-/// same projection.
+/// Returns a path through `cameras`, one per second from time 0. The list must not be empty, and all cameras must have
+/// the same projection.
 CameraPath pathThrough(const std::vector<Camera>& cameras);
 
 } // namespace gnomon::path

@@ -34,8 +34,8 @@ bool metresFit(const Box& bounds) {
     return height <= 0.1 * width || (height <= 500 && width <= 2000);
 }
 
-/// Returns a walk around an object that stands on a ground at its lowest point. The walk makes one and a half turns
-/// that come nearer, outside the circle around the object's bounds, and looks at the object.
+/// Returns a walk around an object on a ground at the object's lowest point. The walk makes one and a half turns and
+/// comes nearer. It stays outside the circle around the object's bounds and looks at the object.
 CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHeight) {
     const glm::dvec3 extent = bounds.extent();
     const double width = widthOf(bounds);

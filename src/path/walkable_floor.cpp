@@ -100,8 +100,8 @@ void WalkableFloor::add(std::vector<FloorCell>& more) {
         firstOfColumn_[i] += firstOfColumn_[i - 1];
 }
 
-/// Adds floor over gaps between two floors of equal height. A gap can be as wide as a long step, or wider beside a bar:
-/// a grating consists of bars and gaps.
+/// Adds floor over gaps between two floors of equal height. A gap can be as wide as a long step. It can be wider beside
+/// a bar, because a grating consists of bars and gaps.
 void WalkableFloor::bridgeGaps(const SolidSpans& solid) {
     for (const bool isAlongX : {true, false}) {
         std::vector<FloorCell> bridges;

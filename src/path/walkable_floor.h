@@ -1,5 +1,5 @@
-// The walkable floor of a model: positions where a body can stand, and the steps between them. They are the open spans
-// above solid spans, as in navigation meshes (Recast, Mononen 2009).
+// The walkable floor of a model: positions where a body can stand, and the steps between them. A position is the top of
+// a solid span with free space above it, as in navigation meshes (Recast, Mononen 2009).
 #pragma once
 
 #include "path/solid_spans.h"

@@ -38,8 +38,7 @@ T parsed(const Codec<T>& codec, const std::string& option, const std::string& te
 /// Returns the shortest text that reads back as `value`: "0.1".
 std::string shortest(double value);
 
-/// Returns the codec for finite numbers for which `isAllowed` returns true. `expected` describes these numbers in error
-/// messages.
+/// Returns the codec for finite numbers that `isAllowed` accepts. `expected` describes these numbers in error messages.
 Codec<double> number(std::string expected, bool (*isAllowed)(double));
 
 /// Returns the codec for finite numbers.
@@ -117,7 +116,7 @@ Codec<std::optional<T>> ifGiven(Codec<T> codec) {
         codec.words};
 }
 
-/// Returns the codec for the words of a list (core/words.h). A value without a word has an empty text.
+/// Returns the codec for the words of a table (core/words.h). A value that has no word is written as an empty text.
 template <class Words>
 auto oneOf(const Words& words) {
     using T = std::decay_t<decltype(std::begin(words)->value)>;

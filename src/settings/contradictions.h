@@ -1,4 +1,4 @@
-// The options that contradict each other, and those that need another one: one table for all commands.
+// Options that contradict each other, and options that need another option. One table is valid for all commands.
 #pragma once
 
 #include "settings/output.h"
@@ -48,7 +48,7 @@ std::span<const Requirement> requirements();
 /// The error names the first such option. A command without a picture passes a request without an output.
 void requireSound(const Request& request);
 
-/// Throws the same errors for settings without an output.
+/// Throws the same errors for a command whose only options are `settings`.
 void requireSound(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -50,8 +50,8 @@ struct HelpPlace {
     std::size_t rank; // index of the row; options of a smaller rank come first
 };
 
-/// Returns the place of `option` (without dashes) in the help of `command`, the last word of a command such as "hours".
-/// The table must have a row for the option.
+/// Returns the place of `option` (without dashes) in the help of `command`. `command` is the last word of the command's
+/// name, such as "hours". The table must have a row for the option.
 HelpPlace helpPlace(std::string_view command, std::string_view option);
 
 } // namespace gnomon::settings

@@ -5,8 +5,8 @@
 
 namespace gnomon::settings {
 
-/// The max number of slices. A slice has at most five faces, so one traversal of the hierarchy tests at most 60 caster
-/// volumes.
+/// The max number of slices. A slice has at most five faces. One traversal of the hierarchy therefore tests at most 60
+/// volumes of casters.
 constexpr int kMaxSlices = 12;
 
 constexpr int kMaxSide =

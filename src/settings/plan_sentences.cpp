@@ -42,7 +42,7 @@ const char* whyStabilized(Effect effect) {
     return "stabilised slices have no face partitions";
 }
 
-/// Returns the words for reasons about penumbrae, the sky, evenly spaced rows and point lights. The calling function
+/// Returns the sentence for reasons about penumbrae, the sky, evenly spaced rows and point lights. The calling function
 /// handles all other reasons.
 std::string otherReason(const plan::SkippedEffect& skipped) {
     switch (skipped.reason) {

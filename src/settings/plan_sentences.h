@@ -1,5 +1,5 @@
-// The words for a plan: its skipped effects with their reasons, its shadows, its light and the source of its depth
-// range. The window, the report and `gnomon explain` all use these words.
+// Sentences about a plan: its skipped effects with their reasons, its shadows, its light and the source of its depth
+// range. The window, the report and `gnomon explain` all use these sentences.
 #pragma once
 
 #include "plan/frame_plan.h"

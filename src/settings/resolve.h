@@ -23,10 +23,10 @@ Settings settingsOf(const SettingTexts& given, bool withSwept = true);
 /// `option`.
 void requireMapsFor(const std::string& option, const SettingTexts& texts);
 
-/// Returns true if the settings give a camera file, an eye, a target, a side of the model or an angle of view.
+/// Returns true if an option sets a camera file, an eye, a target, a side of the model or an angle of view.
 bool isPosed(const Settings& settings);
 
-/// Returns true if no option gives the position of the eye, so that the camera frames the whole model.
+/// Returns true if no option sets the position of the eye. The camera then frames the model.
 bool isFramed(const Settings& settings);
 
 /// Reads the camera file of `settings`, if one is given. If `time` (seconds) is given, the file is a camera path, and

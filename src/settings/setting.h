@@ -86,7 +86,7 @@ public:
         return text;
     }
 
-    /// Returns the value of `text`. Throws UsageError that names `option`, which can differ from `option()` because
+    /// Returns the value of `text`. Throws UsageError that names `option`. `option` can differ from `option()`, because
     /// several options can set the same setting.
     Value parse(const std::string& option, const std::string& text) const {
         refuseRemovedWord(this->option(), text);

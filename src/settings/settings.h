@@ -39,7 +39,7 @@ struct SunTime {
     sun::SunPosition position;
 };
 
-/// A section plane through `point`. It removes all geometry on the side to which `normal` points.
+/// A section plane through `point`. It removes all geometry on the side into which `normal` points.
 struct Section {
     glm::dvec3 point{0};
     glm::dvec3 normal{0, 1, 0}; // any finite length above 0

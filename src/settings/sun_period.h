@@ -16,7 +16,7 @@ void requireSteps(const sun::SunPeriod& period);
 /// given. Throws UsageError if the settings give another light, other shadows or another backend.
 Settings sunHoursSettings(const Settings& settings);
 
-/// Throws UsageError if `settings` give a light or a view. Sun hours of points or vertices use neither of them.
+/// Throws UsageError if `settings` contain a light or a view. Sun hours of points or vertices use neither of them.
 void requirePointHours(const Settings& settings);
 
 } // namespace gnomon::settings

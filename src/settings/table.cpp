@@ -263,8 +263,8 @@ Setting shadowTexelsSetting() {
         }};
 }
 
-/// Returns swept settings of a bench: level of detail, shadow mode, warp, partitions and texels. A bench nests its axes
-/// in the order of the table, and the last axis varies fastest.
+/// Returns the first settings that a bench sweeps: level of detail, shadow mode, warp, partitions and texels. A bench
+/// nests its axes in the order of the table, and the last axis varies fastest.
 std::vector<Setting> sweptSettings() {
     return {
         quality(
@@ -299,7 +299,7 @@ std::vector<Setting> sweptSettings() {
     };
 }
 
-/// Returns the other swept settings of a bench: filter, caster culling, occlusion culling and stabilisation.
+/// Returns the remaining settings that a bench sweeps: filter, caster culling, occlusion culling and stabilisation.
 std::vector<Setting> moreSweptSettings() {
     return {
         quality(

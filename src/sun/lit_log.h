@@ -15,8 +15,8 @@ namespace gnomon::sun {
 class LitLog {
 public:
     /// Creates the log at `path` for `receivers` receivers, or opens the existing log if `isResumed` is true. `key`
-    /// identifies the run. Throws Error if a resumed log has another key, if another process holds the log, if the file
-    /// is not a log, or if it has hard links.
+    /// identifies the run. Throws Error if a resumed log has another key, if another process has locked the log, if the
+    /// file is not a log, or if it has hard links.
     LitLog(const std::string& path, const std::string& key, std::size_t receivers, bool isResumed);
 
     /// Opens the log at `path`, which another process writes, for reading. Returns nothing if the header is incomplete.

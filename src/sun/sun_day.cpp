@@ -15,8 +15,8 @@ double height(const JulianDate& date, const Place& place, const Air& air) {
     return sun.elevation + sun.diameter / 2 + (air.pressure > 0 ? kRefractionAtTheHorizon : 0);
 }
 
-// Returns the time between `low` and `high` at which the height changes from negative to positive. Returns nothing
-// without such a change.
+// Returns the time between `low` and `high` at which the Sun crosses the horizon. Returns nothing unless the Sun is
+// down at `low` and up at `high`.
 std::optional<JulianDate> crossing(JulianDate low, JulianDate high, const Place& place, const Air& air) {
     if (height(low, place, air) >= 0 || height(high, place, air) < 0) return std::nullopt;
     for (int halving = 0; halving < 24; ++halving) { // half a day divided by 2^24: 3 ms

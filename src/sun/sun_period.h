@@ -21,8 +21,8 @@ struct SunPeriod {
 /// Returns the time from `from` to `to` in seconds. It is negative if `to` is earlier.
 double secondsOf(const SunPeriod& period);
 
-/// Returns the number of steps whose middle is in the period. It is a whole number of any size, or below 1 if there are
-/// none.
+/// Returns the number of time steps whose middle is in the period. The number is whole and can be very large. It is
+/// below 1 if there are none.
 double stepCount(const SunPeriod& period);
 
 /// Returns the unit vector towards the Sun at the position `sun`, above or below the horizon, in a world with the up

@@ -17,7 +17,7 @@ namespace gnomon::sun {
 
 namespace {
 
-/// Returns a volume that contains the sweep of `receivers` towards each of `lights`.
+/// Returns a convex volume that contains `receivers` and all rays from them towards each of `lights`.
 ConvexVolume sweptTowards(const ConvexVolume& receivers, std::span<const IntegerLight> lights) {
     ConvexVolume swept;
     for (const Plane& plane : receivers.planes) {

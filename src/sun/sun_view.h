@@ -19,7 +19,7 @@ public:
     static constexpr std::size_t kDetailLights = 64;
 
     /// Prepares and draws the view. `renderer` must outlive this object and must not prepare another frame meanwhile.
-    /// `lights` must not be empty. Throws the same errors as a frame.
+    /// `lights` must not be empty. Throws the same errors as the rendering of a frame.
     SunView(
         frame::Renderer& renderer,
         const plan::View& view,
@@ -31,8 +31,8 @@ public:
 
     exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
 
-    /// Computes the same result as `resolve` with the plain integer loops of exact::plainStatuses: the ground truth.
-    /// Only pixels with a non-zero entry in `isRequested` (`count()` elements) are tested.
+    /// Computes the same result as `resolve` with the plain integer loops of exact::plainStatuses, as ground truth for
+    /// tests. Only pixels with a non-zero entry in `isRequested` (`count()` elements) are tested.
     void resolvePlainly(
         const IntegerLight& light, std::span<const std::uint8_t> isRequested, std::span<std::uint8_t> isLit);
 

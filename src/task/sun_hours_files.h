@@ -23,9 +23,9 @@ public:
     /// Writes the hours per pixel as a PFM. The background is -1.
     void writePfm(const std::string& path) const;
 
-    /// Writes a CSV with one row per pixel that shows the model: column and row from the upper left, the point in the
-    /// coordinates of the source, the number of steps and the hours with sun, and the times of the first and the last
-    /// step with sun (the middle of the step).
+    /// Writes a CSV with one row per pixel that shows the model. A row contains column and row from the upper left, the
+    /// point in the coordinates of the source, the number of steps and the hours with sun. The last two columns are the
+    /// times of the first and the last step with sun (the middle of the step).
     void writeCsv(const std::string& path) const;
 
     /// Writes index.html: hours as colours, with a slider over the times. Surfaces in shadow at the chosen time are

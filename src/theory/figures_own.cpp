@@ -168,7 +168,8 @@ Figure effectOfOrientation() {
     return figure;
 }
 
-/// Returns the largest S over all lights at the same angle to the view, as a function of this angle.
+/// Returns a figure of the largest S as a function of the angle between light and view. The maximum is over all light
+/// directions with this angle.
 Figure logarithmicMaps() {
     Figure figure{
         "own6_logarithmic", Kind::Lines, "Logarithmic maps against the warps, over the light's angle", {}, {}, {}};

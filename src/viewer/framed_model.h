@@ -30,11 +30,11 @@ public:
     /// Returns the up axis of the model's world.
     glm::dvec3 up() const { return settings_.up.value_or(summary_.up.direction); }
 
-    /// Returns the point light that `asked` contains, if any.
+    /// Returns the point light that the settings `asked` request, or nullopt if they request none.
     std::optional<plan::PointLight> pointLight(const settings::Settings& asked) const;
 
-    /// Starts `walk` at the first view. If `asked` has no light, sets the default light for the up axis. Throws Error,
-    /// without any change, in the same cases as `home`.
+    /// Starts `walk` at the first view. If the settings `asked` contain no light, sets their light to the default for
+    /// the up axis. Throws Error in the same cases as `home`, and then changes nothing.
     void enter(Walk& walk, settings::Settings& asked, const glm::ivec2& size) const;
 
 private:

@@ -24,7 +24,8 @@ public:
     /// Creates a list. It forwards notes and failures to `tell`.
     Messages(Clock now, std::function<void(const std::string&)> tell) : now_(std::move(now)), tell_(std::move(tell)) {}
 
-    /// Shows the result of a key for two seconds. It replaces the previous such message and is not forwarded.
+    /// Shows the result of a key press for two seconds. It replaces the previous result of a key press. The message is
+    /// not forwarded.
     void show(const std::string& text);
 
     /// Shows a result, such as a saved file, for six seconds.

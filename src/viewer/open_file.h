@@ -33,11 +33,11 @@ public:
     /// Opens a model, or the cache of a mesh. Starts a build if the cache is outdated.
     void open(const std::string& file);
 
-    /// Opens the model of a finished build. The caller must call it in each frame.
+    /// Opens the model when its build is finished. Call this in each frame.
     void watchBuild();
 
-    /// Checks once per second whether the model's file has changed or vanished, and shows a message. The caller must
-    /// call it in each frame. Returns true if a frame is needed to show data from a server.
+    /// Checks once per second whether the model's file has changed or vanished, and shows a message. Call this in each
+    /// frame. Returns true if another frame is needed because a server may still send data.
     bool watchFile();
 
     /// Returns the scene of the open model, or null.

@@ -1,5 +1,5 @@
-// The quality governor of the time target: it reduces quality while frames take too long, and restores it when there is
-// time.
+// The quality governor keeps frames below the target time: it reduces quality while frames take too long, and restores
+// it when there is time.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -50,14 +50,14 @@ struct FrameLoad {
     ShadowErrors errors;
 };
 
-/// Reduces the quality in steps. Each step has the smallest error per saved time: half an octave of the error in
-/// pixels, one slice, half of the texels, half of the pixels (down to half of the resolution), or shadow maps in place
-/// of exact shadows. Errors are in pixels of the window. The errors of detail and resolution are known; the errors of
-/// maps are the aliasing bounds of the plan. Savings follow from the measured times and counts of the stages. The
-/// governor learns how many triangles a coarser cut saves, because many small parts do not become fewer. It compares
-/// the times of exact shadows and of maps when one kind follows the other. Two consecutive frames above the target
-/// cause a step. Twelve frames that would stay below the target cause a step back. A single slow frame changes nothing.
-/// The result depends only on the measured values, not on a clock.
+/// Reduces the quality in steps. A step is half an octave of the error in pixels, one slice, half of the texels, half
+/// of the pixels (down to half of the resolution), or shadow maps in place of exact shadows. The governor selects the
+/// step with the smallest error per saved time. Errors are in pixels of the window. The errors of detail and resolution
+/// are known; the errors of shadow maps are the aliasing bounds of the plan. Saved times follow from the measured times
+/// and counts of the stages. The governor learns how many triangles a coarser cut saves, because many small parts do
+/// not become fewer. It compares the times of exact shadows and of maps when one kind follows the other. Two
+/// consecutive frames above the target cause a step. Twelve frames that would stay below the target cause a step back.
+/// A single slow frame changes nothing. The result depends only on the measured values, not on a clock.
 class QualityGovernor {
 public:
     /// Processes a frame that was drawn with `level(wanted)`. `target` is in milliseconds, above 0.

@@ -34,7 +34,7 @@ public:
     /// Requests one more scene frame if none is pending.
     void keepScene() { sceneFrames_ = std::max(sceneFrames_, 1); }
 
-    /// Returns true if the next scene frame is the last one, as far as known.
+    /// Returns true if the next scene frame is the last one that is requested so far.
     bool isLastOfScene() const { return sceneFrames_ == 1; }
 
     /// Counts a drawn scene frame.
@@ -43,8 +43,9 @@ public:
         ++framesSinceRequest_;
     }
 
-    /// Returns true if frames may take longer, because there was no change for a while: for all but one of the settling
-    /// frames, or for 0.3 s of frame time if `hurries` is true. In the second case the next frame is the last one.
+    /// Returns true if a frame may take longer, because nothing has changed for a while: for all but one of the
+    /// settling frames, or for 0.3 s of frame time if `hurries` is true. In the second case the next frame is the last
+    /// one.
     bool isSettled(bool hurries) const {
         return framesSinceRequest_ >= kSettlingFrames - 1 || (hurries && millisecondsSinceRequest_ >= kSettlingMs);
     }

@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Calls `write` with the first free names START NUMBER SUFFIX, one per suffix, and returns them. The files are created
-/// at once, so that a second window cannot choose the same names.
+/// Calls `write` with file names START NUMBER SUFFIX, one per suffix, and returns them. NUMBER is the first for which
+/// no file exists. The files are created at once, so that a second window cannot choose the same names.
 std::vector<std::string> saveNew(
     const std::string& start,
     const std::vector<std::string>& suffixes,

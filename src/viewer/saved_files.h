@@ -23,8 +23,8 @@ public:
     /// the home folder, or in the current folder.
     std::string savePicture(const render::Picture& picture) const;
 
-    /// Saves the framebuffer of the window as "bunny_window1.png" in the same folder. The framebuffer must be complete
-    /// and bound.
+    /// Saves the framebuffer of the window as "bunny_window1.png" in the same folder as savePicture. The framebuffer
+    /// must be complete and bound.
     std::string saveWindow(const gl::Api& gl, const glm::ivec2& size) const;
 
     std::string savePath(const path::CameraPath& path) const;

@@ -42,8 +42,8 @@ struct ShownPicture {
 /// A model in the context of a window. The context must outlive it.
 class Scene {
 public:
-    /// Opens `path`. The backend is the one that `settings` request, or the choice for the window's OpenGL; it can draw
-    /// `colors`. Calls `onDamaged` once for each damaged page. Throws Error.
+    /// Opens `path`. The backend is the one that `settings` request, else the one that suits the window's OpenGL. It
+    /// supports the values of `colors`. Calls `onDamaged` once for each damaged page. Throws Error.
     Scene(
         const std::string& path,
         const settings::Settings& settings,

@@ -50,20 +50,20 @@ std::vector<settings::ValueColors> colorChoices(
 std::array<double, 2> widestEnds(
     const settings::ValueColors& colors, const hierarchy::ModelSummary& model, const glm::dvec3& up);
 
-/// Returns true if one of the choices uses the same value.
+/// Returns true if one of `choices` shows the same value as `colors`.
 bool isAmong(std::span<const settings::ValueColors> choices, const settings::ValueColors& colors);
 
-/// Selects the choice `step` positions after that of `colors`, cyclically, with the same colour map. Returns a
+/// Replaces `colors` by the choice `step` positions later, cyclically. The colour map does not change. Returns a
 /// description of the new choice.
 std::string stepColors(std::span<const settings::ValueColors> choices, int step, settings::ValueColors& colors);
 
-/// Returns the scheme of `quality`.
+/// Returns the scheme that `quality` describes.
 Scheme schemeOf(const plan::Quality& quality);
 
 /// Sets `scheme`. The number of slices does not change, except that one slice becomes four.
 void choose(Scheme scheme, plan::Quality& quality);
 
-/// Selects the scheme `step` positions after that of `quality`, cyclically.
+/// Selects the scheme `step` positions after the scheme of `quality`, cyclically.
 void stepScheme(plan::Quality& quality, int step);
 
 } // namespace gnomon::viewer

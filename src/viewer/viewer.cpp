@@ -158,7 +158,7 @@ void WindowSession::waitForEvents() {
     if (input_.hasHappened()) scheduler_.requestOverlay();
 }
 
-/// Returns true if the next frame is the last one before the window waits for input. This frame may take longer.
+/// Returns true if the window waits for input after the next frame. This frame may take longer.
 bool WindowSession::comesToRest() const {
     const frame::Frame* frame = file_.scene()->frame();
     const bool isMissing = frame == nullptr || frame->row.pagesMissing.value_or(0) > 0;

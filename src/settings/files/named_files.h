@@ -16,7 +16,7 @@ struct NamedFile {
 /// Devices and pipes can occur several times, because they store nothing.
 void requireDistinctFiles(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// Throws UsageError if `path` has another extension than `extension` (".png"). A name without an extension, such as a
+/// Throws UsageError if `path` has an extension other than `extension` (".png"). A name without an extension, such as a
 /// device, is valid.
 void requireExtension(const std::string& option, const std::string& path, const std::string& extension);
 

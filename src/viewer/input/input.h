@@ -73,7 +73,8 @@ public:
     /// Returns true if the content scale changed since the last frame.
     bool hasNewScale() const { return hasNewScale_; }
 
-    /// Sets whether the mouse is over an element that uses its clicks. The caller must set this before events arrive.
+    /// Sets whether the mouse is over an element of the panel that uses its clicks. The caller must set this before the
+    /// events of the frame arrive.
     void setMouseTaken(bool isTaken) { isMouseTaken_ = isTaken; }
 
 private:

@@ -24,7 +24,7 @@ void drawLine(const std::string& text, ImU32 color = IM_COL32_WHITE);
 /// Converts a pixel of the framebuffer to the coordinates of Dear ImGui.
 ImVec2 onScreen(const glm::dvec2& pixel);
 
-/// Returns the whole window as an image that `camera` sees.
+/// Returns the picture frame that covers the whole window, for projections with `camera`.
 PictureFrame windowFrame(const Camera& camera);
 
 /// Draws segments of any length behind all notes.

@@ -206,8 +206,8 @@ ImU32 indexColor(std::size_t index, float alpha) {
     return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, alpha});
 }
 
-/// Draws the volumes of a frozen frame: each partition in its colour, its casters in a fainter colour, and the depth
-/// range in white.
+/// Draws the wire frames of a frozen frame: each partition in its colour, the volume of its casters in a fainter
+/// colour, and the depth range of the view in white.
 void drawVolumes(const OverlayContent& content) {
     const plan::FramePlan& plan = content.scene->frame()->plan;
     const PictureFrame frame = windowFrame(content.camera);

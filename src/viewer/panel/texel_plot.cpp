@@ -68,7 +68,7 @@ void TexelPlot::ask(const std::optional<TexelPlotInput>& input) {
 
 void TexelPlot::improve(int count) {
     if (!input_) return;
-    // A stride coprime to the number of cells distributes the first results over the whole disc.
+    // Visits the cells with a stride that is coprime to their number. The first results then cover the whole disc.
     const std::size_t cells = values_.size();
     std::size_t stride = cells * 5 / 8 + 1;
     while (std::gcd(stride, cells) != 1)

@@ -10,8 +10,8 @@
 
 namespace gnomon::viewer {
 
-/// The map of a hemisphere of lights to a disc. The centre is the pole (`up` or down), the rim is the horizon, and the
-/// upper end is the heading of the camera. The radius is proportional to the angle from the pole.
+/// Maps a hemisphere of light directions to a disc. The centre is the pole (`up` or down), the rim is the horizon, and
+/// the upper end is the heading of the camera. The radius is proportional to the angle from the pole.
 struct LightDisc {
     glm::dvec3 up{0, 1, 0};       // unit length
     glm::dvec3 heading{0, 0, -1}; // unit length, perpendicular to `up`: the view direction without its pitch
@@ -21,8 +21,8 @@ struct LightDisc {
     /// outside the unit circle count as points on it.
     glm::dvec3 direction(const glm::dvec2& point) const;
 
-    /// Returns the point of a direction, the inverse of `direction`. Directions of the other hemisphere are outside the
-    /// rim.
+    /// Returns the point on the disc for a direction; the inverse of `direction`. Directions of the other hemisphere
+    /// are outside the rim.
     glm::dvec2 point(const glm::dvec3& towardsLight) const;
 };
 

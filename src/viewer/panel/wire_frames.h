@@ -1,4 +1,4 @@
-// Wire frames of convex volumes: their edges, and the projection of the edges onto an image.
+// Wire frames of convex volumes such as the view frustum: their edges, and the projection of the edges onto an image.
 #pragma once
 
 #include "core/camera.h"
@@ -23,7 +23,7 @@ ConvexVolume volumeOf(const Box& box);
 /// Converts a volume from camera space to world space.
 ConvexVolume inWorld(const ConvexVolume& volume, const Camera& camera);
 
-/// A volume of a plan as a wire frame in world space.
+/// The wire frame of a volume of the plan, in world space.
 struct PlanVolume {
     enum class Kind : std::uint8_t { View, Partition, Casters };
     Kind kind = Kind::View;

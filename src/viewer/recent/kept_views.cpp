@@ -26,7 +26,7 @@ std::string nameOf(const std::string& model) {
     return failure ? model : place.string();
 }
 
-/// Returns true if `fileOf` creates such names. Other files are never removed.
+/// Returns true if `name` has the form of the names that `fileOf` creates. Files with other names are never removed.
 bool isNameOfFile(const std::string& name) {
     return name.size() == 16 + 5 && name.ends_with(".json") &&
            name.find_first_not_of("0123456789abcdef") == name.find(".json");

@@ -234,39 +234,42 @@ void aSampleThatChangesItsMap() {
 constexpr std::array kCases = {
     HardCase{
         "the receiver's own triangle and its neighbours at an edge",
-        "a point rounded to the grid lies beside its triangle: an offset that no size suits, or acne along each edge",
+        "a point rounded to the grid lies beside its triangle: no offset suits all sizes, or edges show acne",
         ownTriangleAndNeighbours},
     HardCase{
         "samples under a shared edge",
-        "light leaks through between two triangles, or a single sheet casts twice",
+        "light leaks between the two triangles, or both of them count",
         samplesUnderAnEdge},
-    HardCase{"samples under a vertex", "all triangles around it deny the ray, or all claim it", samplesUnderAVertex},
+    HardCase{
+        "samples under a vertex",
+        "all triangles around the vertex miss the ray, or all of them hit it",
+        samplesUnderAVertex},
     HardCase{
         "samples under a T-junction",
-        "one edge and its two halves round differently; a true crack off the edge gets closed",
+        "the long edge and its two halves round differently; a true crack beside the edge is closed",
         samplesUnderATJunction},
-    HardCase{"coincident sheets", "each shadows the other, by turns of a rounding", coincidentSheets},
+    HardCase{"coincident sheets", "by rounding, each sheet shadows parts of the other", coincidentSheets},
     HardCase{
         "a caster that touches its receiver",
-        "a bias lifts its shadow off its foot: light leaks in along the wall",
+        "a bias moves its shadow away from its foot, and light leaks in along the wall",
         casterTouchingTheReceiver},
     HardCase{
         "grazing light",
-        "which side faces the light is a matter of rounding, and any offset along the ray is miles on the surface",
+        "rounding decides which side faces the light, and a small offset along the ray is long on the surface",
         grazingLight},
     HardCase{
         "a caster with the light in its plane",
-        "its shadow is a line of no width on which edge functions are all 0 and 0 / 0 is its depth",
+        "its shadow is a line of no width: its edge functions are all 0, and its depth is 0 / 0",
         lightInThePlaneOfAFace},
     HardCase{
         "a caster through the warp's plane w = 0",
-        "divided by w on both sides of 0 its cells are those that it does not cover",
+        "after a division by w on both sides of 0, it covers the wrong cells",
         trianglesThroughTheWarpsCentre},
     HardCase{
-        "a thousand samples in one cell", "a list of fixed length loses what comes last", aThousandSamplesInOneCell},
+        "a thousand samples in one cell", "a list of fixed length loses the last samples", aThousandSamplesInOneCell},
     HardCase{
         "a sample that changes its map by a rounding",
-        "a verdict from texels or floats of the map changes with it: a moving line of wrong pixels",
+        "a result from texels or floats of the map changes too: wrong pixels form a moving line",
         aSampleThatChangesItsMap},
 };
 

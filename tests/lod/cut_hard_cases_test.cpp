@@ -65,17 +65,19 @@ void extremeExtents() {
 }
 
 constexpr std::array kCases = {
-    HardCase{"bounds of radius zero", "a division by the radius, or by a distance of zero at the eye", zeroRadius},
+    HardCase{"bounds of radius zero", "a division by the radius, or by the distance of 0 at the eye", zeroRadius},
     HardCase{
-        "the eye on a bounding sphere", "the distance to the sphere is zero and the pixels are infinite", eyeOnSphere},
+        "the eye on a bounding sphere",
+        "the distance to the sphere is 0, and the error in pixels is infinite",
+        eyeOnSphere},
     HardCase{
         "the eye inside a bounding sphere",
-        "a negative distance turns the sign, and what is around the eye gets coarse",
+        "a negative distance changes the sign, and geometry around the eye becomes coarse",
         eyeInSphere},
-    HardCase{"error 0", "0 / 0, or a threshold of 0 that refines what is exact for ever", errorZero},
+    HardCase{"error 0", "0 / 0, or a threshold of 0 that refines exact groups without end", errorZero},
+    HardCase{"the infinite error of a root", "outside the view the error is infinity times 0, which is NaN", rootError},
     HardCase{
-        "the infinite error of a root", "infinity times the zero of what is out of view is not a number", rootError},
-    HardCase{"extents of 1e-6 and 1e9", "an absolute near distance is all of the model, or nothing", extremeExtents},
+        "extents of 1e-6 and 1e9", "an absolute near distance contains the whole model, or nothing", extremeExtents},
 };
 
 TEST(CutHardCases, HoldAndAreInTheDocument) {

@@ -231,53 +231,51 @@ void aroundTheEye() {
 
 constexpr std::array kCases = {
     HardCase{
-        "a triangle of no area",
-        "a division by twice its area, and a pixel centre on its line counts as inside",
-        noArea},
+        "a triangle of no area", "a division by twice its area; a pixel centre on its line counts as inside", noArea},
     HardCase{
-        "a triangle smaller than a pixel", "conservative bounds or rounding light its pixel, or lose it", onePixel},
+        "a triangle smaller than a pixel", "conservative bounds or rounding draw a pixel too many, or none", onePixel},
     HardCase{
         "a triangle a thousand times larger than the screen", "edge functions overflow 32 bits", largerThanTheScreen},
-    HardCase{"triangles behind the eye", "divided by w < 0 they come back mirrored", behindTheEye},
+    HardCase{"triangles behind the eye", "the division by w < 0 mirrors them onto the screen", behindTheEye},
     HardCase{
         "two corners behind the eye and one before it",
-        "the projected corners span the wrong side: the triangle's outside is drawn",
+        "the projected corners enclose the wrong side, and the outside of the triangle is drawn",
         throughNear},
     HardCase{
         "w <= 0 under a warp",
-        "what lies behind the warp's centre of projection lands in the map mirrored",
+        "geometry behind the warp's centre of projection appears mirrored in the map",
         behindAWarp},
     HardCase{
         "corners and edges on pixel centres",
-        "inclusive tests cover a centre from both sides, exclusive ones from none",
+        "inclusive tests cover a centre from both sides, and exclusive tests from none",
         cornersOnCentres},
     HardCase{
         "85 triangles that share a corner",
-        "edges that are not exact leave holes and doubles around the hub",
+        "inexact edges leave holes around the corner, or cover pixels twice",
         manyShareACorner},
     HardCase{
         "a caster that leaves the depth range",
-        "clamped at its corners it loses its slope; clipped it casts no shadow",
+        "clamped corners change its depth slope; clipped, it casts no shadow",
         clampedDepth},
     HardCase{
         "a steep triangle between snapped corners",
-        "its plane of depth moves with them: off by up to slope / 512",
+        "its depth plane moves with the corners, by up to slope / 512",
         steepSlope},
     HardCase{
         "a sliver that only snapping gave an area",
-        "the plane through its unsnapped corners has no bound or is not a number",
+        "the depth plane through its unsnapped corners is unbounded or NaN",
         sliverOfSnapping},
     HardCase{
-        "a hole of one pixel in what hides",
-        "farthest depths of blocks that are not of every pixel close it, and what is seen through it goes",
+        "a hole of one pixel in an occluder",
+        "a farthest depth that ignores some pixels of its block closes the hole, and geometry behind it is culled",
         pinhole},
     HardCase{
-        "clusters as far as what is drawn already",
-        "left out as hidden, though the earlier name owns the pixel: the order of drawing decides",
+        "clusters as far as the drawn surface",
+        "they are culled although the lower triangle number wins: the order of drawing decides",
         asFarAsWhatIsDrawn},
     HardCase{
         "boxes around the eye",
-        "their corners divided by w near 0 or below bound nothing, and what surrounds the eye is taken for hidden",
+        "corners divided by w near or below 0 bound nothing, and geometry around the eye is culled",
         aroundTheEye},
 };
 

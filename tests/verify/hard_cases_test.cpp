@@ -272,23 +272,23 @@ void scatteredPieces() {
 }
 
 constexpr std::array kCases = {
-    HardCase{"needles a thousand times longer than wide", "normals without digits turn faces over", needles},
-    HardCase{"a flat model", "every collapse costs nothing, so the order is arbitrary and faces fold", flatModel},
+    HardCase{"needles a thousand times longer than wide", "normals lose all digits, and faces turn over", needles},
+    HardCase{"a flat model", "every collapse costs 0, so the order is arbitrary and faces fold", flatModel},
     HardCase{
         "coincident sheets",
-        "edges of four faces cannot collapse, and the sheets flicker on each other",
+        "edges with four faces cannot collapse, and the sheets flicker (z-fighting)",
         coincidentSheets},
-    HardCase{"one triangle", "no level to build, no group, no root", oneTriangle},
+    HardCase{"one triangle", "there is no level to build, no group and no root", oneTriangle},
     HardCase{
         "a hundred thousand copies of one triangle",
-        "an octree that splits until a cell is small enough never ends",
+        "an octree that splits until each cell is small enough never ends",
         manyCopies},
     HardCase{
         "a thousand triangles that touch nothing",
-        "no edge collapses: the model stays stuck at full detail",
+        "no edge can collapse, and the model stays at full detail",
         scatteredPieces},
-    HardCase{"extents of 1e-6 and 1e9", "absolute tolerances weld everything, or nothing", extents},
-    HardCase{"survey coordinates", "floats round millions of metres to a quarter of one", surveyCoordinates},
+    HardCase{"extents of 1e-6 and 1e9", "absolute tolerances weld all vertices, or none", extents},
+    HardCase{"survey coordinates", "floats round millions of metres to a quarter of a metre", surveyCoordinates},
 };
 
 TEST(HierarchyHardCases, HoldAndAreInTheDocument) {

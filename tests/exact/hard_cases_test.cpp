@@ -238,7 +238,7 @@ constexpr std::array kCases = {
         ownTriangleAndNeighbours},
     HardCase{
         "samples under a shared edge",
-        "light leaks between the two triangles, or both of them count",
+        "light leaks between the two triangles, or both of them hit the ray",
         samplesUnderAnEdge},
     HardCase{
         "samples under a vertex",

@@ -281,7 +281,8 @@ TEST(ReadPly, WhatCannotBeReadTwiceIsRefused) {
             ADD_FAILURE() << path;
         } catch (const Error& error) {
             std::string expected = path;
-            expected.append(": a source must be a file, because it is read several times: expected a file, found ").append(kind);
+            expected.append(": a source must be a file, because it is read several times: expected a file, found ")
+                .append(kind);
             EXPECT_EQ(error.what(), expected);
         }
     }

@@ -80,7 +80,7 @@ std::size_t fieldNamed(const hierarchy::ModelFile& model, const std::string& nam
         known += ", " + field.name;
     throw Error(
         model.path(),
-        "the model has no such value for colours; gnomon build --fields stores fields",
+        "the model has no such value for colours; a build stores only the fields that were requested",
         "one of " + known,
         "'" + name + "'");
 }

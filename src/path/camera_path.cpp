@@ -107,7 +107,7 @@ ordered_json cameraDocument(const std::string& path) {
             throw Error(
                 path,
                 "this file is not a camera file",
-                "a file that gnomon path --kind source writes from the glTF",
+                "a file that the command path writes from it (kind source)",
                 "a glTF");
     return readJsonFile(path);
 }

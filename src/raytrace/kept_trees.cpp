@@ -132,7 +132,7 @@ void build(RTCDevice device, const hierarchy::Page& page, Run& run) {
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     addTriangles(device, page, scene, run);
     rtcCommitScene(scene);
-    requireNoError(device, "building");
+    requireNoError(device, "building the acceleration structure");
     run.scene = scene;
 }
 
@@ -269,7 +269,7 @@ CutScene::CutScene(
     for (const FoundRun& each : found)
         attach(device, state_->scene, *each.run, origin);
     rtcCommitScene(state_->scene);
-    requireNoError(device, "building");
+    requireNoError(device, "building the acceleration structure");
 }
 
 CutScene::~CutScene() = default;

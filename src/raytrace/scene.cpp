@@ -114,7 +114,7 @@ Scene::Scene(std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, co
     rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
     if (state_->triangles > 0) state_->addTriangles(spans, grid, eye);
     rtcCommitScene(state_->scene);
-    requireNoError(state_->device, "building");
+    requireNoError(state_->device, "building the acceleration structure");
 }
 
 Scene::~Scene() = default;

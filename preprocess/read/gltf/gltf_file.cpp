@@ -235,7 +235,8 @@ std::span<const std::byte> GltfFile::inBuffer(
     std::string_view name, int view, double buffer, double offset, double length) {
     const std::string place = where(name, static_cast<std::uint64_t>(view));
     if (!isWhole(buffer) || buffer >= static_cast<double>(buffers_.size()))
-        throw Error(place, "no such buffer", "one of " + std::to_string(buffers_.size()), formatted("%g", buffer));
+        throw Error(
+            place, "no such buffer", "an index below " + std::to_string(buffers_.size()), formatted("%g", buffer));
     const std::vector<std::byte>& bytes = buffers_[static_cast<std::size_t>(buffer)];
     if (!isWhole(offset) || !isWhole(length) || offset + length > static_cast<double>(bytes.size()))
         throw Error(

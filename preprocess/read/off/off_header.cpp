@@ -45,7 +45,7 @@ private:
             throw Error(
                 text_.where(),
                 "not an OFF file with three coordinates per vertex",
-                "OFF, or ST, C or N before it",
+                "OFF, with an optional prefix ST, C or N",
                 quotedForMessage(word));
         return word.substr(off + 3);
     }

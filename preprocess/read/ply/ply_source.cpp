@@ -131,7 +131,8 @@ public:
 
 private:
     void requireRanges() const {
-        if (!ranges_) throw Error(summary_.path, "its rows cannot be read in any order");
+        if (!ranges_)
+            throw Error(summary_.path, "its rows have different lengths, so they can only be read in sequence");
     }
 
     void addToSummary(std::size_t i, const std::vector<std::string>& fields) {

@@ -112,8 +112,8 @@ def main():
             run("build", folder / "plant.ply", "-o", folder / "plant.gnm")
             models = [folder / "plant.gnm"]
         for model, shadows in itertools.product(models, SHADOWS):
-            grown, limit, wrong = soak(model, folder, given.frames, shadows, random.Random(f"{given.seed} {model.name}"))
-            print(f"{model.name} {' '.join(shadows)}: {given.frames} frames, resident {most / 2**20:.0f} MiB at most, grown by "
+            grown, peak, wrong = soak(model, folder, given.frames, shadows, random.Random(f"{given.seed} {model.name}"))
+            print(f"{model.name} {' '.join(shadows)}: {given.frames} frames, peak resident size {peak / 2**20:.0f} MiB, grown by "
                   f"{grown:.1%}, {len(wrong)} frames that a fresh process draws otherwise {wrong or ''}")  # fmt: skip
             # A short run is all beginning: what it grows by says nothing.
             broken |= bool(wrong) or (given.frames >= 1000 and grown > 0.02)

@@ -70,8 +70,8 @@ void SampleList::reset(const SampleSpace& space, std::size_t maxPoints) {
 void SampleList::add(const PointBatch& batch) {
     ShearedPoints points;
     shearPoints(space_, batch, points);
-    std::array<std::uint8_t, ShearedPoints::kMaxPoints>
-        chosen; // NOLINT(cppcoreguidelines-pro-type-member-init): filled
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the loop writes each read element
+    std::array<std::uint8_t, ShearedPoints::kMaxPoints> chosen;
     std::size_t count = 0;
     for (std::size_t i = 0; i < batch.count; ++i) {
         if (points.faces[i] == 2) {

@@ -1,4 +1,4 @@
-// The shared input of all clusters that a frame rasterises into the sample grid, and the counts of this work.
+// The input for testing the casters of a frame against the samples of exact shadows, and the cost of these tests.
 #pragma once
 
 #include "exact/sample_grid.h"
@@ -9,28 +9,28 @@
 
 namespace gnomon::exact {
 
-/// A cluster that may lie between samples and the light. Triangle i of the cluster has the id firstTriangleId + i, also
-/// called its name.
+/// A cluster that may cast a shadow. Triangle i of the cluster has the id firstTriangleId + i. Some code calls this id
+/// the name of the triangle.
 struct Caster {
     raster::Cluster geometry;
     glm::i64vec3 min{0}; // min of its vertices, in cells from the frame's origin
     glm::i64vec3 max{0};
 };
 
-/// The bits of a sample's status. Each rasterised triangle can add bits. If kDark is set, the other bits have no
+/// Bits of the shadow result of a sample. Each tested triangle can set bits. If kDark is set, the other bits have no
 /// meaning.
 constexpr std::uint8_t kLit = 0;
 constexpr std::uint8_t kDark = 1;
 constexpr std::uint8_t kDarkByEdge = 2; // as kDark, but the ray hits an edge, and the rule for ties assigned the hit
 constexpr std::uint8_t kWithinTolerance = 4; // a triangle is ahead, but within the tolerance
 
-/// Returns true if the light does not reach a sample.
+/// Returns true if a triangle shadows the sample with these status bits.
 inline bool isDark(std::uint8_t status) {
     return (status & (kDark | kDarkByEdge)) != 0;
 }
 
-/// The cost of the rasterisation into the sample grid. The counts depend only on samples and casters, not on threads.
-/// Only `exactDecisions` also depends on the instruction set.
+/// The cost of testing triangles against samples. The counts depend only on samples and casters, not on threads. Only
+/// `exactDecisions` also depends on the instruction set.
 struct CasterCounts {
     std::uint64_t clustersTested = 0;
     std::uint64_t clustersKept = 0;        // clusters that the receiver mask of at least one map did not cull
@@ -42,12 +42,12 @@ struct CasterCounts {
     CasterCounts& operator+=(const CasterCounts& other);
 };
 
-/// The shared input of all clusters that a frame rasterises into the sample grid.
+/// The input that all threads share while they test the casters of a frame against the samples.
 struct CasterContext {
     const SampleList* samples = nullptr; // with u, v and h in the grid's order
     const SampleGrid* grid = nullptr;
-    /// The id of a sample's triangle contains an index into this list. The clusters with these triangles must have that
-    /// index.
+    /// All casters. The triangle id of a sample contains an index into this list, so the clusters on which samples lie
+    /// must have this index.
     std::span<const Caster> casters;
     glm::uvec3 originCell{0};         // grid position of the frame's origin; all cell coordinates are relative to it
     double reach = 0;                 // largest absolute coordinate of all casters, in cells from the origin

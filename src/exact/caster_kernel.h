@@ -1,22 +1,24 @@
-// Rasterises the triangles of a cluster into the sample grid, and tests them against the samples in the covered cells.
+// Tests the triangles of a cluster against the samples of exact shadows. Only samples in the grid cells that a
+// triangle covers are tested.
 #pragma once
 
 #include "exact/caster_context.h"
 
 namespace gnomon::exact {
 
-/// Rasterises one cluster into the sample grids of all maps. Can run on any thread.
+/// Tests all triangles of cluster `caster` against the samples in the cells that they cover, in all maps. Sets the
+/// status bits of the samples. Can run on any thread.
 void rasterizeCluster(const CasterContext& context, std::size_t caster, CasterCounts& counts);
 
 /// Returns the corners of triangle `triangle` of a caster, in cells from the origin.
 Corners cornersOf(const CasterContext& context, const Caster& caster, std::size_t triangle);
 
-/// Returns the corners of the triangle that contains the sample at position `place` of the grid, in cells from the
-/// origin.
+/// Returns the corners of the triangle on which the sample at index `place` of the sample grid lies, in cells from the
+/// frame's origin.
 Corners ownCorners(const CasterContext& context, std::size_t place);
 
-/// Tests with integers whether triangle `triangle` of `caster` shadows the sample at position `place` of the grid.
-/// Returns the status bits of the sample (kDark and others).
+/// Tests with integers whether triangle `triangle` of `caster` shadows the sample at index `place` of the sample grid.
+/// Returns the status bits of the sample, for example kDark.
 std::uint8_t resolveExactly(
     const CasterContext& context, const Caster& caster, std::size_t triangle, std::size_t place);
 

@@ -12,7 +12,7 @@
 
 namespace gnomon::exact {
 
-/// The extent of the samples of a map on the plane of the map.
+/// The bounds of the samples of one map, after their projection to the plane of the map.
 struct Extent {
     std::size_t samples = 0;
     double minW = std::numeric_limits<double>::infinity();
@@ -23,24 +23,24 @@ struct Extent {
     void add(const Extent& other);
 };
 
-/// A range of samples in a list.
+/// The samples [begin, end) of a sample list.
 struct SampleRun {
     const SampleList* samples = nullptr;
     std::size_t begin = 0;
     std::size_t end = 0;
 };
 
-/// Returns the extent of the samples of `run` that belong to `map`. Sample (u, v, h) has the position (x / w, y / w)
-/// with (x, y, w) = plane * (u, v, h, 1). The function ignores NaN. The result does not depend on the instruction set.
+/// Returns the bounds of the projected samples of `run` that belong to `map`. The position of sample (u, v, h) is (x /
+/// w, y / w) with (x, y, w) = plane * (u, v, h, 1). NaN is ignored. The result does not depend on the instruction set.
 Extent extentOn(const glm::dmat4x3& plane, std::size_t map, const SampleRun& run);
 
-/// Computes the index of the cell of each sample of `run` that belongs to `map`. The index is y * side + x, with (x, y,
-/// 1) w = matrix * (u, v, h, 1) and with x and y clamped to [0, side). `cells` is indexed by the position in the run.
-/// Entries of samples of other maps do not change. The result does not depend on the instruction set.
+/// Computes the cell of each sample of `run` that belongs to `map`. The index of a cell is y * side + x, with (x, y, 1)
+/// w = matrix * (u, v, h, 1), and x and y are clamped to [0, side). `cells` has one entry per sample of `run`. Entries
+/// of samples of other maps do not change. The result does not depend on the instruction set.
 void findCells(
     const glm::dmat4x3& matrix, std::size_t map, int side, const SampleRun& run, std::span<std::uint32_t> cells);
 
-/// Returns the column or row of the cell that contains coordinate `x`, clamped to [0, side).
+/// Returns the index of the cell column or row that contains coordinate `x`, clamped to [0, side - 1].
 inline int cellAt(double x, int side) {
     return x >= side ? side - 1 : x > 0 ? static_cast<int>(x) : 0;
 }

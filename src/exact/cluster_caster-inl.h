@@ -1,5 +1,5 @@
-// One cluster of casters in exact shadows. Its corners are in the sheared light space, or relative to a point light.
-// The cluster is tested against the receiver masks of the maps. Included once per instruction set.
+// Tests one cluster of casters against the samples of exact shadows. First the receiver mask of each map can cull the
+// cluster. Corners are in the sheared light space, or relative to a point light. Included once per instruction set.
 #if defined(GNOMON_EXACT_CLUSTER_CASTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_CLUSTER_CASTER_INL_H
 #undef GNOMON_EXACT_CLUSTER_CASTER_INL_H
@@ -36,7 +36,7 @@ constexpr std::size_t kMinBlockSamples = 32; // spans with fewer samples are fas
 constexpr std::size_t kMaxVertices = raster::kMaxClusterVertices;
 constexpr std::size_t kMaxTriangles = raster::kMaxClusterTriangles;
 
-/// Rasterises one cluster of casters into the sample grid of each map.
+/// Tests the triangles of one cluster of casters against the samples of each map.
 class ClusterCaster {
 public:
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): zeroing the arrays would take longer than most clusters
@@ -96,8 +96,8 @@ private:
     alignas(64) std::array<std::int32_t, kMaxTriangles> corner_[3];
 };
 
-/// Returns true if a caster may shadow a sample of the map. The caster covers cells from `low` to `high`, and its
-/// largest height towards the light is `h`.
+/// Returns true if a caster may shadow a sample of `map`. The caster covers cells from `low` to `high`, and `h` is its
+/// largest height towards the light.
 inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, const glm::dvec2& high, double h) const {
     const int side = context_.grid->side();
     if (high.x < -kCellSlack || high.y < -kCellSlack || low.x > side + kCellSlack || low.y > side + kCellSlack)
@@ -110,8 +110,8 @@ inline bool ClusterCaster::isUnmasked(std::size_t map, const glm::dvec2& low, co
     return context_.grid->mask(map).mayShadow(box, roundedUp(h));
 }
 
-/// Tests the cluster's box against the receiver mask of a point light. If the box extends behind the light or close to
-/// it, the cluster may cover any cell.
+/// Returns true if the cluster may shadow a sample of `map`, for a point light. The test uses the cluster's box and the
+/// receiver mask. If the box extends behind the light or close to it, the cluster may cover any cell.
 inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
     const GridMap& cells = context_.grid->maps()[map];
     glm::dvec2 low(std::numeric_limits<double>::infinity());
@@ -136,8 +136,9 @@ inline bool ClusterCaster::mayShadowFromPoint(std::size_t map) const {
     return isUnmasked(map, glm::dvec2(0), glm::dvec2(context_.grid->side()), h + context_.coordinateError);
 }
 
-/// Tests the cluster's box against the receiver mask of a directional light. The test projects the four corners of the
-/// box's shadow on the light plane. If w is not positive at all four corners, it returns true.
+/// Returns true if the cluster may shadow a sample of `map`. For a directional light, the test projects the four
+/// corners of the cluster's shadow bounds to the map and reads the receiver mask. If w is not positive at all four
+/// corners, the result is true.
 inline bool ClusterCaster::mayShadow(std::size_t map) const {
     if (context_.samples->space().pointLight) return mayShadowFromPoint(map);
     const LightShear& shear = context_.samples->space().shear;
@@ -191,8 +192,8 @@ inline void ClusterCaster::shear() {
             0);
 }
 
-/// Computes the height of each vertex towards a point light. The height is the coordinate along the axis of the map's
-/// cube face.
+/// Computes the height of each vertex towards a point light. The height is the vertex coordinate along the axis of the
+/// map's cube face.
 inline void ClusterCaster::findNearness(const GridMap& cells) {
     const auto axis = static_cast<std::size_t>(cells.nearAxis);
     for (std::size_t i = 0; i < caster_.geometry.vertexCount; ++i)

@@ -8,7 +8,7 @@
 
 namespace gnomon::exact {
 
-/// The cost and the results of the exact shadows of a frame.
+/// The cost and the results of exact shadows for one frame.
 struct ExactStatistics {
     std::uint64_t samples = 0; // visible points that face the light, one per pixel
     std::uint64_t cells = 0;   // of all maps
@@ -20,36 +20,37 @@ struct ExactStatistics {
     CasterCounts counts;
 };
 
-/// The input of the exact shadows of a frame, besides the samples.
+/// The input of exact shadows for one frame, except the samples.
 struct ExactShadowInput {
     std::span<const Caster> casters;    // all possible casters; the clusters on which samples lie come first
     glm::uvec3 originCell{0};           // grid position of the frame's origin
     std::span<const glm::dmat3> planes; // one per map: see SampleGrid::sort
     int side = 512;                     // cells per side of a map
-    /// Number of receiver-only clusters at the end of `casters`: samples lie on them, but they cast no shadow.
+    /// Number of clusters at the end of `casters` that cast no shadow. Samples lie on these clusters.
     std::size_t receiverOnlyClusters = 0;
 };
 
-/// Computes the exact shadows of one frame after another, and reuses its memory.
+/// Computes exact shadows frame by frame, and reuses its memory.
 class ExactShadows {
 public:
-    /// Returns the sample list, which the caller fills before `resolve`.
+    /// Returns the list of visible points to test. The caller fills the list before it calls `resolve`.
     SampleList& samples() { return samples_; }
 
     const SampleList& samples() const { return samples_; }
 
-    /// Computes the statuses of all samples and returns the statistics. Runs in the caller's TBB arena.
+    /// Tests all samples against all casters, and returns the statistics. Then `statuses` returns the result of each
+    /// sample. Runs in the caller's TBB arena.
     ExactStatistics resolve(const ExactShadowInput& input);
 
-    /// Returns the status bits of each sample, in the order of `samples()`.
+    /// Returns the shadow result of each sample as status bits (kLit, kDark, ...), in the order of `samples()`.
     std::span<const std::uint8_t> statuses() const { return {statuses_.begin(), samples_.size()}; }
 
     const SampleGrid& grid() const { return grid_; }
 
-    /// Returns the max memory of the samples and their cells over all frames so far, in bytes.
+    /// Returns the peak memory of samples and grid cells over all frames so far, in bytes.
     std::uint64_t bytes() const { return maxSamples_ * kBytesPerSample + grid_.cellBytes(); }
 
-    /// The memory per sample with its statuses, in bytes.
+    /// Memory per sample in bytes, including the sample's result.
     static constexpr std::uint64_t kBytesPerSample = SampleList::kBytesPerSample + SampleGrid::kBytesPerSample + 2;
 
 private:

@@ -1,4 +1,4 @@
-// An array that reuses its memory between frames and touches only the memory that is written.
+// An array that reuses its memory between frames. Elements that are never written need no physical memory.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,7 @@
 
 namespace gnomon::exact {
 
-/// An array whose values are undefined until they are written. Unused capacity needs address space, but no physical
-/// memory.
+/// An array with undefined initial values. Unused capacity needs address space, but no physical memory.
 template <class T>
 class FrameArray {
 public:
@@ -20,7 +19,7 @@ public:
         size_ = count;
     }
 
-    /// Returns the number of reserved values.
+    /// Returns the number of elements for which memory is reserved.
     std::size_t size() const { return size_; }
 
     T& operator[](std::size_t i) { return values_[i]; }

@@ -5,9 +5,9 @@
 
 namespace gnomon::exact {
 
-/// The shear along a light direction. It maps a point to (u, v, h): (u, v) identifies the light ray through the point,
-/// and h is the position along the ray. The absolute entries of the shear are at most 1. Determinants keep their
-/// absolute value. They change their sign if `sign` is -1.
+/// The shear of space along a light direction. It maps a point to (u, v, h): (u, v) identifies the light ray through
+/// the point, and h is the position along the ray. All entries of the shear matrix are in [-1, 1]. The shear preserves
+/// the absolute value of determinants, and changes their sign if `sign` is -1.
 struct LightShear {
     int along = 1; // axis of the largest component of the light direction: 0, 1 or 2
     int first = 2; // the other two axes, in cyclic order

@@ -1,5 +1,6 @@
-// The lookup mask of a frame's shadow maps: per block of texels, the depth of the deepest lookup (receiver masks:
-// Bittner, Mattausch, Silvennoinen and Wimmer 2011). A caster behind all lookups of its blocks changes no pixel.
+// The lookup mask of shadow maps. It stores the max depth of the shadow map lookups per block of texels (receiver
+// masks: Bittner, Mattausch, Silvennoinen and Wimmer 2011). A caster behind all lookups of its blocks changes no
+// pixel.
 #pragma once
 
 #include "exact/receiver_mask.h"
@@ -10,17 +11,18 @@
 
 namespace gnomon::exact {
 
-/// Bounds of the texels and depths that a caster within a box can draw into a map.
+/// Bounds of the shadow map texels and depths that a caster can cover.
 struct CasterBound {
     raster::PixelBox texels{}; // within the viewport
     float nearest = 0;         // lower bound of the depths that the caster can draw, in [0, 1]
 };
 
-/// Returns bounds for a caster within `box` (grid positions) in a depth pass with `view`. They are valid for any
-/// rounding of vertices. If the box extends to the plane w = 0, the bounds are the whole viewport at depth 0.
+/// Returns bounds of the texels and depths that a caster within `box` (grid positions) can cover in a depth pass with
+/// `view`. The bounds include all rounding of vertices. If the box extends to the plane w = 0, the bounds are the whole
+/// viewport and depth 0.
 CasterBound casterBound(const raster::View& view, const raster::CellBox& box);
 
-/// The texels that one shadow map lookup reads, as columns and rows of the depth texture, both ends included.
+/// The range of texels that one shadow map lookup reads: columns and rows of the depth texture, both ends included.
 struct LookupTexels {
     std::int32_t firstColumn = 0;
     std::int32_t firstRow = 0;
@@ -30,14 +32,15 @@ struct LookupTexels {
     bool operator==(const LookupTexels&) const = default;
 };
 
-/// The lookup mask of the depth texture of a frame. The object reuses its memory between frames.
+/// Stores the max depth of all shadow map lookups per block of texels, for the depth texture of one frame. The object
+/// reuses its memory between frames.
 class LookupMask {
 public:
-    /// Resets the mask to no lookups, for a texture of width x height texels. Both must be above 0.
+    /// Clears the mask for a depth texture of width x height texels. Both sizes must be above 0.
     void reset(int width, int height);
 
-    /// Collects the lookups of one thread. Consecutive lookups often read the same blocks, so the object passes only
-    /// the deepest lookup of such a run to the mask.
+    /// Collects the shadow map lookups of one thread. Consecutive lookups often read the same blocks of texels. The
+    /// object therefore adds only the deepest of these lookups to the mask.
     class Run {
     public:
         explicit Run(LookupMask& mask) : mask_(&mask) {}
@@ -49,7 +52,7 @@ public:
 
         ~Run() { flush(); }
 
-        /// Adds a lookup that compares `depth` with the stored depths of `texels`.
+        /// Adds a shadow map lookup that compares `depth` with the stored depths of `texels`.
         void add(const LookupTexels& texels, float depth) {
             constexpr int kShift = ReceiverMask::kBlockBits;
             const LookupTexels blocks = {
@@ -64,7 +67,7 @@ public:
 
     private:
         void flush() {
-            // Stored depths are in [0, 1], so a lookup with depth 0 or less is always lit.
+            // Stored depths are in [0, 1], so a lookup with depth 0 or less is always lit and needs no caster.
             if (deepest_ > 0) mask_->lower(blocks_, -deepest_);
             deepest_ = 0;
         }
@@ -74,13 +77,13 @@ public:
         float deepest_ = 0;
     };
 
-    /// Completes the mask. Call it after all lookups are added and before the first query.
+    /// Completes the mask. Must be called after the last lookup is added, and before `isEmpty` and `mayShadow`.
     void finish() { mask_.finish(); }
 
-    /// Returns true if no lookup that a caster could darken reads a texel of `box` or of a block that intersects `box`.
+    /// Returns true if no shadow map lookup needs the texels of `box`, so this part of the map need not be drawn.
     bool isEmpty(const raster::PixelBox& box) const;
 
-    /// Returns true if a caster with the bounds `bound` may darken a lookup.
+    /// Returns true if a caster with the bounds `bound` may darken a shadow map lookup.
     bool mayShadow(const CasterBound& bound) const;
 
 private:

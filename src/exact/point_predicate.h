@@ -1,5 +1,5 @@
-// The shadow predicate for a point light, in integer arithmetic. It uses the rules of predicate.h, but all rays end at
-// the light, which is a grid point.
+// The exact shadow test of one triangle and one point for a point light, in integer arithmetic. The rules are the same
+// as in predicate.h, but all rays end at the light, which is a grid point.
 #pragma once
 
 #include "exact/predicate.h"
@@ -8,16 +8,16 @@
 
 namespace gnomon::exact {
 
-/// Number of bits for the coordinates of a point light. The light is less than 2^52 cells from the frame's origin, per
-/// axis.
+/// Number of bits for the coordinates of a point light. The coordinates are less than 2^52 cells from the frame's
+/// origin.
 constexpr int kPointLightBits = 52;
 
-/// Returns the side of the triangle that faces the light at grid point `light`: 1, -1, or 0 if the light lies in its
-/// plane.
+/// Returns which side of the triangle faces the point light at grid point `light`: 1, -1, or 0 if the light lies in the
+/// triangle's plane.
 int facingPoint(const Corners& corners, const glm::i64vec3& light);
 
-/// The ray from scaledPoint / 2^24 to a point light. The direction is rounded like the direction of a directional
-/// light. The tolerance is two grid steps along the ray.
+/// The ray from a sample to a point light. The direction is rounded like the direction of a directional light. The
+/// tolerance is two grid steps along the ray.
 struct PointRay {
     IntegerLight direction;
     std::uint32_t tolerance = 0;
@@ -25,18 +25,19 @@ struct PointRay {
 
 std::optional<PointRay> rayToPoint(const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
 
-/// Intersects `caster` with the segment from scaledPoint / 2^24 to `light`, a grid point with coordinates below 2^52
-/// cells.
+/// Intersects `caster` with the segment from a sample at scaledPoint / 2^24 to a point light at the grid point `light`.
+/// The light's coordinates are below 2^52 cells.
 ///
-/// The sign of E . (A - P) with E = (B - A) x (L - A) tells on which side of edge AB the segment passes. If it is 0,
-/// the code uses minus the sign of the first non-zero component of E. The segment passes through the triangle if all
+/// The sign of E . (A - P) with E = (B - A) x (L - A) tells on which side of edge AB the segment passes. If the sign is
+/// 0, the code uses minus the sign of the first non-zero component of E. The segment passes through the triangle if all
 /// three signs equal the sign of n . (L - A). If all three are opposite, the triangle lies behind the light. A triangle
 /// whose plane contains the light has no hit. The triangle lies ahead if P and L are on different sides of its plane.
-/// It lies farther ahead than the tolerance if |n . (A - P)| > tolerance |n . G|, with the direction G and the
-/// tolerance of rayToPoint. Products are below 2^146.
+/// Its distance exceeds the tolerance if |n . (A - P)| > tolerance |n . G|, with the direction G and the tolerance of
+/// rayToPoint. Products are below 2^146.
 RayHit intersectTowards(const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint);
 
-/// Intersects `caster` with the segment to `light`, whose `ray` is already known.
+/// Intersects `caster` with the segment from scaledPoint / 2^24 to `light`. `ray` is the precomputed ray of this
+/// segment.
 RayHit intersectTowards(
     const Corners& caster, const glm::i64vec3& light, const glm::i64vec3& scaledPoint, const PointRay& ray);
 

@@ -1,5 +1,5 @@
-// The test of one triangle against adjacent samples, for a point light, with one sample per SIMD lane. It uses doubles
-// where their error bounds suffice, and integers otherwise. Included once per instruction set.
+// Exact shadows of a point light: tests one triangle against adjacent samples, with one sample per SIMD lane. The code
+// uses doubles where their error bounds suffice, and integers otherwise. Included once per instruction set.
 #if defined(GNOMON_EXACT_POINT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
@@ -44,8 +44,8 @@ struct PointTriangleTest {
     int flat = -1;              // the axis along which all corners are equal, or -1
     std::uint32_t name = 0;
 
-    /// Prepares the test. Returns false if the light lies in the triangle's plane: the triangle then casts no shadow.
-    /// `orientation` returns the exact sign of n . A.
+    /// Prepares the triangle for sample tests. Returns false if the light lies in the triangle's plane, because the
+    /// triangle then casts no shadow. `orientation` returns the exact sign of n . A.
     template <class Orientation>
     HWY_INLINE bool set(
         const double* pa,
@@ -55,9 +55,9 @@ struct PointTriangleTest {
         double error,
         const Orientation& orientation);
 
-    /// Returns true if doubles prove that the triangle `corners` (in the coordinates of the samples) lies in the plane
-    /// of this triangle. Examples are duplicate triangles and overlapping floors. The proof needs triangles that are
-    /// flat along the same axis, or whole-number sums below 2^53.
+    /// Returns true if doubles prove that triangle `corners` lies in the plane of this triangle. Examples are duplicate
+    /// triangles and overlapping floors. The proof needs triangles that are flat along the same axis, or whole-number
+    /// sums below 2^53. `corners` are in the coordinates of the samples.
     HWY_INLINE bool surelyHolds(const Corners& corners) const;
 };
 
@@ -155,9 +155,9 @@ struct CellAheadLanes {
     }
 };
 
-/// Tests samples like testSamples for a directional light: it marks certain results, and calls `resolve(place,
-/// mayCast)` for samples that need integers. The tolerance of two grid steps is rounded to whole units of 2^-24 of a
-/// direction, so it is one to two cells along h.
+/// Tests a triangle of a point light's shadows against the samples [begin, end). The function marks certain results,
+/// and calls `resolve(place, mayCast)` for samples that need integers. The tolerance of two grid steps is rounded to
+/// whole units of 2^-24 of a direction, so it is one to two cells along h.
 template <class Resolve>
 HWY_INLINE void testSamples(
     const PointTriangleTest& t,

@@ -1,6 +1,5 @@
-// The receiver mask: which blocks of cells contain samples, and the depth of the farthest sample from the light
-// (receiver masks: Bittner, Mattausch, Silvennoinen and Wimmer 2011). Casters behind all samples cast no visible
-// shadow.
+// The receiver mask: the smallest height towards the light of the samples in each block of 8 x 8 grid cells (Bittner,
+// Mattausch, Silvennoinen and Wimmer 2011). Casters behind all samples of their blocks cast no visible shadow.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +8,7 @@
 
 namespace gnomon::exact {
 
-/// A range of cells, both ends included.
+/// A rectangle of grid cells, both ends included.
 struct CellBox {
     int x0 = 0;
     int y0 = 0;
@@ -19,16 +18,16 @@ struct CellBox {
     bool empty() const { return x0 > x1 || y0 > y1; }
 };
 
-/// The receiver mask of one map, as a pyramid of levels over the blocks of the map's cells.
+/// The receiver mask of one map, as a pyramid of min values over blocks of cells.
 class ReceiverMask {
 public:
     static constexpr int kBlockBits = 3; // a block has 8 x 8 cells
     static constexpr float kNone = std::numeric_limits<float>::infinity();
 
-    /// Resets the mask to no samples, for width x height cells. Reuses the memory.
+    /// Clears the mask for width x height cells. Reuses the memory.
     void reset(int width, int height);
 
-    /// Returns the smallest h of the samples in block (x, y), rounded down, or kNone if the block has no samples. After
+    /// The smallest height h of the samples in block (x, y), rounded down, or kNone if the block has no samples. After
     /// the caller has set all blocks, it must call `finish`.
     float& lowest(int x, int y) { return levels_[0].lowest[index(0, x, y)]; }
 
@@ -43,8 +42,8 @@ public:
     /// Returns true if no block contains a sample.
     bool isEmpty() const { return levels_.back().lowest[0] == kNone; }
 
-    /// Returns true if a caster may shadow a sample. The caster covers the cells of `box`, and `highest` is its largest
-    /// h. The test also includes the other cells of the covered blocks.
+    /// Returns true if a caster may shadow a sample. The caster covers the cells of `box`, and its largest height is
+    /// `highest`. The test reads whole blocks, so it may also consider cells beside the box.
     bool mayShadow(const CellBox& box, float highest) const;
 
 private:

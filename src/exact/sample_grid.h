@@ -1,6 +1,6 @@
-// The sample grid: the samples of a frame, sorted into the cells of a warped grid on the light plane. The samples that
-// a triangle may shadow are thus adjacent in memory (irregular z-buffer: Johnson et al. 2005; alias-free shadow maps:
-// Aila and Laine 2004).
+// The sample grid: the visible points of a frame, sorted into the cells of a warped grid on the light plane. The
+// samples that a triangle may shadow are thus adjacent in memory (irregular z-buffer: Johnson et al. 2005; alias-free
+// shadow maps: Aila and Laine 2004).
 #pragma once
 
 #include "exact/blocks/sample_blocks.h"
@@ -19,7 +19,7 @@ namespace gnomon::exact {
 /// (x, y, 1) w. The projection affects only the speed, not the shadows.
 struct GridMap {
     glm::dmat4x3 cellsFromLight{0}; // columns of u, v, h and 1
-    /// Min usable w: corners with a smaller w are too near to the light or behind it. Samples of a directional light
+    /// Min usable w. Corners with a smaller w are behind the light or too near to it. Samples of a directional light
     /// have at least twice this w.
     double minW = 0;
     bool isEmpty = true;
@@ -27,26 +27,27 @@ struct GridMap {
     double nearSign = 1; // 1 or -1
 };
 
-/// Margin by which the box of a triangle is extended, in cells. It exceeds the sum of the errors of x and y of corners
-/// and samples.
+/// Margin in cells by which the box of a triangle is extended. The margin exceeds the rounding errors of corners plus
+/// those of samples.
 constexpr double kCellSlack = 2e-3;
 
-/// The samples, sorted by map, row and column of their cells.
+/// The samples of a frame, sorted by the map, row and column of their cells.
 class SampleGrid {
 public:
-    /// Sorts `samples` into side x side cells per map; side is at most 16384. `planes` has one homography of the light
-    /// plane per map, to arbitrary coordinates. The function scales these coordinates so that the samples fill the
-    /// cells. The arrays u, v and h of `samples` receive the order of the cells. The other arrays keep their order, and
-    /// `source` contains their indices. For a point light, the function uses the faces of a cube instead of `planes`.
+    /// Sorts `samples` into side x side cells per map. `side` is at most 16384. `planes` has one homography per map,
+    /// from the light plane to arbitrary coordinates, which the function scales to the cells. The arrays u, v and h of
+    /// `samples` are sorted. The other arrays keep their order, and `source` contains their indices. For a point light,
+    /// the faces of a cube replace `planes`.
     ///
-    /// A map loses its warp in three cases: w is not positive at all samples, w varies by more than 2^20, or the error
-    /// of coordinates (`coordinateError`, see coordinateErrorFor) could move a point by more than a fraction of
+    /// The function removes the warp of a map in three cases: w is not positive at all samples, w varies by more than
+    /// 2^20, or the error `coordinateError` (see coordinateErrorFor) could move a point by more than a fraction of
     /// kCellSlack. Without a warp, cells are so large that this error is harmless.
     void sort(SampleList& samples, std::span<const glm::dmat3> planes, int side, double coordinateError);
 
-    /// Removes the samples for which `isRemoved(place)` is true, and updates the receiver masks. The other samples and
-    /// their `statuses` keep their order. Calls `onRemoved(place)` for each removed sample, from any thread. `samples`
-    /// must have the order that `sort` created. Runs in the caller's TBB arena.
+    /// Removes the samples for which `isRemoved(place)` is true, and updates the receiver masks. `place` is the index
+    /// of a sample in the grid. The other samples and their `statuses` keep their order. Calls `onRemoved(place)` for
+    /// each removed sample, from any thread. `samples` must have the order that `sort` created. Runs in the caller's
+    /// TBB arena.
     template <class IsRemoved, class OnRemoved>
     void remove(
         SampleList& samples,
@@ -60,23 +61,23 @@ public:
 
     const ReceiverMask& mask(std::size_t map) const { return masks_[map]; }
 
-    /// Returns the index of the first sample in cell (x, y) of `map`. The samples of a cell end at the first sample of
-    /// the next cell.
+    /// Returns the index of the first sample in cell (x, y) of `map`. The samples of this cell end where the samples of
+    /// the next cell begin.
     std::uint32_t first(std::size_t map, int x, int y) const { return first_[cell(map, x, y)]; }
 
-    /// Returns the boxes of adjacent samples. Boxes exist only for a directional light.
+    /// Returns the bounding boxes of each eight adjacent samples. Boxes exist only for a directional light.
     const SampleBlocks& blocks() const { return blocks_; }
 
-    /// The triangle id of each sample, and the sample's index in the sample list.
+    /// For each sample in the grid: the id of its triangle, and its index in the sample list.
     FrameArray<std::uint32_t> triangle, source;
 
     std::size_t size() const { return size_; }
 
-    /// The memory of the arrays per sample, in bytes.
+    /// Memory of the grid's arrays per sample, in bytes.
     static constexpr std::uint64_t kBytesPerSample =
         2 * sizeof(std::uint32_t) + sizeof(double) + SampleBlocks::kBytesPerSample;
 
-    /// Returns the memory of the cells in bytes, without the receiver masks.
+    /// Returns the memory of the grid cells in bytes, without the receiver masks.
     std::uint64_t cellBytes() const { return first_.size() * sizeof(std::uint32_t); }
 
 private:
@@ -85,7 +86,7 @@ private:
         return (map * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x);
     }
 
-    /// A range of samples for one thread.
+    /// A range of samples that one thread processes.
     struct Piece {
         std::size_t begin = 0;
         std::size_t end = 0;

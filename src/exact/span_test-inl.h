@@ -1,5 +1,5 @@
-// The test of one triangle against adjacent samples, with one sample per SIMD lane. It uses doubles where their error
-// bounds suffice, and integers otherwise. Included once per instruction set.
+// Exact shadows: tests one triangle against adjacent samples, with one sample per SIMD lane. The code uses doubles
+// where their error bounds suffice, and integers otherwise. Included once per instruction set.
 #if defined(GNOMON_EXACT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_SPAN_TEST_INL_H
@@ -56,11 +56,11 @@ struct TriangleTest {
     double size = 0;            // s as defined above
     double edgeError[2] = {};   // error of an edge function: [0] + [1] * |d|
     double heightError[2] = {}; // error of N . d - area * tolerance: [0] + [1] * (|d| + the largest tolerance)
-    // id of the triangle; samples with this id are skipped, because they lie on the triangle
+    // Id of the triangle. Samples with this id lie on the triangle, so the test skips them.
     std::uint32_t name = 0;
 
-    /// Prepares the test. Returns false if the plane of the triangle is parallel to the light: the triangle then casts
-    /// no shadow. `orientation` returns the exact sign of the area if rounding may hide it.
+    /// Prepares the triangle for sample tests. Returns false if the triangle's plane is parallel to the light, because
+    /// the triangle then casts no shadow. `orientation` returns the exact sign of the area if rounding may hide it.
     template <class Orientation>
     HWY_INLINE bool set(
         const double* pa, const double* pb, const double* pc, double error, const Orientation& orientation);
@@ -106,13 +106,14 @@ HWY_INLINE void mark(std::uint8_t& status, std::uint8_t bits) {
     if ((shared.load(std::memory_order_relaxed) & bits) != bits) shared.fetch_or(bits, std::memory_order_relaxed);
 }
 
-/// Marks a sample as dark. A relaxed store suffices, because the other bits of a dark sample have no meaning.
+/// Marks a sample as dark, even if other threads write its status. A relaxed store suffices, because the other bits of
+/// a dark sample have no meaning.
 HWY_INLINE void markDark(std::uint8_t& status) {
     std::atomic_ref<std::uint8_t> shared(status);
     if ((shared.load(std::memory_order_relaxed) & kDark) == 0) shared.store(kDark, std::memory_order_relaxed);
 }
 
-/// Calls `visit(lane)` for each lane that is set in the mask.
+/// Calls `visit(lane)` for each SIMD lane that is set in `mask`.
 template <class Visit>
 HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
     alignas(8) std::uint8_t bytes[8] = {};
@@ -121,7 +122,8 @@ HWY_INLINE void forLanes(hn::Mask<DoubleTag> mask, const Visit& visit) {
         visit(static_cast<std::size_t>(__builtin_ctz(bits)));
 }
 
-/// Returns the mask of the lanes, beginning at sample `place`, whose samples lie on the triangle with id `name`.
+/// Returns a mask of the SIMD lanes whose samples lie on the triangle with the id `name`. Lane 0 is the sample at index
+/// `place`.
 HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t place, std::uint32_t name) {
     const hn::Rebind<std::uint32_t, DoubleTag> names;
     const auto own = hn::Eq(hn::LoadU(names, &grid.triangle[place]), hn::Set(names, name));
@@ -129,16 +131,16 @@ HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t plac
         hn::BitCast(kDoubles, hn::PromoteTo(kWides, hn::BitCast(kNarrows, hn::VecFromMask(names, own)))));
 }
 
-/// The values of samples that the triangle may shadow, one per SIMD lane. The result depends on the tolerance of each
-/// sample.
+/// Intermediate values for samples that the triangle may shadow, one sample per SIMD lane. The tolerance of each sample
+/// decides its result.
 struct NearLanes {
     alignas(64) double min[hn::MaxLanes(kDoubles)]; // min of the three edge functions
     alignas(64) double edgeError[hn::MaxLanes(kDoubles)];
     alignas(64) double height[hn::MaxLanes(kDoubles)]; // height of the plane above the sample, times the area
     alignas(64) double heightError[hn::MaxLanes(kDoubles)];
 
-    /// Resolves the sample at position `place`, whose values are in lane `lane`. Calls `resolve(place, mayCast)` if
-    /// doubles do not suffice.
+    /// Computes the result of the sample at index `place`, whose values are in SIMD lane `lane`. Calls `resolve(place,
+    /// mayCast)` if the sample needs integers.
     template <class Resolve>
     HWY_INLINE void resolveLane(
         const TriangleTest& t,
@@ -160,10 +162,10 @@ struct NearLanes {
     }
 };
 
-/// Tests the triangle against the samples [begin, end) of the grid. Calls `resolve(place, mayCast)` for samples that
-/// need integers. `mayCast` is false if the triangle is at most within the tolerance of the sample. If the triangle is
-/// farther ahead than the largest tolerance of all samples, the sample is dark at once. Few samples therefore need
-/// their own tolerance.
+/// Tests the triangle against the samples [begin, end) of the grid, and marks dark samples. Calls `resolve(place,
+/// mayCast)` for samples that need integers. `mayCast` is false if the triangle is at most within the tolerance of the
+/// sample. If the triangle is farther ahead than the largest tolerance of all samples, the sample is dark at once. Few
+/// samples therefore need their own tolerance.
 template <class Resolve>
 HWY_INLINE void testSamples(
     const TriangleTest& t, const CasterContext& context, std::size_t begin, std::size_t end, const Resolve& resolve) {
@@ -190,8 +192,8 @@ HWY_INLINE void testSamples(
         const auto mayBeAhead = hn::And(mayCover, hn::Ge(hn::Add(height, heightError), hn::Zero(kDoubles)));
         if (hn::AllFalse(kDoubles, mayBeAhead)) continue;
         const auto excess = hn::NegMulAdd(constant(t.area), tolerance, height);
-        // A sample must not be tested against its own triangle, because doubles may report a hit at the sample. If a
-        // section cuts the triangle, a cut piece with the sample may also lie outside the triangle.
+        // A sample must not be tested against its own triangle, because rounding errors may report a hit at the
+        // sample. If a section plane cuts the triangle, the piece with the sample may also extend beyond the triangle.
         const auto mayCast = hn::AndNot(ownLanes(*context.grid, i, t.name), mayBeAhead);
         const auto isDark = hn::And(mayCast, hn::And(hn::Gt(min, edgeError), hn::Gt(excess, heightError)));
         forLanes(isDark, [&](std::size_t lane) { markDark(context.statuses[i + lane]); });

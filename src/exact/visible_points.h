@@ -5,26 +5,27 @@
 
 namespace gnomon::exact {
 
-/// The visible points of an image pass, whether they face a light or not. The order is undefined; each point has its
-/// pixel.
+/// A list of all visible points of an image, including points that face away from the light. The order is undefined,
+/// and each point stores its pixel.
 class VisiblePoints {
 public:
-    /// Empties the list and reserves memory for `maxPoints` points.
+    /// Removes all points and reserves memory for `maxPoints` points.
     void reset(std::size_t maxPoints);
 
-    /// Adds all points of a batch, without their maps and tolerances. Can run on any thread.
+    /// Adds all points of `batch`, but not their shadow map indices and tolerances. Can run on any thread.
     void add(const PointBatch& batch);
 
     std::size_t size() const { return size_.load(std::memory_order_relaxed); }
 
-    /// Returns the pixel of point `i`.
+    /// Returns the pixel id of point `i`.
     std::uint32_t pixel(std::size_t i) const { return pixel_[i]; }
 
     /// Returns the position of point `i`, in cells from the frame's origin, computed from its float weights.
     glm::dvec3 position(std::size_t i) const;
 
-    /// Adds the points that face the light to `samples`, with `tolerance` as an argument of `intersect`. `samples` must
-    /// be reset for the light and have memory for all points. Runs on all cores of the caller's TBB arena.
+    /// Adds the points that face the light to `samples`, all with the tolerance `tolerance` (see `intersect`).
+    /// `samples` must be reset for the light and have memory for all points. Runs on all cores of the caller's TBB
+    /// arena.
     void addTo(SampleList& samples, std::uint32_t tolerance) const;
 
 private:

@@ -1,5 +1,5 @@
-// The test of one triangle against blocks of adjacent samples, several blocks at once. Included once per instruction
-// set.
+// Exact shadows: tests one triangle against boxes of eight adjacent samples, with one box per SIMD lane. Included once
+// per instruction set.
 #if defined(GNOMON_EXACT_BLOCK_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_BLOCK_TEST_INL_H
 #undef GNOMON_EXACT_BLOCK_TEST_INL_H
@@ -25,8 +25,8 @@ HWY_INLINE BlockFloats blockConstant(float value) {
     return hn::Set(kBlockFloats, value);
 }
 
-/// The range of a linear function over a block of samples: the value at the middle of the block's box, and the max
-/// deviation from this value.
+/// Bounds of a linear function over a box of samples, one box per SIMD lane: the value at the middle of the box, and
+/// the max deviation from this value.
 struct BlockRange {
     BlockFloats middle, reach;
 
@@ -35,9 +35,9 @@ struct BlockRange {
     HWY_INLINE BlockFloats max() const { return hn::Add(middle, reach); }
 };
 
-/// A triangle, prepared for tests against boxes of samples with float arithmetic. The test skips a box, or marks all
-/// its samples as dark, only if the result is certain for each sample. A sample that doubles cannot resolve therefore
-/// remains unresolved after this test. Integer arithmetic then resolves the same samples with and without blocks.
+/// Tests a triangle against boxes of samples with float arithmetic. The test skips a box, or marks all its samples as
+/// dark, only if the result is certain for each sample. All other samples are tested one by one, so boxes change only
+/// the speed and not the shadows.
 ///
 /// The error bounds use U = 2^-24. R is the largest absolute coordinate of all corners. s and |d| are as in
 /// TriangleTest, with |d| for the farthest corner of the box. A corner's u, v or h is at most 2 R and has an error of 2
@@ -49,8 +49,8 @@ class BlockTest {
 public:
     BlockTest(const TriangleTest& triangle, const CasterContext& context);
 
-    /// Tests one block per SIMD lane; lane i tests block `block` + i. Bit i of `open` is set if the samples of the
-    /// block need separate tests. Bit i of `dark` is set if the triangle shadows all samples of the block.
+    /// Tests one box of samples per SIMD lane; lane i tests box `block` + i. Bit i of `open` is set if the samples of
+    /// the box need separate tests. Bit i of `dark` is set if the triangle shadows all samples of the box.
     HWY_INLINE void look(const SampleBlocks& blocks, std::size_t block, unsigned& open, unsigned& dark) const;
 
 private:
@@ -132,7 +132,7 @@ HWY_INLINE void BlockTest::look(const SampleBlocks& blocks, std::size_t block, u
     dark = bits(hn::And(isDark, mayBeAhead));
 }
 
-/// Returns true if one of the samples [begin, end) lies on the triangle with this name (see TriangleTest::name).
+/// Returns true if one of the samples [begin, end) lies on the triangle with the id `name`.
 HWY_INLINE bool holdsOwn(const CasterContext& context, std::size_t begin, std::size_t end, std::uint32_t name) {
     unsigned found = 0;
     for (std::size_t i = begin; i < end; ++i)
@@ -146,8 +146,8 @@ HWY_INLINE void prefetchSamples(const CasterContext& context, std::size_t place)
     hwy::Prefetch(&context.samples->h[place]);
 }
 
-/// Tests triangle `t` against the samples [begin, end), like testSamples. It first tests blocks of samples with `test`,
-/// and then tests only the samples of unresolved blocks one by one. `test` must be prepared from `t`.
+/// Tests triangle `t` against the samples [begin, end). The function first tests boxes of eight samples with `test`.
+/// Then it tests the samples of undecided boxes one by one, like testSamples. `test` must be prepared from `t`.
 template <class Resolve>
 HWY_INLINE void testBlocks(
     const BlockTest& test,

@@ -1,5 +1,5 @@
-// Binning: assigns clusters to tiles of the viewport. Tiles with many triangles are split, so that threads share the
-// work.
+// Binning: finds the clusters that overlap each tile of the viewport. Tiles with many triangles are split, so that
+// threads share the work.
 #pragma once
 
 #include "raster/raster.h"
@@ -10,13 +10,13 @@ namespace gnomon::raster {
 
 PixelBox intersection(const PixelBox& a, const PixelBox& b);
 
-/// A cluster for the binning: its bounding box in pixels and its drawing cost.
+/// The bounding box in pixels and the drawing cost of a cluster, for the binning.
 struct BinItem {
     PixelBox box;
     std::uint32_t cost = 0; // number of triangles
 };
 
-/// A tile and its clusters. The clusters are a range of Bins::indices.
+/// A tile and the clusters that overlap it. The indices of these clusters are a range of Bins::indices.
 struct TileBin {
     PixelBox box;
     std::uint32_t first = 0;
@@ -25,27 +25,27 @@ struct TileBin {
 };
 
 struct Bins {
-    // disjoint tiles, most expensive first; together they cover the viewport, or all its wanted pixels
+    // Disjoint tiles, the most expensive first. Together they cover the viewport, or all pixels that the caller needs.
     std::vector<TileBin> tiles;
     std::vector<std::uint32_t> indices;
 
-    /// Returns the indices of the items in `tile`, in input order.
+    /// Returns the indices of the clusters that overlap `tile`, in input order.
     std::span<const std::uint32_t> of(const TileBin& tile) const {
         return std::span(indices).subspan(tile.first, tile.count);
     }
 };
 
-/// Assigns items to tiles. Tiles are squares of `side` pixels, clipped to the viewport. A tile with more than 1/32 of
-/// the total cost is split into quarters, down to a side of `minSide`. The result depends only on the arguments. The
-/// function overwrites `bins` and reuses its memory.
+/// Finds the clusters that overlap each tile. Tiles are squares of `side` pixels, clipped to the viewport. A tile with
+/// more than 1/32 of the total cost is split into quarters, down to a side of `minSide`. The result depends only on the
+/// arguments. The function overwrites `bins` and reuses its memory.
 void binItems(std::span<const BinItem> items, const PixelBox& viewport, int side, int minSide, Bins& bins);
 
-/// Min side in pixels of a quarter that is split off because it has no wanted pixel. With smaller tiles, the cost of
-/// clusters that overlap several tiles would exceed the gain.
+/// Min side in pixels of a quarter that is split off a tile because the caller needs none of its pixels. With smaller
+/// tiles, clusters that overlap several tiles would cost more than the split saves.
 constexpr int kMinUnwantedSide = 64;
 
-/// Assigns items to tiles like binItems, but omits tiles without a wanted pixel. It also splits tiles to find quarters
-/// without a wanted pixel.
+/// Finds the clusters that overlap each tile like binItems, but omits tiles without a pixel that the caller needs. The
+/// function also splits tiles to omit such quarters.
 void binWanted(
     std::span<const BinItem> items,
     const PixelBox& viewport,

@@ -1,4 +1,4 @@
-// Bounds of the pixels and depths that triangles in a grid box can cover, valid for any rounding of the vertices.
+// Bounds of the pixels and depths that the triangles inside a box can cover, including the rounding of their vertices.
 #pragma once
 
 #include "raster/projection.h"
@@ -13,9 +13,9 @@ struct BoxBound {
     bool isWhole = false; // true: no vertex needs clipping; false: the other members are undefined
 };
 
-/// Returns the bounds of the triangles in `box`. The vertex stage uses float arithmetic, and the bounds include its
-/// rounding errors. Each clip-space coordinate is a sum of four terms with at most five roundings. Its error is at most
-/// 5 x 2^-24 of the sum of the terms' magnitudes (Higham 2002, section 3.1).
+/// Returns the bounds of the pixels and depths of all triangles in `box`. The bounds include the rounding errors of the
+/// vertex stage, which uses float arithmetic. Each clip-space coordinate is a sum of four terms with at most five
+/// roundings. Its error is at most 5 x 2^-24 of the sum of the terms' magnitudes (Higham 2002, section 3.1).
 BoxBound boxBound(const Projection& projection, const CellBox& box);
 
 } // namespace gnomon::raster

@@ -1,4 +1,4 @@
-// A memory buffer whose content each pass overwrites.
+// A memory buffer that is reused from pass to pass. Each pass overwrites the content.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace gnomon::raster {
 
-/// An array that grows on demand. Growing neither preserves nor clears the content.
+/// An array that grows on demand. Growth neither copies nor clears the elements.
 template <class T>
 class Buffer {
 public:

@@ -1,4 +1,4 @@
-// Hierarchical depth of a tile: the farthest depth of each block of pixels, above the pixels themselves.
+// A hierarchical depth buffer of one tile: the farthest depth of each block of pixels.
 #pragma once
 
 #include "raster/tile_work.h"
@@ -10,59 +10,61 @@
 
 namespace gnomon::raster {
 
-/// Converts a reversed depth in [0, 1] (1 is nearest) to a nearness: an integer with the same order. Nearness 0 is the
-/// farthest.
+/// Converts a reversed depth in [0, 1] (1 is nearest) to an integer with the same order, the nearness. Nearness 0 is
+/// the farthest depth.
 constexpr std::uint32_t reversedNearness(float depth) {
     return std::bit_cast<std::uint32_t>(depth);
 }
 
-/// Converts a depth in [0, 1] where 0 is nearest, as in shadow maps, to a nearness.
+/// Converts a shadow map depth in [0, 1] (0 is nearest) to a nearness, an integer that is larger for nearer depths.
 constexpr std::uint32_t plainNearness(float depth) {
     return std::bit_cast<std::uint32_t>(1.0F) - std::bit_cast<std::uint32_t>(depth);
 }
 
-/// The pixels of a visibility buffer: words that contain depth and triangle id.
+/// Pixel format of a visibility buffer: each pixel is a word that contains a depth and a triangle id.
 struct WordDepths {
     using Pixel = std::uint64_t;
 
     static constexpr std::uint32_t nearness(Pixel word) { return static_cast<std::uint32_t>(word >> 32U); }
 
-    /// Returns true if pixels whose nearness is at least `farthest` hide a triangle of nearness `nearest`. A pixel of
-    /// equal nearness does not hide the triangle, because the smaller triangle id is visible.
+    /// Returns true if pixels hide a triangle of nearness `nearest`. The nearness of each pixel is at least `farthest`.
+    /// A pixel of equal nearness does not hide the triangle, because of two equal depths the smaller triangle id is
+    /// visible.
     static constexpr bool isHiddenBy(std::uint32_t farthest, std::uint32_t nearest) { return farthest > nearest; }
 
     static constexpr Pixel farther(Pixel a, Pixel b) { return std::min(a, b); }
 };
 
-/// The pixels of a shadow map: depths.
+/// Pixel format of a shadow map: each pixel is a depth.
 struct MapDepths {
     using Pixel = float;
 
     static constexpr std::uint32_t nearness(Pixel depth) { return plainNearness(depth); }
 
-    /// Returns true if pixels whose nearness is at least `farthest` hide a triangle of nearness `nearest`. A pixel of
-    /// equal nearness hides the triangle, because drawing the same depth changes nothing.
+    /// Returns true if pixels hide a triangle of nearness `nearest`. The nearness of each pixel is at least `farthest`.
+    /// A pixel of equal nearness hides the triangle, because drawing the same depth again changes nothing.
     static constexpr bool isHiddenBy(std::uint32_t farthest, std::uint32_t nearest) { return farthest >= nearest; }
 
     static constexpr Pixel farther(Pixel a, Pixel b) { return std::max(a, b); }
 };
 
-/// The farthest depths of the blocks of a tile. They are updated only when a test needs them. All boxes are non-empty
-/// pixel ranges relative to the lower left pixel of the tile.
+/// The farthest depth of each block of pixels of a tile. A block is updated only when an occlusion test reads it. All
+/// pixel boxes are non-empty and relative to the lower left pixel of the tile.
 template <class Depths>
 class FarthestDepths {
 public:
     using Pixel = typename Depths::Pixel;
     static constexpr int kBlockSide = 8;
 
-    /// Starts with the empty pixels of a tile of `width` x `height` pixels. Rows are kTileStride pixels apart.
+    /// Starts with an empty tile of `width` x `height` pixels, before any triangle is drawn. Rows are kTileStride
+    /// pixels apart in memory.
     FarthestDepths(const Pixel* pixels, int width, int height);
 
-    /// Returns true if a triangle whose nearness is at most `nearest` cannot change a pixel of `box`. The test is exact
-    /// per pixel.
+    /// Returns true if the drawn pixels of `box` hide each triangle whose nearness is at most `nearest`. The test is
+    /// exact per pixel.
     bool hides(const PixelBox& box, std::uint32_t nearest);
 
-    /// Marks the blocks that intersect `box` as changed by drawing.
+    /// Marks the blocks that intersect `box` as outdated, because a triangle was drawn there.
     void noteDrawn(const PixelBox& box);
 
 private:
@@ -75,10 +77,10 @@ private:
     const Pixel* pixels_;
     int width_;
     int height_;
-    // nearness of the farthest pixel of each block; only blocks of the tile are valid
+    // Nearness of the farthest pixel of each block. Only blocks inside the tile are valid.
     std::array<std::array<std::uint32_t, kBlocks>, kBlocks> farthest_;
-    /// One bit per block, one word per row of blocks. The bit is set if drawing may have brought the block's farthest
-    /// depth nearer.
+    /// One bit per block and one word per row of blocks. A set bit means that the block's farthest depth is outdated,
+    /// because drawing may have brought it nearer.
     std::array<std::uint32_t, kBlocks> stale_{};
 };
 

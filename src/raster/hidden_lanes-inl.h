@@ -1,5 +1,5 @@
-// Occlusion test of triangles against the drawn pixels of a tile, before triangle setup, with one triangle per SIMD
-// lane. Included once per instruction set.
+// Occlusion test of triangles against the drawn pixels of a tile, with one triangle per SIMD lane. The test runs
+// before triangle setup. Included once per instruction set.
 #if defined(GNOMON_RASTER_HIDDEN_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_HIDDEN_LANES_INL_H
 #undef GNOMON_RASTER_HIDDEN_LANES_INL_H
@@ -20,13 +20,14 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The bounding box of each lane's triangle, in pixels of the tile, both ends included.
+/// The bounding box of one triangle per SIMD lane, in pixels of the tile, both ends included.
 struct PixelLanes {
     Ints x0, y0, x1, y1;
 };
 
-/// Returns an upper bound of the nearness of each lane's triangle: the nearness of its nearest corner. The depths of a
-/// triangle's pixels are within the range of its corners and within [0, 1].
+/// Returns the nearness (an integer that is larger for nearer depths) of the nearest corner of one triangle per SIMD
+/// lane. No pixel of the triangle is nearer, because pixel depths are clamped to the range of the corners and to [0,
+/// 1].
 HWY_INLINE Ints nearnessLanes(const SnappedCluster& cluster, Ints corners) {
     const auto depthAtCorner = [&](Ints index) HWY_ATTR { return hn::GatherIndex(kFloats, cluster.vertices.z, index); };
     const auto nearest = hn::Max(
@@ -35,8 +36,8 @@ HWY_INLINE Ints nearnessLanes(const SnappedCluster& cluster, Ints corners) {
     return hn::BitCast(kInts, withinUnit(nearest));
 }
 
-/// Returns the triangles of the mask `asked` that are hidden: each pixel in their bounding box is nearer. Each bounding
-/// box has at most `side` x `side` pixels.
+/// Returns a mask of the triangles in `asked` that are hidden: each pixel in their bounding box shows a nearer
+/// triangle. Each bounding box has at most `side` x `side` pixels.
 HWY_INLINE IntMask
 isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest, const VisibilityTile& target) {
     const auto zero = hn::Zero(kInts);
@@ -52,8 +53,9 @@ isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest
     return asked;
 }
 
-/// Returns the triangles of the mask `asked` that are hidden: each pixel in their bounding box is nearer. The triangles
-/// can have any size. The function tests them one after another against the farthest depths of blocks.
+/// Returns a mask of the triangles in `asked` that are hidden: each pixel in their bounding box shows a nearer
+/// triangle. The triangles can have any size. The function tests them one after another against the farthest depth of
+/// each block.
 HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Ints nearest, VisibilityTile& target) {
     using Lanes = std::array<std::int32_t, kMaxLanes>;
     Lanes x0;     // NOLINT(cppcoreguidelines-pro-type-member-init): StoreU sets all used elements
@@ -75,9 +77,9 @@ HWY_INLINE IntMask isHiddenInBlocks(IntMask asked, const PixelLanes& pixels, Int
     return hn::MaskFromVec(hn::LoadU(kInts, hidden.data()));
 }
 
-/// Returns true if the occlusion test is worth its cost for a cluster. The function probes at most sixteen vertices of
-/// the cluster. It returns true if one of them is hidden at its pixel, or if none of them is in the tile. In all other
-/// cases, few triangles would be hidden.
+/// Returns true if an occlusion test of the cluster's triangles is likely to pay off. The function tests at most
+/// sixteen vertices of the cluster. The result is true if one of them is hidden at its pixel, or if none of them is in
+/// the tile.
 template <bool isCompact>
 HWY_INLINE bool mayHideSome(const SnappedCluster& cluster, const PixelBox& tile, const VisibilityTile& target) {
     constexpr int kProbeBits = 4;
@@ -102,7 +104,7 @@ HWY_INLINE bool mayHideSome(const SnappedCluster& cluster, const PixelBox& tile,
     return !isAnyInTile;
 }
 
-/// The bounding box and the size class of each lane's triangle.
+/// The bounding box and the size class of one triangle per SIMD lane.
 struct ExtentLanes {
     PixelLanes within;
     IntMask overlaps; // true: the bounding box contains a pixel centre of the tile
@@ -140,7 +142,7 @@ extentLanes(const PointLanes& a, const PointLanes& b, const PointLanes& c, const
     return result;
 }
 
-/// Returns the triangles that overlap the tile and that are hidden by its pixels.
+/// Returns a mask of the triangles that overlap the tile but are hidden by its drawn pixels.
 HWY_INLINE IntMask
 isHidden(const SnappedCluster& cluster, Ints corners, const ExtentLanes& extent, VisibilityTile& target) {
     const auto nearest = nearnessLanes(cluster, corners);

@@ -1,5 +1,4 @@
-// A pass that draws clusters from front to back, and skips clusters that are hidden by drawn triangles (occlusion
-// culling).
+// Draws clusters from front to back, and skips clusters that are hidden by drawn triangles (occlusion culling).
 #pragma once
 
 #include "raster/binning.h"
@@ -14,21 +13,22 @@
 
 namespace gnomon::raster {
 
-/// Sorts `keys` by their upper halves with a stable radix sort. The upper halves must be at most the bits of 1.0F. The
-/// function overwrites `scratch`.
+/// Sorts `keys` by their upper 32 bits with a stable radix sort. The upper 32 bits must be at most the bits of 1.0F.
+/// The function overwrites `scratch`.
 void sortByUpperHalf(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scratch);
 
-/// The order of depths: in a visibility pass large depths are near (Reversed), in a shadow map small depths are near
+/// The order of depths. In a visibility pass, large depths are near (Reversed). In a shadow map, small depths are near
 /// (Plain).
 enum class DepthOrder : std::uint8_t { Reversed, Plain };
 
-/// A front-to-back pass. An object draws one pass at a time and reuses its memory. Each tile is tested only against its
-/// own pixels and in its own order. The skipped clusters therefore depend only on the input.
+/// A front-to-back pass with occlusion culling. An object draws one pass at a time and reuses its memory. Each tile is
+/// tested only against its own pixels and draws its clusters in a fixed order. The skipped clusters therefore depend
+/// only on the input.
 class OcclusionPass {
 public:
-    /// Sorts the clusters of a pass over `viewport` by distance. If the image of a cluster's box has no bounds, the
-    /// cluster is snapped into `snapped` at once. All other clusters are snapped when they are drawn. `input` and
-    /// `snapped` must outlive the pass.
+    /// Sorts the clusters of a pass over `viewport` by distance. If the pixels of a cluster's box have no bounds, the
+    /// function snaps its vertices at once and stores them in `snapped`. All other clusters are snapped when they are
+    /// drawn. `input` and `snapped` must outlive the pass.
     void prepare(
         std::span<const Cluster> input,
         std::span<const CellBox> boxes,
@@ -37,24 +37,24 @@ public:
         DepthOrder order,
         SnappedClusters& snapped);
 
-    /// Returns the clusters for the binning, nearest first.
+    /// Returns the pixel boxes and costs of the clusters, nearest first, as input for the binning.
     std::span<const BinItem> items() const { return items_; }
 
-    /// Draws the items with `indices`, in this order, into the empty visibility words `words` of a tile. Can run on any
-    /// thread.
+    /// Draws the clusters `indices` of `items()`, in this order, into `words`, the empty visibility buffer of a tile.
+    /// Can run on any thread.
     void drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, std::uint64_t* words);
 
-    /// Draws the items with `indices`, in this order, into the empty `depths` of a tile of a shadow map. Returns the
-    /// number of pixels that each drawn triangle covers, summed over triangles.
+    /// Draws the clusters `indices` of `items()`, in this order, into `depths`, an empty tile of a shadow map. Returns
+    /// the number of covered pixels, summed over all drawn triangles.
     std::uint64_t drawTile(const PixelBox& tile, std::span<const std::uint32_t> indices, float* depths);
 
-    /// Returns the numbers of skipped clusters and triangles. Call this function after all tiles are drawn.
+    /// Returns the numbers of skipped clusters and triangles. Must be called after all tiles are drawn.
     OcclusionCounts counts() const;
 
 private:
     enum class Stage : std::uint8_t { Waiting, InWork, Snapped };
 
-    /// The cluster of an item and its nearest possible depth.
+    /// A cluster of the pass, and the nearest depth that its triangles can have.
     struct Drawn {
         std::uint32_t cluster = 0; // index in SnappedClusters::all
         std::uint32_t nearest = 0; // upper bound of the nearness of the cluster

@@ -7,7 +7,7 @@
 
 namespace gnomon::raster {
 
-/// Starts to load the range of `bytes` bytes at `memory` into the cache.
+/// Prefetches `bytes` bytes at `memory` into the cache.
 inline void prefetch(const void* memory, std::size_t bytes) {
     constexpr std::size_t kLine = 64;
     const auto* first = static_cast<const std::byte*>(memory);

@@ -1,5 +1,5 @@
-// The vertex stage for one vertex: converts a grid position to pixel coordinates and depth. The SIMD kernels repeat
-// these operations in the same order, so their results are bit-identical.
+// The vertex stage for one vertex: projects a grid position to pixel coordinates and depth. The SIMD kernels use the
+// same operations in the same order, so their results are bit-identical.
 #pragma once
 
 #include "raster/raster.h"
@@ -8,21 +8,21 @@ namespace gnomon::raster {
 
 class RowBands;
 
-/// Subpixels per pixel. Snapped coordinates are multiples of 1/256 pixel, and pixel centres have integer coordinates.
+/// Subpixels per pixel: vertices are snapped to multiples of 1/256 pixel. Pixel centres have integer coordinates.
 constexpr int kSubpixelBits = 8;
 constexpr int kSubpixels = 1 << kSubpixelBits;
 
-/// Size of the guard band, in pixels from the centre of the viewport. Triangles that extend beyond it are clipped.
+/// Half the size of the guard band, in pixels from the centre of the viewport. Triangles that extend beyond the guard
+/// band are clipped.
 constexpr float kGuardPixels = 32768;
 
-/// Min w of a vertex that can be divided by its w.
+/// Min clip-space w of a vertex. A smaller w is too small for the perspective division.
 constexpr float kMinW = 0x1p-100F;
 
-/// Max absolute depth of a vertex, so that differences of depths stay finite. The depth of each pixel is clamped to [0,
-/// 1].
+/// Max absolute depth of a vertex before clamping. With this limit, differences of depths stay finite.
 constexpr float kDepthLimit = 0x1p30F;
 
-/// The parameters of a pass for the vertex stage.
+/// The vertex stage parameters that all vertices of a pass share.
 struct Projection {
     std::array<float, 16> clipFromCell{}; // column by column
     std::array<std::uint32_t, 3> eyeCell{};
@@ -37,8 +37,8 @@ struct Projection {
     float highX = 1;
     float lowY = -1; // the same limits for y
     float highY = 1;
-    /// The rows of a logarithmic map; null for evenly spaced rows. With rows, the y of snapped vertices stores the bits
-    /// of y / w.
+    /// The row positions of a logarithmic map, or null if the rows are evenly spaced. With row positions, y of a
+    /// snapped vertex stores the bits of y / w.
     const RowBands* rows = nullptr;
 };
 
@@ -49,8 +49,9 @@ struct ClipPosition {
     float w = 0;
 };
 
-/// Number of bits for the remainder of a snapped coordinate (unsnapped minus snapped). Snapped corners determine the
-/// covered pixels. The depth plane also uses the remainders, so that snapping does not change its slope.
+/// Number of bits of the rounding remainder of a snapped coordinate (unsnapped minus snapped). The depth plane of a
+/// triangle uses the remainders, so that snapping does not change its slope. The covered pixels depend only on the
+/// snapped corners.
 constexpr int kRestBits = 16;
 
 /// A vertex snapped to subpixels: x and y in 1/256 pixel (pixel centres at multiples of 256), and depth.
@@ -62,30 +63,32 @@ struct SnappedVertex {
     std::int16_t restY = 0;
 };
 
-/// Min ratio of the unsnapped to the snapped area of a triangle. If the ratio is smaller, the depth plane is computed
-/// from the snapped corners.
+/// Min ratio of a triangle's area before snapping to its area after snapping. Below this ratio, the depth plane is
+/// computed from the snapped corners.
 constexpr float kMinTrueArea = 0.25F;
 
-/// Converts a remainder to units of 1/256 pixel, exactly.
+/// Converts a snapping remainder from integer units of 2^-16 to units of 1/256 pixel, exactly.
 constexpr float restOf(std::int16_t rest) {
     return static_cast<float>(rest) * (1.0F / (1 << kRestBits));
 }
 
-/// Returns the projection parameters of `view`. `rows` are the rows of a logarithmic map; null for evenly spaced rows.
+/// Returns the vertex stage parameters for `view`. `rows` are the rows of a logarithmic map, or null for evenly spaced
+/// rows.
 Projection projection(const View& view, bool cutsDepth, const RowBands* rows = nullptr);
 
 ClipPosition clipPosition(const Projection& projection, const std::uint32_t* position);
 
-/// Returns the snapped vertex of clip-space position `p`, which must be inside the guard band.
+/// Snaps the clip-space position `p` to subpixels. `p` must be inside the guard band.
 SnappedVertex snapped(const Projection& projection, const ClipPosition& p);
 
-/// Returns the snapped vertex for position (x, y), in 1/256 pixel, and depth `z`.
+/// Snaps the position (x, y), in 1/256 pixel, with depth `z` to a vertex in whole subpixels.
 SnappedVertex snappedTo(double x, double y, float z);
 
-/// Returns the snapped vertex of a logarithmic map for `x` (in 1/256 pixel), `yOverW` and depth `z`.
+/// Returns a snapped vertex of a logarithmic map. Only `x` (in 1/256 pixel) is snapped; y / w and depth `z` are stored
+/// unchanged.
 SnappedVertex unevenTo(double x, float yOverW, float z);
 
-/// Returns one bit per frustum plane; the bit is set if `p` is outside the plane. The order is left, right, lower and
+/// Returns one bit per frustum plane. The bit is set if `p` is outside the plane. The planes are left, right, lower and
 /// upper, and then near and far if depth is clipped.
 std::uint32_t outsideBits(const Projection& projection, const ClipPosition& p);
 

@@ -1,4 +1,5 @@
-// The vertex stage of a pass: snaps the vertices of all clusters to subpixels, and clips triangles where necessary.
+// The vertex stage of a pass: snaps the vertices of all clusters to subpixels, and clips triangles that cross the
+// guard band or a clip plane.
 #pragma once
 
 #include "raster/buffer.h"
@@ -12,7 +13,7 @@
 
 namespace gnomon::raster {
 
-/// A cluster of clipped triangles. The triangles share no vertices.
+/// A cluster of triangles after clipping. The triangles share no vertices.
 struct CutCluster {
     static constexpr std::size_t kMaxTriangles = kMaxClusterVertices / 3;
     std::array<std::int32_t, kMaxClusterVertices> x{};
@@ -24,25 +25,26 @@ struct CutCluster {
     PixelBox box{kMaxTargetSide, kMaxTargetSide, 0, 0};
 };
 
-/// The snapped clusters of one pass. The object reuses its memory from pass to pass.
+/// The clusters of one pass with vertices snapped to subpixels. The object reuses its memory from pass to pass.
 class SnappedClusters {
 public:
-    /// Reserves memory for the clusters of a pass. Until a cluster is snapped, it counts as outside the viewport.
+    /// Reserves memory for the clusters of a pass. A cluster counts as outside the viewport until `snap` is called for
+    /// it.
     void reset(std::span<const Cluster> input);
 
-    /// Snaps the vertices of cluster `i`. `input` must be the same clusters as for `reset`. Can run on any thread, at
-    /// most once per cluster. Clipped triangles are stored separately until `addCuts`.
+    /// Snaps the vertices of cluster `i`. `input` must be the same clusters as for `reset`. Can run on any thread, but
+    /// only once per cluster. The triangles that clipping creates are stored separately until `addCuts`.
     ClusterPlace snap(std::span<const Cluster> input, std::size_t i, const Projection& projection);
 
-    /// Appends the clipped triangles to the clusters of the pass, in undefined order.
+    /// Appends the triangles that clipping created to the clusters of the pass, in undefined order.
     void addCuts();
 
-    /// Returns the clusters of the pass, followed by the clusters of clipped triangles. Clusters of the pass that are
-    /// outside, or whose triangles were clipped, are empty.
+    /// Returns the clusters of the pass, followed by clusters of clipped triangles. A cluster of the pass is empty if
+    /// it is outside the viewport or if its triangles were clipped.
     std::span<const SnappedCluster> all() const { return clusters_; }
 
 private:
-    /// The clipped triangles from one thread. Adding clusters does not move the existing clusters in memory.
+    /// The clipped triangles of one thread. New clusters do not move the existing clusters in memory.
     struct Cuts {
         std::deque<CutCluster> clusters;
         std::size_t count = 0;

@@ -1,4 +1,4 @@
-// The triangles of a cluster, packed into words and sorted by size class. Included once per instruction set.
+// The triangles of a cluster, packed into 32-bit words and sorted by size class. Included once per instruction set.
 #if defined(GNOMON_RASTER_SORTED_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_SORTED_TRIANGLES_INL_H
 #undef GNOMON_RASTER_SORTED_TRIANGLES_INL_H
@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The triangles of one size class, packed into words: three bytes for the corner indices, and the upper byte for the
-/// triangle's index.
+/// The triangles of one size class, as one 32-bit word per triangle: three bytes for the corner indices, and the upper
+/// byte for the index of the triangle.
 struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): elements are set when `count` grows
     std::array<std::uint32_t, kMaxClusterTriangles + 3 * kMaxLanes> packed;
     std::uint32_t count = 0;
@@ -32,7 +32,7 @@ struct Sorted { // NOLINT(cppcoreguidelines-pro-type-member-init): elements are 
 
     HWY_INLINE Ints at(std::uint32_t i) const { return hn::BitCast(kInts, hn::LoadU(kUints, packed.data() + i)); }
 
-    /// Fills the last SIMD vector with triangles without area.
+    /// Fills up the last SIMD vector with triangles whose area is 0.
     HWY_INLINE void pad() { std::fill_n(packed.data() + count, kMaxLanes, 0U); }
 };
 
@@ -44,7 +44,7 @@ struct SortedCluster {
 
     HWY_INLINE void clear() { tiny.count = small.count = narrow.count = wide.count = 0; }
 
-    /// Pads the size classes whose triangles are set up with SIMD.
+    /// Fills up the last SIMD vector of each size class that uses SIMD triangle setup.
     HWY_INLINE void pad() {
         tiny.pad();
         small.pad();
@@ -52,14 +52,14 @@ struct SortedCluster {
     }
 };
 
-/// The packed triangles of a cluster, padded with triangles without area.
+/// The triangles of a cluster as one 32-bit word each, padded with triangles whose area is 0.
 using PackedTriangles = std::array<std::uint32_t, kMaxClusterTriangles + kMaxLanes>;
 
 HWY_INLINE void packTriangles(std::span<const Triangle> triangles, PackedTriangles& packed) {
     const std::size_t count = triangles.size();
     std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
-    // Four triangles have twelve bytes, but the load reads sixteen bytes, which must be inside the array.
+    // Four triangles have twelve bytes, but the load reads sixteen bytes, all of which must be inside the array.
     constexpr hn::FixedTag<std::uint8_t, 16> kBytes;
     constexpr hn::FixedTag<std::uint32_t, 4> kFour;
     constexpr std::uint8_t kZero = 0x80;

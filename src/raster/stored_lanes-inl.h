@@ -1,4 +1,4 @@
-// Triangles after triangle setup, stored from SIMD lanes to memory. They are drawn one after another, with one pixel
+// The results of SIMD triangle setup, stored in memory. The triangles are then drawn one after another, with one pixel
 // per SIMD lane. Included once per instruction set.
 #if defined(GNOMON_RASTER_STORED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_STORED_LANES_INL_H
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The results of triangle setup for one triangle per SIMD lane, in memory.
+/// The results of triangle setup in memory, for one triangle per SIMD lane.
 struct StoredLanes {
     template <class T>
     using Lanes = std::array<T, kMaxLanes>;
@@ -58,8 +58,8 @@ HWY_INLINE Ints along(std::int32_t first, std::int32_t perX) {
     return hn::Add(hn::Set(kInts, first), hn::Mul(hn::Iota(kInts, 0), hn::Set(kInts, perX)));
 }
 
-/// Adds the number of pixels in the mask `inside` to the count of the target. The pixels of the SIMD vector begin at
-/// column `x`. If `reachesOver`, pixels in the margin of the tile are not counted.
+/// Adds the number of pixels that are set in the mask `inside` to the pixel count of `target`. The pixels begin at
+/// column `x`. If `reachesOver` is true, pixels beyond the triangle's last column are not counted.
 template <class Target>
 HWY_INLINE void countInside(
     const StoredLanes& s, std::uint32_t lane, IntMask inside, std::int32_t x, bool reachesOver, Target& target) {
@@ -69,8 +69,8 @@ HWY_INLINE void countInside(
     }
 }
 
-/// Draws the triangle of lane `lane`, with one pixel per SIMD lane. `reachesOver` is true if the vectors of pixels may
-/// extend into the margin of the tile.
+/// Draws triangle `lane` of the stored triangles, with one pixel per SIMD lane. `reachesOver` is true if SIMD vectors
+/// of pixels may extend beyond the right edge of the tile.
 template <class Target>
 HWY_INLINE void drawStored(const StoredLanes& s, std::uint32_t lane, bool reachesOver, Target& target) {
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(kInts));

@@ -1,5 +1,5 @@
-// The covered pixels of triangles, and the memory of a tile of a depth map or a visibility buffer. Included once per
-// instruction set.
+// Stores the covered pixels of triangles to the memory of a tile. The tile belongs to a depth map or a visibility
+// buffer. Included once per instruction set.
 #if defined(GNOMON_RASTER_TILE_TARGET_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_TILE_TARGET_INL_H
 #undef GNOMON_RASTER_TILE_TARGET_INL_H
@@ -23,7 +23,7 @@ using WordTag = hn::ScalableTag<std::uint64_t>;
 using WordTag = hn::Repartition<std::uint64_t, UintTag>;
 #endif
 
-/// The covered pixels of the triangles in a SIMD vector: address in the tile, depth, and triangle id.
+/// A list of the covered pixels of several triangles: address in the tile, depth and triangle id per pixel.
 struct Hits { // NOLINT(cppcoreguidelines-pro-type-member-init): elements are set when `count` grows
     static constexpr std::size_t kMaxEntries =
         std::size_t{17} * kMaxLanes; // 4 x 4 pixels per lane, and one more vector
@@ -74,8 +74,8 @@ struct VisibilityTile {
     FarthestDepths<WordDepths>* farthest = nullptr; // farthest depths of `words`; null without occlusion tests
     TriangleBits setUp{};                           // triangles of the last drawn cluster that passed setup
 
-    /// Returns the nearness of the pixel at each lane's address. The bits of a non-negative float have the same order
-    /// as its value.
+    /// Returns the nearness (an integer that is larger for nearer depths) of the pixel at each SIMD lane's address. The
+    /// bits of a non-negative float have the same order as its value.
     HWY_INLINE Ints nearness(Ints address) const {
         constexpr int kUpperHalf = std::endian::native == std::endian::little ? 1 : 0;
         const auto* halves = reinterpret_cast<const std::int32_t*>(words);
@@ -90,7 +90,7 @@ struct VisibilityTile {
     }
 
     HWY_INLINE void takeRow(int address, IntMask inside, Floats depth, std::uint32_t id) const {
-        // The word 0 is smaller than every other word, so it changes nothing at pixels outside the triangle.
+        // A word of 0 is smaller than every other word, so it changes nothing at pixels outside the triangle.
         const auto mask = hn::RebindMask(kUints, inside);
         const auto high = hn::IfThenElseZero(mask, hn::BitCast(kUints, depth));
         const auto low = hn::IfThenElseZero(mask, hn::Set(kUints, ~id));

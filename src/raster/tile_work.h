@@ -1,4 +1,4 @@
-// The input for drawing one tile of a map or an image: its size, its memory layout and its clusters.
+// The input for drawing one tile of a depth map or an image: the pixels, the memory layout and the clusters.
 #pragma once
 
 #include "raster/vertex_kernel.h"
@@ -8,11 +8,11 @@
 
 namespace gnomon::raster {
 
-/// Max side of a tile, in pixels.
+/// Max width and height of a tile, in pixels.
 constexpr int kTileSide = 256;
 
-/// Elements per row of a tile's memory. The tile has a margin at its right and upper edge, because SIMD stores can
-/// extend beyond the tile.
+/// Number of pixels from one row of a tile to the next in memory. A tile has a margin at its right and upper edge,
+/// because SIMD stores can extend beyond the tile.
 constexpr int kTileStride = kTileSide + 16;
 constexpr int kTileRows = kTileSide + 4;
 constexpr std::size_t kTilePixels = std::size_t{kTileStride} * kTileRows;
@@ -24,7 +24,7 @@ struct SnappedCluster {
     std::span<const Triangle> triangles;
     std::uint32_t vertexCount = 0;
     std::uint32_t firstTriangleId = 0;
-    // if not null, the triangle ids, which otherwise are firstTriangleId + i
+    // The ids of the triangles. If null, triangle i has the id firstTriangleId + i.
     const std::uint32_t* triangleIds = nullptr;
     PixelBox box;   // all pixels that the cluster can cover
     float maxZ = 0; // max z of its vertices
@@ -33,7 +33,7 @@ struct SnappedCluster {
 /// A set of triangles of a cluster, one bit per triangle.
 using TriangleBits = std::array<std::uint64_t, kMaxClusterTriangles / 64>;
 
-/// A tile and the clusters that overlap it.
+/// A tile and the clusters that overlap the tile.
 struct TileWork {
     PixelBox box;
     std::span<const SnappedCluster> clusters; // all clusters of the pass

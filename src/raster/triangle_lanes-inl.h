@@ -35,7 +35,7 @@ HWY_INLINE Ints maxOf(Ints a, Ints b, Ints c) {
     return hn::Max(hn::Max(a, b), c);
 }
 
-/// Returns the vertex index of corner `i` in a packed triangle.
+/// Returns the vertex index of corner `i` of one packed triangle per SIMD lane.
 template <int i>
 HWY_INLINE Ints cornerIndex(Ints packed) {
     const auto shifted = hn::ShiftRight<8 * i>(hn::BitCast(kUints, packed));
@@ -49,9 +49,9 @@ HWY_INLINE Ints triangleIds(const SnappedCluster& cluster, Ints packed) {
     return hn::Add(place, hn::Set(kInts, static_cast<std::int32_t>(cluster.firstTriangleId)));
 }
 
-/// The edge functions of a triangle at a pixel centre. An edge function is twice the signed area of the triangle
-/// between edge and pixel centre, in squared subpixels. The value is reduced by one if the edge is neither a left edge
-/// nor the lowest edge. A pixel is inside the triangle if no edge function is negative.
+/// The edge functions of one triangle per SIMD lane, at a pixel centre. An edge function is twice the signed area of
+/// the triangle between the edge and the pixel centre, in squared subpixels. The value is reduced by one if the edge is
+/// neither a left edge nor the lowest edge. A pixel is inside the triangle if no edge function is negative.
 struct Edges {
     Ints e0, e1, e2; // e0 belongs to the edge opposite corner 0, and so on
 };
@@ -66,8 +66,8 @@ HWY_INLINE IntMask isInside(const Edges& e) {
     return hn::Gt(hn::Or(hn::Or(e.e0, e.e1), e.e2), hn::Set(kInts, -1));
 }
 
-/// The depth plane through the unsnapped corners of a triangle. The depth of a covered pixel is clamped to the depth
-/// range of the corners and to [0, 1]. The reference point is the pixel of corner 0, so it depends only on the
+/// The depth plane of one triangle per SIMD lane, computed from the unsnapped corners. Pixel depths are clamped to the
+/// depth range of the corners and to [0, 1]. The reference point is the pixel of corner 0, so it depends only on the
 /// triangle.
 struct DepthLanes {
     Floats atReference, perX, perY; // depth at the reference point, and its change per pixel
@@ -75,8 +75,7 @@ struct DepthLanes {
     Floats fromX, fromY; // pixels from the reference point to the first pixel
 };
 
-/// Returns the depth at the reference column, in the row `fromY` pixels above the reference point. `depthAt` adds the
-/// change along the row.
+/// Returns the depth at the reference column of the depth plane, `fromY` pixels above the reference point.
 HWY_INLINE Floats depthOfRow(const DepthLanes& d, Floats fromY) {
     return hn::Add(d.atReference, hn::Mul(d.perY, fromY));
 }
@@ -99,8 +98,8 @@ struct PointLanes {
     Ints x, y;
 };
 
-/// Sets the edge function `e` of the edge from `a` to `b` at the pixel centre `p`, and its increments per column and
-/// row.
+/// Computes the edge function `e` of the edge from `a` to `b` at the pixel centre `p`, and its increments per column
+/// and row.
 HWY_INLINE void setEdge(
     const PointLanes& a, const PointLanes& b, const PointLanes& p, Ints& e, Ints& perX, Ints& perY) {
     const auto dx = hn::Sub(b.x, a.x);
@@ -113,7 +112,7 @@ HWY_INLINE void setEdge(
     perY = hn::ShiftLeft<kSubpixelBits>(dx);
 }
 
-/// The snapping remainders of corners: unsnapped minus snapped position, in 1/256 pixel.
+/// The snapping remainders of a triangle corner per SIMD lane: unsnapped minus snapped position, in 1/256 pixel.
 struct RestLanes {
     Floats x, y;
 };
@@ -129,7 +128,7 @@ HWY_INLINE RestLanes restLanes(const SnappedCluster& cluster, Ints index) {
     return unpackedRests(hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(cluster.vertices.rests), index));
 }
 
-/// An edge from corner 0 to another corner. In lanes where `isTrue` is false, the remainders are removed.
+/// The edge vector from corner 0 to another corner of a triangle per SIMD lane, and its snapping remainder.
 struct SideLanes {
     Floats snappedX, snappedY;
     Floats restX, restY;
@@ -154,7 +153,8 @@ HWY_INLINE Floats withinUnit(Floats z) {
     return hn::Min(hn::Max(z, hn::Zero(kFloats)), hn::Set(kFloats, 1.0F));
 }
 
-/// Loads the corners of a cluster's triangles. Positions are relative to the centre of the tile's lower left pixel.
+/// Loads the corners of a cluster's triangles, with one triangle per SIMD lane. Positions are relative to the centre of
+/// the tile's lower left pixel.
 template <bool isCompact>
 class CornerSource {
 public:
@@ -183,8 +183,8 @@ private:
     Ints originY_;
 };
 
-/// Returns twice the area of each lane's triangle. Swaps corners 1 and 2 of clockwise triangles, so that the area is
-/// positive.
+/// Returns twice the area of each SIMD lane's triangle. Swaps corners 1 and 2 of clockwise triangles, so that the area
+/// is positive.
 HWY_INLINE Ints turnedArea(const PointLanes& a, PointLanes& b, PointLanes& c, Ints& i1, Ints& i2) {
     const auto area =
         hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)), hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
@@ -209,7 +209,8 @@ HWY_INLINE CornerDepths cornerDepths(const SnappedCluster& cluster, Ints i0, Int
     return {hn::GatherIndex(kFloats, z, i0), hn::GatherIndex(kFloats, z, i1), hn::GatherIndex(kFloats, z, i2)};
 }
 
-/// Sets the depth plane of `t` from corner 0 and the edges to the other corners. The first pixel of `t` must be set.
+/// Computes the depth plane of the triangles `t` from corner 0 and the edges to the other corners. The first pixel of
+/// `t` must be set.
 // NOLINTNEXTLINE(readability-function-size): a struct of these parameters would have one use.
 HWY_INLINE void setDepth(
     const PointLanes& a,
@@ -222,7 +223,7 @@ HWY_INLINE void setDepth(
     const auto change = hn::Add(
         hn::Sub(hn::Mul(side1.snappedX, side2.restY), hn::Mul(side2.snappedX, side1.restY)),
         hn::Sub(hn::Mul(side1.restX, side2.y()), hn::Mul(side2.restX, side1.y())));
-    // If snapping created most of the area of a thin triangle, its unsnapped corners give no reliable depth plane.
+    // The unsnapped corners of a thin triangle give no reliable depth plane if most of its area comes from snapping.
     const auto isTrue = hn::Gt(hn::Add(area, change), hn::Mul(area, hn::Set(kFloats, kMinTrueArea)));
     side1.keepRestWhere(isTrue);
     side2.keepRestWhere(isTrue);
@@ -251,8 +252,8 @@ HWY_INLINE void setDepth(
     depth.fromY = hn::ConvertTo(kFloats, hn::Sub(t.firstY, referenceY));
 }
 
-/// Sets up one narrow triangle per SIMD lane, with counter-clockwise corners. The edge functions fit an int32 at each
-/// pixel of the bounding box and one vector beyond it.
+/// Computes triangle setup for one narrow triangle per SIMD lane and returns the result. The corners are then
+/// counter-clockwise. The edge functions fit an int32 at each pixel of the bounding box and one vector beyond it.
 template <bool isCompact>
 HWY_INLINE TriangleLanes triangleLanes(const SnappedCluster& cluster, Ints packed, const PixelBox& tile) {
     const CornerSource<isCompact> cornerAt(cluster, tile);

@@ -1,4 +1,4 @@
-// Triangles with a bounding box of 64 pixels or more: the covered pixels of a row, computed with 64-bit integers, and
+// Triangles with a bounding box of 64 pixels or more: computes the covered pixels of a row with 64-bit integers, and
 // the depth plane.
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace gnomon::raster {
 
-/// Size limit of a narrow triangle's bounding box, in subpixels, exclusive. The edge functions of narrow triangles fit
-/// an int32.
+/// Size limit of a narrow triangle's bounding box, in subpixels, exclusive. Below this limit, edge functions fit an
+/// int32.
 constexpr std::int32_t kNarrowExtent = 64 * kSubpixels;
 
-/// An edge function. Pixel (x, y) is inside if atZero + perRow * y + perPixel * x >= 0.
+/// An edge function of a triangle. Pixel (x, y) is inside if atZero + perRow * y + perPixel * x >= 0.
 struct WideEdge {
     std::int64_t atZero = 0;
     std::int64_t perRow = 0;
@@ -22,7 +22,7 @@ struct WideEdge {
     double inverse = 0; // 1 / |perPixel| if perPixel is not 0
 };
 
-/// A triangle with counter-clockwise corners (y up) and its depth plane.
+/// A triangle after triangle setup, with counter-clockwise corners (y up), edge functions and a depth plane.
 struct WideTriangle {
     std::array<SnappedVertex, 3> corners;
     std::array<WideEdge, 3> edges;
@@ -33,8 +33,8 @@ struct WideTriangle {
     float maxDepth = 0;
 };
 
-/// The quotient floor(value / divisor), which tells in which column a row crosses an edge. `value` grows by a constant
-/// per row. The quotient is updated from row to row without a division.
+/// A quotient floor(value / divisor) whose `value` grows by a constant per row. The rasteriser uses such quotients to
+/// find the column in which each row crosses a triangle edge. The update from row to row needs no division.
 struct QuotientWalk {
     std::int64_t quotient = 0;
     std::int64_t rest = 0; // remainder, in [0, divisor - 1]
@@ -51,8 +51,8 @@ struct QuotientWalk {
     }
 };
 
-/// The covered pixels of a row: columns x0 to x1 - 1. The depth is depthAtReference + depthPerX * (x - referenceX),
-/// clamped to the depth range of the corners.
+/// The pixels x0 to x1 - 1 of a row that a triangle covers. The depth is depthAtReference + depthPerX * (x -
+/// referenceX), clamped to the depth range of the corners.
 struct WideRow {
     int y = 0;
     int x0 = 0;
@@ -60,14 +60,14 @@ struct WideRow {
     float depthAtReference = 0;
 };
 
-/// Iterates over the rows of a triangle in a tile, from the lowest row up. Some rows can be empty.
+/// Iterates over the rows of a triangle in a tile, from bottom to top. Some rows can be empty.
 class WideRows {
 public:
     WideRows(const WideTriangle& triangle, const PixelBox& tile);
 
     bool atEnd() const { return y_ >= yEnd_; }
 
-    /// Returns the current row and advances to the next row.
+    /// Returns the covered pixels of the current row, and advances to the next row.
     WideRow next() {
         std::int64_t first = x0_;
         std::int64_t end = x1_;
@@ -110,10 +110,12 @@ private:
     double depthPerY_ = 0;
 };
 
-/// Returns the triangle after triangle setup. `corners` can have either order. Twice the triangle's area must not be 0.
+/// Computes the edge functions and the depth plane of a triangle. `corners` can have either order. Twice the triangle's
+/// area must not be 0.
 WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners);
 
-/// Returns twice the signed area in squared subpixels. Counter-clockwise triangles (y up) have a positive area.
+/// Returns twice the signed area of a triangle, in squared subpixels. Counter-clockwise triangles (y up) have a
+/// positive area.
 std::int64_t doubleArea(const std::array<SnappedVertex, 3>& corners);
 
 } // namespace gnomon::raster

@@ -1,5 +1,5 @@
-// The vertices of a cluster, snapped for one band of rows of a logarithmic map, and their positions among the rows.
-// Included once per instruction set.
+// The vertices of a cluster in a logarithmic shadow map, snapped for one band of rows. Included once per instruction
+// set.
 #if defined(GNOMON_RASTER_BAND_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_BAND_VERTICES_INL_H
 #undef GNOMON_RASTER_BAND_VERTICES_INL_H
@@ -19,22 +19,24 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Max distance of a vertex from a band, in units of the band. Larger distances are clamped to it. Only triangles whose
-/// edge functions need more than 32 bits extend so far, and for these the kernel needs only the bounding box.
+/// Max distance of a vertex from a band of rows, in units of the band. Larger distances are clamped to this value. Only
+/// triangles whose edge functions need more than 32 bits extend so far, and for these the kernel needs only the
+/// bounding box.
 constexpr float kFarUnits = 0x1p29F; // differences of clamped values fit an int32
 
 HWY_INLINE IntMask isLessOrEqual(Ints a, Ints b) {
     return hn::Lt(a, hn::Add(b, hn::Set(kInts, 1)));
 }
 
-/// A band of rows and the tile to draw.
+/// A band of rows in a logarithmic shadow map, and the tile to draw.
 struct BandLanes {
     const RowBand* band;
     const PixelBox* tile; // inside the band
 
     HWY_INLINE Ints row(Ints index) const { return hn::GatherIndex(kInts, band->rows.data(), index); }
 
-    /// Returns the first row at or above the height `units`, counted from the first row of the band.
+    /// Returns the first row of the band at or above the height `units`, one height per SIMD lane. Heights are in units
+    /// from the first row of the band.
     HWY_INLINE Ints firstRow(Ints units) const {
         const auto last = hn::Set(kInts, static_cast<std::int32_t>(band->rowsFromBucket.size()) - 1);
         const auto bucket = hn::Min(hn::ShiftRightSame(hn::Max(units, hn::Zero(kInts)), band->bucketBits), last);
@@ -43,7 +45,7 @@ struct BandLanes {
     }
 };
 
-/// The position of a vertex among the samples of a tile, packed into one word:
+/// The position of a vertex relative to the pixels of a tile, packed into one word:
 /// - x, clamped to one tile width beside the tile,
 /// - the first row at or above the vertex,
 /// - a bit that is set if a row has exactly the height of the vertex.
@@ -65,7 +67,7 @@ struct VertexPlace {
         return hn::Sub(hn::And(place, hn::Set(kInts, (1 << kColumnBits) - 1)), hn::Set(kInts, kBeside));
     }
 
-    /// Returns the first row at or above the vertex.
+    /// Returns the first row at or above the vertex `place`.
     static HWY_INLINE Ints row(Ints place) {
         return hn::And(hn::ShiftRight<kColumnBits>(place), hn::Set(kInts, (1 << kRowBits) - 1));
     }
@@ -75,9 +77,9 @@ struct VertexPlace {
     }
 };
 
-/// The vertices of a cluster, snapped for one band: y in units of the band, the packed remainders (as for evenly spaced
-/// rows), and the positions (VertexPlace). They are computed once per vertex, because about six triangle corners share
-/// a vertex, and each corner reads it twice.
+/// The vertices of a cluster, snapped for one band of rows: y in units of the band, packed snapping remainders, and
+/// positions relative to the tile (VertexPlace). About six triangle corners share a vertex and each corner reads it
+/// twice, so the values are computed once per vertex.
 struct BandVertices { // NOLINT(cppcoreguidelines-pro-type-member-init): filled for the vertices of the cluster
     alignas(64) std::array<std::int32_t, kMaxClusterVertices> y;
     alignas(64) std::array<std::uint32_t, kMaxClusterVertices> rests;
@@ -126,8 +128,8 @@ private:
     }
 };
 
-/// Loads the corners of a cluster's triangles from `vertices`. x is relative to the tile's first column, and y is in
-/// units of the band.
+/// Loads the corners of a cluster's triangles from `vertices`, with one triangle per SIMD lane. x is relative to the
+/// tile's first column, and y is in units of the band.
 class UnevenSource {
 public:
     HWY_INLINE UnevenSource(const BandVertices& vertices, const BandLanes& rows)

@@ -1,5 +1,5 @@
-// A triangle of any size in a logarithmic map: the covered samples of a row, computed with 64-bit integers, and the
-// depth plane.
+// A triangle of any size in a logarithmic shadow map: computes the covered pixels of a row with 64-bit integers, and
+// the depth plane.
 #pragma once
 
 #include "raster/uneven/row_bands.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::raster {
 
-/// A vertex snapped to the units of one band of rows.
+/// A vertex of a logarithmic shadow map, snapped to the units of one band of rows.
 struct UnevenVertex {
     std::int32_t x = 0; // 1/256 pixel
     std::int64_t y = 0; // units of the band
@@ -19,24 +19,26 @@ struct UnevenVertex {
     float z = 0;
 };
 
-/// Returns `vertex` snapped to the units of `band`. The y of `vertex` stores the bits of y / w.
+/// Snaps `vertex` to the units of `band`. The y of `vertex` stores the bits of y / w.
 UnevenVertex unevenVertex(const RowBand& band, const SnappedVertex& vertex);
 
-/// The largest power of two up to which flooredSamples is exact. All sample indices of a target are smaller.
+/// The largest absolute quotient for which flooredSamples is exact, a power of two. All pixel indices of a target are
+/// smaller.
 constexpr double kFarSamples = 0x1p30;
 
-/// A triangle with counter-clockwise corners (y up). The constructor accepts the corners in either order.
+/// A triangle of a logarithmic shadow map with counter-clockwise corners (y up). The constructor accepts the corners in
+/// either order.
 class UnevenTriangle {
 public:
     explicit UnevenTriangle(std::array<UnevenVertex, 3> corners);
 
     bool hasArea() const { return hasArea_; }
 
-    /// Returns true if a sample of `box` may be inside the triangle. The rows of `box` must belong to `band`.
+    /// Returns true if a pixel centre of `box` may be inside the triangle. The rows of `box` must belong to `band`.
     bool mayTouch(const RowBand& band, const PixelBox& box) const;
 
-    /// Returns the covered samples of row `y` of the target, in columns x0 to x1 - 1. The row must belong to `band`.
-    /// WideRow describes the depths of the samples.
+    /// Returns the covered pixels of row `y` of the target, in columns x0 to x1 - 1, with their depths. The row must
+    /// belong to `band`.
     WideRow row(const RowBand& band, int y, int x0, int x1) const;
 
     int referenceX() const { return corners_[0].x >> kSubpixelBits; }
@@ -48,7 +50,7 @@ public:
     float maxDepth() const { return maxDepth_; }
 
 private:
-    /// An edge function. A sample (X, Y) is inside if dx Y - dy X + atOrigin >= 0.
+    /// An edge function of the triangle. A pixel centre (X, Y) is inside if dx Y - dy X + atOrigin >= 0.
     struct Edge {
         std::int64_t dx = 0;
         std::int64_t dy = 0;
@@ -85,7 +87,7 @@ inline WideRow UnevenTriangle::row(const RowBand& band, int y, int x0, int x1) c
     std::int64_t first = x0;
     std::int64_t end = x1;
     for (const Edge& edge : edges_) {
-        // The edge function decreases by 256 dy per column.
+        // The edge function decreases by 256 dy per pixel column.
         const std::int64_t at = edge.dx * units + edge.atOrigin;
         if (edge.perPixel > 0)
             first = std::max(first, -flooredSamples(at, edge.perPixel, edge.inverse));

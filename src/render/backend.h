@@ -1,4 +1,4 @@
-// The interface of a backend, which draws a plan with OpenGL or with the software rasteriser.
+// The interface of the two backends (OpenGL and software), which draw the shadow maps and the image of a frame.
 #pragma once
 
 #include "core/units.h"
@@ -27,7 +27,7 @@ class CutScene;
 
 namespace gnomon::render {
 
-/// Returns the decoded page with the id `page` from a draw list. The page stays valid until the frame is drawn.
+/// Returns the decoded page with the id `page`. The page stays valid until the frame is drawn.
 using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 
 /// Camera-relative space: it has the axes and units of the world, and its origin is the grid point of the model that is
@@ -44,25 +44,25 @@ struct CameraRelativeSpace {
 /// in world space.
 CameraRelativeSpace cameraRelativeSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
 
-/// Returns the width of a pixel's beam at position `p` (camera-relative space) in world units: 2 tan(theta) (p.v) /
-/// height.
+/// Returns the width of a pixel's beam at position `p`, in world units: 2 tan(theta) (p.v) / height. `p` is in
+/// camera-relative space.
 double pixelWidth(const plan::FramePlan& plan, const CameraRelativeSpace& space, const glm::dvec3& p);
 
-/// The reason why a cluster is drawn instead of its refinement.
+/// The reason why a coarse cluster is drawn instead of the finer clusters that it replaces.
 enum class Residence : std::uint8_t {
     Final,   // the error of the cluster is small enough
     Pending, // the refinement is not in memory
     Damaged, // the refinement cannot be read
 };
 
-/// A drawn cluster that is coarser than the error limit requires.
+/// A drawn cluster that is coarser than the error limit allows, because finer data is not in memory.
 struct LodSubstitute {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
     Residence residence = Residence::Pending;
 };
 
-/// The part of the light that an image shows. An accumulated image can be the sum of images with different parts.
+/// The light sources that an image contains. An accumulated image can be the sum of images with different sources.
 enum class LightPart : std::uint8_t {
     All,
     WithoutSky,   // light of the sun, the ground and the headlight
@@ -77,18 +77,18 @@ struct ImageRows {
     bool operator==(const ImageRows&) const = default;
 };
 
-/// The light that the surface of each pixel reflects towards the eye: linear RGB before tone mapping, with 1 as full
-/// scale. A pixel without a surface has the value -1 + kGroundShade * s, where s is the fraction of the background's
-/// light that a shadow on the ground removes.
+/// The light that each pixel reflects towards the eye: linear RGB before tone mapping, with 1 as full scale. A pixel
+/// without a surface has the value -1 + kGroundShade * s, where s is the fraction of the background's light that a
+/// shadow on the ground removes.
 using LightPicture = Raster<std::array<float, 3>>;
 
-/// Scale of ground shadows in a LightPicture. With this scale, a pixel without a surface stays negative in the sum over
-/// several light directions.
+/// Scale factor of ground shadows in a LightPicture. It is so small that a pixel without a surface stays negative in
+/// the sum over several light directions.
 inline constexpr float kGroundShade = 1.0F / 16;
 
 struct SectionMemory;
 
-/// The complete input for drawing one frame.
+/// The complete input of a backend for drawing one frame.
 struct DrawInputs {
     const plan::FramePlan* plan = nullptr;
     CameraRelativeSpace space;
@@ -104,8 +104,8 @@ struct DrawInputs {
     glm::dvec2 subpixel{0};
     Overlay overlay = Overlay::None;
     plan::Shading shading = plan::Shading::Lit; // never Auto
-    // The clusters in the image that are coarser than required, sorted by page and cluster. Only Overlay::Residency
-    // needs them.
+    // Clusters of the image that are coarser than the error limit allows, sorted by page and cluster. Only
+    // Overlay::Residency needs this list.
     std::vector<LodSubstitute> substitutes;
     bool wantsSurfaces = false; // stores the result of `surfaces`
     bool wantsLight = false;    // stores the result of `light`; excludes wantsSurfaces
@@ -113,25 +113,25 @@ struct DrawInputs {
     double skyWeight = 0;                       // weight of LightPart::SkyDirection, as in light_model.h
     std::vector<const lod::DrawList*> sections; // one list per section plane of the view: all clusters near the plane
     SectionMemory* sectionMemory = nullptr;     // cached sections of the model
-    // the ground as a page with one cluster, which shows only shadows; null: no ground
+    // The ground plane as a page with one cluster, or null. The ground shows only shadows.
     const hierarchy::Page* ground = nullptr;
-    // Fraction of the background's light that a ground shadow removes, per channel. The default is the fraction of the
-    // sun's light.
+    // Fraction of the background's light that a shadow on the ground removes, per channel. The default is the sun's
+    // fraction of the light.
     std::optional<glm::vec3> groundShade;
-    // 255 for lit pixels; if not null, it replaces lookups in shadow maps
+    // If not null: 255 for each lit pixel. The image then uses this mask instead of shadow maps.
     const Raster<std::uint8_t>* litMask = nullptr;
-    // additional casters for drawExactly; the clusters of the image also cast shadows
+    // Additional casters for exact shadows. The clusters of the image also cast shadows.
     const lod::DrawList* exactCasters = nullptr;
-    // If drawExactly finds fewer lit pixels than this number, it shades with the headlight.
+    // Min number of lit pixels. If drawExactly finds fewer, it shades the image with the headlight.
     std::optional<std::uint64_t> minLitPixels;
-    // A ray-tracing scene of the image and exactCasters. If not null, drawExactly traces rays instead of rasterising
-    // casters.
+    // A ray-tracing scene of all casters for exact shadows, or null. If not null, drawExactly traces rays instead of
+    // testing each caster against the samples.
     const raytrace::CutScene* rays = nullptr;
     std::optional<ImageRows> rows; // rows to draw, if the backend has the capability `bands`; nullopt: all rows
-    // Tiles of the image to draw, if the backend supports this. Null means all tiles.
+    // The tiles of the image to draw, if the backend supports tiles. Null means all tiles.
     const shadow::TileMask* tiles = nullptr;
-    // true: skips parts of maps that no pixel looks up, and casters that cannot change a pixel; needs the capability
-    // `imageFirst`
+    // If true, the backend skips shadow map texels that no pixel reads, and casters that cannot change a pixel.
+    // Requires the capability `imageFirst`.
     bool cullsByReceivers = false;
 };
 
@@ -140,7 +140,7 @@ inline ImageRows rowsOf(const DrawInputs& frame) {
     return frame.rows.value_or(ImageRows{0, frame.plan->view.height});
 }
 
-/// The cost of all shadow passes, or of the image pass.
+/// The cost of drawing all shadow maps, or of drawing the image.
 struct PassStatistics {
     Milliseconds time; // wall-clock time, including the wait for the GPU
     std::uint64_t drawCalls = 0;
@@ -148,7 +148,7 @@ struct PassStatistics {
     std::optional<raster::OcclusionCounts> occlusion{}; // only for an image with occlusion culling
 };
 
-/// The numbers of casters that shadow maps drew, if receivers culled the casters.
+/// The numbers of clusters that receiver culling tested and that the shadow maps then drew.
 struct CulledCasters {
     std::uint64_t clustersTested = 0;
     std::uint64_t clustersKept = 0;
@@ -156,18 +156,18 @@ struct CulledCasters {
     std::uint64_t mapsDrawn = 0;
 };
 
-/// The cost of drawing a frame.
+/// The cost of drawing one frame.
 struct DrawStatistics {
     PassStatistics shadows;
     PassStatistics image;
     std::optional<CulledCasters> culled;         // only if receivers culled the casters
     std::optional<exact::ExactStatistics> exact; // only with exact shadows
-    // true: shaded with the headlight, because fewer pixels than `minLitPixels` were lit
+    // True if the image was shaded with the headlight, because fewer than `minLitPixels` pixels were lit.
     bool isHeadlit = false;
     Bytes deviceMemory; // memory of geometry and textures
 };
 
-/// The visible surface of a pixel.
+/// The surface that is visible at a pixel, and its lit state.
 struct SurfaceSample {
     glm::vec3 normal{0};       // normal of the triangle, towards the viewer; camera-relative space
     float partitionAndLit = 0; // partition + 1 + lit fraction / 2; -1 if the surface faces away from the light
@@ -176,22 +176,22 @@ struct SurfaceSample {
 
     bool isLitSide() const { return isSurface > 0 && partitionAndLit >= 0; }
 
-    /// Returns the index of the pass whose map was looked up, or -1 without a lookup.
+    /// Returns the index of the shadow map that the pixel used, or -1 if it used none.
     int partition() const { return static_cast<int>(partitionAndLit) - 1; }
 
-    /// Returns the lit fraction, from 0 to 1.
+    /// Returns the lit fraction of the pixel, from 0 to 1.
     float litFraction() const { return 2 * (partitionAndLit - std::floor(partitionAndLit)); }
 };
 
-/// The triangle of the model that a pixel shows.
+/// The triangle of the model that is visible at a pixel.
 struct SeenTriangle {
-    // kNone if the pixel shows no triangle of the model, but the background, the ground or the cap of a section
+    // kNone if the pixel shows no triangle of the model, but the background, the ground or the cap of a section.
     std::uint32_t page = hierarchy::kNone;
     std::uint32_t cluster = 0; // index in the page; `vertices` are also indices in the page
     std::array<std::uint32_t, 3> vertices{};
 };
 
-/// Draws frames: first the shadow maps of a frame, then its image. The functions that return results refer to the last
+/// Draws frames: first the shadow maps of a frame, then its image. All functions that return results refer to the last
 /// frame.
 class Backend {
 public:
@@ -202,53 +202,52 @@ public:
     Backend(Backend&&) = delete;
     Backend& operator=(Backend&&) = delete;
 
-    /// Returns the name for the log column `backend`: "osmesa", "egl", ...
+    /// Returns the backend's name for the log, for example "osmesa" or "egl".
     virtual std::string name() const = 0;
-    /// Draws the maps of all passes. Maps that the plan reuses stay unchanged. This function must be called first in
-    /// each frame, even in a frame without maps.
+    /// Draws all shadow maps of the frame, except maps that the plan reuses. This function must be called first in each
+    /// frame, even in a frame without maps.
     virtual PassStatistics drawShadowMaps(const DrawInputs& frame) = 0;
-    /// Draws the image. The shadows come from the maps or from the frame's `litMask`.
+    /// Draws the image of the frame. Shadows come from the shadow maps, or from `litMask` if it is not null.
     virtual PassStatistics drawImage(const DrawInputs& frame) = 0;
 
-    /// Returns the optional effects that the backend can draw.
+    /// Returns the optional effects that this backend supports.
     virtual plan::Capabilities capabilities() const { return plan::kOpenGlCapabilities; }
 
-    /// Returns the OpenGL name of the texture with the colours of the last frame, bottom row first. Returns 0 if the
-    /// backend draws into no texture.
+    /// Returns the OpenGL name of the texture with the colours of the last image, bottom row first. Returns 0 if the
+    /// backend does not draw into a texture.
     virtual std::uint32_t texture() const { return 0; }
 
-    /// Draws the image of a frame whose plan has exact shadows or rays. The function finds the visible points, computes
+    /// Draws the image of a frame with exact or ray-traced shadows. The function finds the visible points, computes
     /// their shadows, and shades each pixel once. Throws Error if the backend does not support exact shadows.
     virtual DrawStatistics drawExactly(const DrawInputs& frame);
 
-    /// Returns the memory of geometry and textures since the last frame.
+    /// Returns the memory of geometry and textures that the last frame used.
     virtual Bytes deviceMemory() const = 0;
 
-    /// Draws the maps and the image of a frame. The picture is the same with and without culling by receivers.
+    /// Draws the shadow maps and the image of a frame. Receiver culling does not change the image.
     virtual DrawStatistics draw(const DrawInputs& frame);
 
-    /// Returns the drawn rows of the image. The functions below also return these rows.
+    /// Returns the colours of the last image. This function and the functions below return only the drawn rows.
     virtual Picture picture() = 0;
-    /// Returns the light of the image before tone mapping, from which `picture` is computed. Requires a frame with
-    /// `wantsLight`.
+    /// Returns the light of the last image before tone mapping. Requires a frame with `wantsLight`.
     virtual LightPicture light() = 0;
-    /// Returns the number of pixels that are at least partly lit. Returns nullopt if counting would delay later frames.
-    /// With a GPU, a count is therefore available only for some frames.
+    /// Returns the number of pixels that are at least partly lit. Returns nullopt if counting would delay later frames,
+    /// so a GPU returns a count only for some frames.
     virtual std::optional<std::uint64_t> litPixels() = 0;
-    /// Returns the view depth per pixel, measured from the requested eye. Pixels without a visible surface have
+    /// Returns the view depth of each pixel, measured from the requested eye. Pixels without a visible surface have
     /// infinite depth.
     virtual FloatPicture viewDepth() = 0;
 
-    /// Returns the coverage of each pixel. If a transparent background has a ground, the coverage of a ground pixel is
-    /// the darkness of its shadow.
+    /// Returns the coverage (opacity) of each pixel. If the image has a transparent background and a ground, the
+    /// coverage of a ground pixel is the darkness of its shadow.
     virtual Coverage coverage() { return coverageOf(viewDepth()); }
 
-    /// Returns the whole depth texture of the shadow maps. Its rows are in memory order, row 0 first.
+    /// Returns the depth texture that contains all shadow maps, with row 0 first.
     virtual FloatPicture shadowDepth() = 0;
-    /// Returns the surface of each pixel. Requires a frame with `wantsSurfaces`.
+    /// Returns the visible surface of each pixel. Requires a frame with `wantsSurfaces`.
     virtual Raster<SurfaceSample> surfaces() = 0;
 
-    /// Returns the triangle that each pixel shows. Returns an empty raster if the backend lacks the capability
+    /// Returns the triangle that is visible at each pixel, or an empty raster if the backend lacks the capability
     /// `seesTriangles`.
     virtual Raster<SeenTriangle> seenTriangles() const { return {}; }
 };

@@ -1,4 +1,4 @@
-// Converts the clusters, the light and the sample grid of a frame to the input of exact shadows.
+// Prepares the input of exact shadows from a frame: the casters, the light and the visible points.
 #pragma once
 
 #include "exact/exact_shadows.h"
@@ -9,33 +9,33 @@
 
 namespace gnomon::render {
 
-/// Returns the values that all samples of a frame share: the light and the coordinate system.
+/// Returns the light, the eye and the coordinate system for the exact shadows of `frame`.
 exact::SampleSpace sampleSpace(const DrawInputs& frame);
 
-/// Returns the tolerance of exact shadows for `light`: two grid steps. A triangle that is nearer to a point than the
-/// tolerance does not shadow the point. The unit is that of exact::intersect.
+/// Returns the distance of two grid steps along `light`, in the units of exact::intersect. With exact shadows, a
+/// triangle nearer to a point than this distance does not shadow the point.
 std::uint32_t tolerance(const IntegerLight& light);
 
-/// Draws the visible triangles of `frame`, and adds the visible points that face the light to `samples`. Returns the
-/// same counts as drawVisible. The picture stays unchanged.
+/// Finds the visible triangles of `frame`, and adds the visible points that face the light to `samples`. If the plan
+/// uses occlusion culling, returns the numbers of skipped clusters and triangles. The picture stays unchanged.
 std::optional<raster::OcclusionCounts> collectSamples(
     const DrawInputs& frame, const ImageBuffers& buffers, exact::SampleList& samples, UnresolvedPixels& unresolved);
 
-/// Draws the image of `frame` as if all surfaces were in shadow, and stores all visible points in `points`. The points
-/// can then be tested against any light.
+/// Draws the image of `frame` as if all surfaces were in shadow, and stores all visible points in `points`. Shadows of
+/// these points can then be computed for any light.
 void drawPoints(const DrawInputs& frame, const ImageBuffers& buffers, exact::VisiblePoints& points);
 
-/// Collects all casters of exact shadows: first the clusters of the image pass in their order, then the other clusters
-/// of `frame.exactCasters`. Overwrites `casters`. If sections cut casters, the function adds the pieces of the other
-/// clusters to the pass. Otherwise a cluster of the image that sections cut casts the shadow of the whole cluster.
+/// Collects all casters of exact shadows into `casters`: first the clusters of the image in their order, then the other
+/// clusters of `frame.exactCasters`. If section planes cut casters, the function adds the cut pieces of the other
+/// clusters to `image`. Otherwise a cluster that section planes cut casts the shadow of the whole cluster.
 void gatherExactCasters(const DrawInputs& frame, SoftwarePass& image, std::vector<exact::Caster>& casters);
 
-/// Returns the homographies from the light plane to the cells of the sample grid, one per map of the plan. The list is
+/// Returns one homography per shadow map of the plan: from the light plane to the cells of the sample grid. The list is
 /// empty for a point light.
 std::vector<glm::dmat3> cellPlanes(const DrawInputs& frame, const exact::LightShear& shear);
 
-/// Computes the lit pixels of `frame` with the simple loops of exact::plainStatuses: 255 if lit, otherwise 0. The
-/// result is the ground truth for all backends. Casters are the clusters of `frame.image` and `frame.exactCasters`.
+/// Computes the lit pixels of `frame` by brute force with integers: 255 if lit, otherwise 0. The result is the ground
+/// truth for all backends. Casters are the clusters of `frame.image` and `frame.exactCasters`.
 Raster<std::uint8_t> litByIntegers(const DrawInputs& frame);
 
 } // namespace gnomon::render

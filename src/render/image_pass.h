@@ -1,5 +1,5 @@
-// The two steps of drawing an image: first the visible triangle of each pixel, then its colour. Shadows can be computed
-// between these steps, because the visible points are then known.
+// Draws an image in two steps: first the visible triangle of each pixel, then its colour. The shadows of the visible
+// points can be computed between these steps.
 #pragma once
 
 #include "render/software_pass.h"
@@ -9,8 +9,8 @@
 
 namespace gnomon::render {
 
-/// The buffers for drawing an image, all of the size of the frame. `words` is a visibility buffer in the format of
-/// VisibilityTarget.
+/// The buffers for drawing an image, all of the size of the frame. `words` is a visibility buffer (see
+/// VisibilityTarget).
 struct ImageBuffers {
     raster::Rasterizer* rasterizer = nullptr;
     SoftwarePass* pass = nullptr;
@@ -18,12 +18,12 @@ struct ImageBuffers {
     Picture* picture = nullptr;
 };
 
-/// Collects the clusters of the image in the pass, and fills `words` with the visible triangles. If the plan uses
-/// occlusion culling, returns its counts. Words outside the tiles of the frame stay unchanged.
+/// Draws the visible triangle of each pixel into `words`. If the plan uses occlusion culling, returns the numbers of
+/// skipped clusters and triangles. Pixels outside the tiles of the frame stay unchanged.
 std::optional<raster::OcclusionCounts> drawVisible(const DrawInputs& frame, const ImageBuffers& buffers);
 
-/// Shades each pixel of `target` on all cores. `words` is the visibility buffer. If the target has tiles, shades only
-/// these tiles.
+/// Shades the pixels of `target` on all cores. `words` is the visibility buffer. If the target has tiles, only these
+/// tiles are shaded.
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target);
 
 } // namespace gnomon::render

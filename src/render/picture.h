@@ -9,10 +9,10 @@
 
 namespace gnomon::render {
 
-/// A display-referred colour with 8 bits per channel.
+/// A colour for display with 8 bits per channel.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// A 2D array of pixels, with rows from top to bottom.
+/// A 2D array of pixels, row by row from top to bottom.
 template <class Pixel>
 struct Raster {
     int width = 0;
@@ -36,33 +36,34 @@ struct Raster {
 using Picture = Raster<Rgb>;
 using FloatPicture = Raster<float>;
 
-/// The coverage of each pixel; 255 is full coverage. A picture without coverage is opaque.
+/// The coverage (opacity) of each pixel, where 255 is full coverage. A picture without coverage is opaque.
 using Coverage = Raster<std::uint8_t>;
 
-/// Encodes `picture` as a PNG file, with `coverage` as alpha. Throws Error if the encoding fails.
+/// Encodes `picture` as a PNG file, with `coverage` as alpha channel. Throws Error if the encoding fails.
 std::vector<std::uint8_t> pngBytes(const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
 
-/// Writes an 8-bit RGB PNG, or RGBA with `coverage`. The file appears under `path` only when it is complete. Throws
-/// Error if writing fails.
+/// Writes `picture` as an 8-bit RGB PNG, or as RGBA if `coverage` is given. The file appears under `path` only when it
+/// is complete. Throws Error if writing fails.
 void writePng(const std::string& path, const Picture& picture, const std::optional<Coverage>& coverage = std::nullopt);
 
-/// Returns full coverage for pixels with a finite `depth`, and coverage 0 for all others.
+/// Returns the coverage of each pixel: full for a finite `depth`, otherwise 0.
 Coverage coverageOf(const FloatPicture& depth);
 
-/// Reads a PNG as 8-bit RGB without transparency. Throws Error if the file is not a valid PNG.
+/// Reads a PNG file as 8-bit RGB and ignores transparency. Throws Error if the file is not a valid PNG.
 Picture readPng(const std::string& path);
 
-/// Writes a one-channel little-endian PFM, whose rows are ordered from bottom to top. Throws Error if writing fails.
+/// Writes `picture` as a one-channel little-endian PFM file, with rows from bottom to top. Throws Error if writing
+/// fails.
 void writePfm(const std::string& path, const FloatPicture& picture);
 
-/// The difference of two pictures, as fractions of full scale.
+/// The difference of two pictures. All values are fractions of full scale.
 struct PictureDifference {
     double mean = 0;            // mean absolute difference over all pixels and channels
     double largest = 0;         // largest difference of a channel
     double changedFraction = 0; // fraction of pixels that differ by more than 2 of 255 levels in some channel
 };
 
-/// Computes the difference of two pictures. Throws Error if their sizes differ.
+/// Computes the difference of pictures `a` and `b`. Throws Error if their sizes differ.
 PictureDifference difference(const Picture& a, const Picture& b);
 
 /// A picture and the path of its file.
@@ -71,7 +72,8 @@ struct NamedPicture {
     Picture picture;
 };
 
-/// Throws Error if the mean difference between `picture` and `reference` exceeds `threshold`, a fraction of full scale.
+/// Throws Error if `picture` differs too much from `reference`. `threshold` is the max mean difference, as a fraction
+/// of full scale.
 void requireAlike(const NamedPicture& reference, const Picture& picture, double threshold);
 
 } // namespace gnomon::render

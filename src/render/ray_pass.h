@@ -1,4 +1,4 @@
-// Ray-traced shadows for the samples of exact shadows, with the same points and the same tolerance.
+// Computes the shadows of visible points by ray tracing. Points and tolerance are the same as for exact shadows.
 #pragma once
 
 #include "raytrace/kept_trees.h"
@@ -9,10 +9,9 @@
 
 namespace gnomon::render {
 
-/// Returns one status per sample of exact shadows. The status is exact::kDark if the ray towards the light hits a
-/// triangle of `scene` beyond the tolerance, otherwise exact::kLit. The triangle ids of samples refer to the clusters
-/// in `drawn`. Rays use the single precision of Embree, but an integer test ignores triangles in the plane of the
-/// sample.
+/// Computes the shadow of each sample by ray tracing. The result is exact::kDark if the ray to the light hits a
+/// triangle of `scene` beyond the tolerance, otherwise exact::kLit. Triangle ids of samples refer to the clusters in
+/// `drawn`. Rays use the single precision of Embree, but an integer test ignores triangles in the plane of the sample.
 std::vector<std::uint8_t> tracedStatuses(
     const DrawInputs& frame,
     const raytrace::CutScene& scene,

@@ -1,4 +1,4 @@
-// The input and output of the shading kernel: batches of pixels, batches of points, and the constants of a frame.
+// The input and output of the SIMD shading kernel: batches of pixels, batches of points, and the constants of a frame.
 #pragma once
 
 #include "shaders/shared/frame_block.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::render {
 
-/// A batch of pixels that are shaded together, with their input and their results.
+/// A batch of pixels that the SIMD kernel shades together, with input and results per pixel.
 struct PixelBatch {
     static constexpr std::size_t kMaxPixels = 128;
 
@@ -18,7 +18,7 @@ struct PixelBatch {
     template <class T>
     using Vectors = std::array<Values<T>, 3>;
 
-    /// Fills the last SIMD vector with copies of the last pixel.
+    /// Fills up the last SIMD vector with copies of the last pixel.
     void pad();
 
     std::size_t count = 0;
@@ -38,20 +38,21 @@ struct PixelBatch {
     Values<std::int32_t> pass{};   // index of the shadow map for the lookup; -1: none
     Values<std::int32_t> faces{};  // -1 if the surface faces the light, otherwise 0
     Values<std::uint32_t> color{}; // shaded 8-bit RGB, red in the low byte
-    // With LitSource::Awaited: the colour if the pixel is lit. `color` is then the colour in shadow.
+    // With LitSource::Awaited, `litColor` is the colour of the pixel if it is lit, and `color` is its colour in
+    // shadow.
     Values<std::uint32_t> litColor{};
     Vectors<float> light{}; // with `wantsLight`: the reflected light, linear RGB
-    // With LitSource::Unresolved: the barycentric weights of corners 1 and 2. `depth` is then the only other result.
+    // With LitSource::Unresolved: the barycentric weights of the visible point for corners 1 and 2. All other results
+    // except `depth` are then undefined.
     Values<float> second{}, third{};
-    // With LitSource::Awaited: the parameters of a lookup in map `pass` that follows when the map is drawn. They are
-    // the first and the last texel of the filter kernel (column and row of the depth texture), and the depth for the
-    // comparison.
+    // With LitSource::Awaited: the shadow map lookup to do when map `pass` is drawn. The parameters are the first and
+    // the last texel of the filter kernel (column and row of the depth texture), and the depth to compare.
     Values<std::int32_t> firstColumn{}, firstRow{}, lastColumn{}, lastRow{};
     Values<float> lookupDepth{};
 };
 
-/// A batch of points whose shadows are looked up in the maps. The kernel also computes entries after `count`, but their
-/// results are meaningless.
+/// A batch of points whose shadows are looked up in the shadow maps. The kernel also computes entries after `count`,
+/// but their results are meaningless.
 struct PointBatch {
     std::size_t count = 0;                   // at most PixelBatch::kMaxPixels
     PixelBatch::Vectors<float> position{};   // camera-relative space
@@ -60,12 +61,12 @@ struct PointBatch {
     PixelBatch::Values<std::int32_t> pass{}; // index of the shadow map for the lookup; -1: none
 };
 
-/// The source of a pixel's lit fraction. For Unresolved, the exact shadows are not computed yet, so the pixel receives
-/// no colour. For Awaited, the maps are not drawn yet, so the pixel receives both its lit colour and its colour in
-/// shadow.
+/// The source of a pixel's lit fraction. With Unresolved, exact shadows are computed later, so the pixel receives no
+/// colour yet. With Awaited, the shadow maps are drawn later, so the pixel receives both its lit colour and its colour
+/// in shadow.
 enum class LitSource : std::uint8_t { Everywhere, Maps, Mask, Unresolved, Awaited };
 
-/// The constants of a frame, which are the same for all pixels.
+/// The constants of a frame for the shading kernel. They are the same for all pixels.
 struct ShadingFrame {
     const block::Frame* frame = nullptr;
     const block::Shadows* shadows = nullptr;
@@ -73,14 +74,14 @@ struct ShadingFrame {
     int shadowWidth = 0;                // in texels
     LitSource litSource = LitSource::Everywhere;
     bool wantsLight = false;
-    // The primary ray through the image point (x, y), in pixels, starts at rayOriginCells (grid cells from the origin
-    // of camera-relative space). Its direction is first + x perX + y perY, which has view depth 1.
+    // The primary ray through the image point (x, y), in pixels. The ray starts at rayOriginCells, in grid cells from
+    // the origin of camera-relative space. Its direction is first + x perX + y perY, which has view depth 1.
     std::array<float, 3> rayOriginCells{};
     std::array<float, 3> rayFirst{};
     std::array<float, 3> rayPerX{};
     std::array<float, 3> rayPerY{};
-    // In an orthographic image, the ray through the image point (0, 0) starts at rayOriginCells. The starts of all
-    // other rays differ by originPerX and originPerY, in cells per pixel.
+    // In an orthographic image, the ray through the image point (0, 0) starts at rayOriginCells. From pixel to pixel,
+    // the start of the ray changes by originPerX and originPerY, in cells.
     bool isParallel = false;
     std::array<float, 3> originPerX{};
     std::array<float, 3> originPerY{};

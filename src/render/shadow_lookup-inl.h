@@ -1,5 +1,5 @@
-// The shadow map lookup, with one point per SIMD lane: selects the map and computes the lit fraction. Included once per
-// instruction set.
+// Shadow map lookups with one surface point per SIMD lane: selects the map and computes the lit fraction. Included
+// once per instruction set.
 #if defined(GNOMON_RENDER_SHADOW_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
 #undef GNOMON_RENDER_SHADOW_LOOKUP_INL_H
@@ -28,7 +28,8 @@ HWY_INLINE Ints sliceOf(const ShadingFrame& f, Floats z) {
     return slice;
 }
 
-/// Returns the index of the face partition that contains `p`, a position relative to the eye, in slice `slice`.
+/// Returns the index of the face partition (the part of the view at one side of the frustum) that contains `p`. `p` is
+/// a position relative to the eye, in slice `slice`.
 HWY_INLINE Ints faceOf(const ShadingFrame& f, const Vec3& p, Ints slice) {
     const block::Shadows& shadows = *f.shadows;
     const auto zero = hn::Zero(kFloats);
@@ -57,7 +58,7 @@ HWY_INLINE Ints passOf(const ShadingFrame& f, const Vec3& p, Floats z) {
 }
 
 constexpr int kPartitionFloats = sizeof(block::Partition) / sizeof(float);
-/// Returns the index of the first float of a member of block::Partition.
+/// The index of the first float of a member of block::Partition, if the struct is read as an array of floats.
 #define GNOMON_PARTITION_FLOAT(member) (offsetof(block::Partition, member) / sizeof(float))
 constexpr int kOrigin = GNOMON_PARTITION_FLOAT(origin);
 constexpr int kReach = GNOMON_PARTITION_FLOAT(reach);
@@ -74,7 +75,7 @@ constexpr int kLogRows = GNOMON_PARTITION_FLOAT(logRows);
 #undef GNOMON_PARTITION_FLOAT
 static_assert(offsetof(block::Partition, clipFromOffset) == 0);
 
-/// The parameters of the partition of each SIMD lane. With isUniform, all lanes have the same partition.
+/// The shadow map parameters of one point per SIMD lane. With isUniform, all lanes use the same map.
 template <bool isUniform>
 class PartitionLanes {
 public:
@@ -94,7 +95,8 @@ private:
     Ints offsets_;
 };
 
-/// Returns clip-space coordinate `row` of a position. `offset` is the position relative to the map's origin.
+/// Returns clip-space coordinate `row` of a point in a shadow map. `offset` is the position of the point relative to
+/// the map's origin.
 template <class Partition>
 HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& offset) {
     return hn::Add(
@@ -102,24 +104,24 @@ HWY_INLINE Floats clipCoordinate(const Partition& part, int row, const Vec3& off
         hn::Add(hn::Mul(part(8 + row), offset.z), part(12 + row)));
 }
 
-/// Returns true if the maps belong to a point light, with one partition per cube face.
+/// Returns true if the shadow maps belong to a point light. They then have one partition per cube face.
 HWY_INLINE bool isFromPoint(const ShadingFrame& f) {
     return f.frame->pointReach > 0;
 }
 
-/// Returns the lanes whose map has logarithmic rows.
+/// Returns a mask of the SIMD lanes whose shadow map has logarithmic rows.
 template <class Partition>
 HWY_INLINE Mask hasLogRows(const Partition& part) {
     return hn::Gt(part(kLogRows), hn::Zero(kFloats));
 }
 
-/// The clip-space coordinate w of a point, and 1 / w.
+/// The clip-space coordinate w of one point per SIMD lane, and 1 / w.
 struct ClipW {
     Floats w, inverse;
 };
 
-/// Returns the depth bias for a receiver at `offset`: the change of depth over half a texel and the filter kernel, for
-/// the receiver's plane and for a neighbouring surface that is steeper by kUnevenSlope.
+/// Returns the depth bias for a receiver at `offset`: the change of depth over half a texel and the filter kernel. The
+/// bias covers the receiver's plane, and a neighbouring surface that is steeper by kUnevenSlope.
 template <class Partition>
 HWY_INLINE Floats receiverBias(
     const ShadingFrame& f,
@@ -146,7 +148,7 @@ HWY_INLINE Floats receiverBias(
     return hn::Add(hn::Mul(hn::Add(hn::Mul(slope, grazing), uneven), part(kReach)), constant(6e-7F));
 }
 
-/// Returns the coordinate from which the row of the map is computed: y / w, or ln w for logarithmic rows.
+/// Returns the coordinate that determines the row in the shadow map: y / w, or ln w for logarithmic rows.
 template <class Partition>
 HWY_INLINE Floats alongRows(const Partition& part, Floats yOverW, Floats w) {
     const auto isLog = hasLogRows(part);
@@ -159,8 +161,8 @@ HWY_INLINE Floats between(Floats a, Floats b, Floats fraction) {
     return hn::Add(a, hn::Mul(fraction, hn::Sub(b, a)));
 }
 
-/// The input of a lookup: the filter kernel, a square of texels that starts at the floor of `startX` and `startY` and
-/// is clamped to the partition; and the depth for the comparison.
+/// The parameters of one shadow map lookup per SIMD lane. The filter kernel is a square of texels that starts at the
+/// floor of `startX` and `startY` and is clamped to the partition. `depth` is compared with the stored depths.
 struct LookupLanes {
     Floats startX, startY, depth;
 };
@@ -170,7 +172,7 @@ HWY_INLINE LookupLanes
 lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3& normal, Floats cosine) {
     const Vec3 offset = subtract(p, {part(kOrigin), part(kOrigin + 1), part(kOrigin + 2)});
     const auto w = clipCoordinate(part, 3, offset);
-    // No receiver should be in the plane w = 0. This test prevents a NaN.
+    // No receiver should be in the plane w = 0 of its shadow map. This test prevents a NaN.
     const auto isFinite = hn::Gt(hn::Abs(w), constant(1e-30F));
     const auto inverseW = inverse(hn::IfThenElse(isFinite, w, constant(1e-30F)));
     const auto texelOf = [&](int row) HWY_ATTR {
@@ -206,7 +208,7 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     const auto lowY = side(kFirstTexel + 1);
     const auto highX = hn::Sub(side(kEndTexel), one);
     const auto highY = hn::Sub(side(kEndTexel + 1), one);
-    // The result interpolates between two squares of texels that are one texel narrower than the kernel. The weight of
+    // The filter interpolates between two squares of texels that are one texel narrower than the kernel. The weight of
     // the outer texels is therefore a fraction, and a fully lit result is exactly 1.
     const int box = std::max(width - 1, 1);
     auto above = hn::Zero(kFloats);
@@ -230,7 +232,7 @@ HWY_INLINE Floats litFraction(const ShadingFrame& f, Ints pass, const Vec3& p, c
     return hn::Div(between(above, below, fractionY), constant(static_cast<float>(box * box)));
 }
 
-/// Surface points, one per SIMD lane.
+/// A visible surface point per SIMD lane.
 struct SurfaceLanes {
     Vec3 position, normal;
     Floats depth;  // view depth
@@ -238,7 +240,7 @@ struct SurfaceLanes {
     Mask faces;    // true: the cosine is greater than 0
 };
 
-/// Returns the index of the map for the cube face that contains the direction `fromLight`.
+/// Returns the index of the shadow map whose cube face contains the direction `fromLight` from the point light.
 HWY_INLINE Ints passOfCubeFace(const ShadingFrame& f, const Vec3& fromLight) {
     const auto x = hn::Abs(fromLight.x);
     const auto y = hn::Abs(fromLight.y);
@@ -254,16 +256,16 @@ HWY_INLINE Ints passOfCubeFace(const ShadingFrame& f, const Vec3& fromLight) {
     return hn::GatherIndex(kInts, &f.shadows->passOfPartition[0].x, face);
 }
 
-/// Returns the index of the map that each surface looks up. Returns -1 if there is no map or the surface faces away
-/// from the light.
+/// Returns the index of the shadow map for each surface point. The index is -1 if there is no map or the surface faces
+/// away from the light.
 HWY_INLINE Ints passOfSurface(const ShadingFrame& f, const SurfaceLanes& surface) {
     const auto pass = isFromPoint(f) ? passOfCubeFace(f, subtract(surface.position, constant(&f.frame->towardsLight.x)))
                                      : passOf(f, subtract(surface.position, constant(&f.frame->eye.x)), surface.depth);
     return hn::IfThenElse(hn::RebindMask(kInts, surface.faces), pass, hn::Set(kInts, -1));
 }
 
-/// Returns the lit fractions of surfaces that face the light, by lookups in the maps. `pass` receives the index of the
-/// map, or -1 for lanes without a lookup.
+/// Returns the lit fraction of surface points that face the light, by lookups in the shadow maps. `pass` receives the
+/// index of the map, or -1 for lanes without a lookup.
 HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
     pass = none;
@@ -282,8 +284,8 @@ HWY_INLINE Floats litByMaps(const ShadingFrame& f, const SurfaceLanes& surface, 
     return hn::IfThenElseZero(surface.faces, lit);
 }
 
-/// The parameters of lookups that follow when the maps are drawn: ranges of texels within the partition, and the depth
-/// for the comparison.
+/// The parameters of shadow map lookups that are done later, when the maps are drawn: ranges of texels within the
+/// partition, and the depths to compare.
 struct AwaitedLanes {
     Ints firstColumn = hn::Zero(kInts);
     Ints firstRow = hn::Zero(kInts);
@@ -312,8 +314,8 @@ HWY_INLINE AwaitedLanes awaitedAt(const ShadingFrame& f, Ints pass, const Surfac
         depth};
 }
 
-/// Returns the parameters of lookups that follow when the maps are drawn. `pass` receives -1 for lanes without a
-/// lookup, whose parameters are meaningless.
+/// Returns the parameters of shadow map lookups that are done later, when the maps are drawn. `pass` receives the index
+/// of the map, or -1 for lanes without a lookup, whose parameters are meaningless.
 HWY_INLINE AwaitedLanes awaitedLookups(const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass) {
     const auto none = hn::Set(kInts, -1);
     pass = none;

@@ -1,4 +1,4 @@
-// The shadow maps of a frame as pictures.
+// Extracts the shadow maps of a frame as depth pictures.
 #pragma once
 
 #include "render/backend.h"
@@ -8,14 +8,14 @@
 
 namespace gnomon::render {
 
-/// A picture of depths, and the path of its file.
+/// A depth picture and the path of the file to which it is written.
 struct NamedDepths {
     std::string path;
     FloatPicture depths;
 };
 
-/// Returns each map of `plan` as a picture. `backend` must have drawn the plan just before. The file name of a map
-/// contains its slice and face.
+/// Returns each shadow map of `plan` as a depth picture. `backend` must have drawn the plan just before. The file name
+/// of a map contains its slice and face.
 std::vector<NamedDepths> shadowMaps(const plan::FramePlan& plan, Backend& backend);
 
 } // namespace gnomon::render

@@ -1,4 +1,4 @@
-// The software backend: it rasterises the visible triangles, and then shades the visible pixels.
+// The software backend: rasterises the visible triangles on the CPU, and then shades the visible pixels.
 #pragma once
 
 #include "render/backend.h"

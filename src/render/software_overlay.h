@@ -1,4 +1,4 @@
-// The overlays on the CPU: the same operations and names as in shaders/image/overlay.glsl.
+// Paints overlays on the CPU, with the same operations and names as in shaders/image/overlay.glsl.
 #pragma once
 
 #include "render/software_pass.h"
@@ -8,13 +8,13 @@
 
 namespace gnomon::render {
 
-/// A shaded pixel on which an overlay is painted.
+/// A shaded pixel on which an overlay is painted, with its surface and its primary ray.
 struct PaintedPixel {
     glm::vec3 shaded{0};
     glm::vec3 position{0}; // camera-relative space
     float depth = 0;       // view depth
     int pass = -1;         // index of the shadow map of the lookup; -1: none
-    // start of the ray through the pixel's centre; originPerX and originPerY are its changes per pixel
+    // Start of the primary ray through the pixel's centre. originPerX and originPerY are the changes per pixel.
     glm::dvec3 rayOrigin{0};
     glm::dvec3 originPerX{0};
     glm::dvec3 originPerY{0};
@@ -27,11 +27,11 @@ struct PaintedPixel {
     const DrawnCluster* cluster = nullptr;
 };
 
-/// Paints the overlay of one frame. All threads can use the object.
+/// Paints the overlay of one frame. Several threads can use the same object.
 class SoftwareOverlay {
 public:
-    /// Prepares the painting. The blocks and `frame` must outlive this object. `clusters` are the drawn clusters of the
-    /// image.
+    /// Prepares the overlay of `frame`. The blocks and `frame` must outlive this object. `clusters` are the drawn
+    /// clusters of the image.
     SoftwareOverlay(
         const DrawInputs& frame,
         const block::Frame& block,
@@ -45,7 +45,7 @@ private:
     glm::vec3 residence(const DrawnCluster& cluster) const;
     float texelGrid(const PaintedPixel& pixel) const;
 
-    /// The error (in world units) and the colour index of a cluster, with the precision that the shaders decode.
+    /// The error (in world units) and the colour index of a cluster, with the same precision as in the shaders.
     struct ClusterMark {
         float error = 0;
         int tint = 0;
@@ -58,7 +58,7 @@ private:
     const DrawInputs* frame_;
     const block::Frame* block_;
     const block::Shadows* shadows_;
-    // The marks of all clusters, per page. Only overlays that show clusters fill this table.
+    // Error and colour index of each cluster, per page. The table is empty if the overlay does not show clusters.
     std::unordered_map<std::uint32_t, std::vector<ClusterMark>> marks_;
 };
 

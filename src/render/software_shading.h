@@ -1,5 +1,5 @@
-// Computes the image from the visibility buffer: collects the visible triangles for the shading kernel, and writes the
-// colours that the kernel returns.
+// Shades the visibility buffer on the CPU: collects batches of visible pixels, calls the SIMD shading kernel, and
+// writes the colours.
 #pragma once
 
 #include "exact/lookup_mask.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::render {
 
-/// Converts a packed colour of a PixelBatch to three bytes.
+/// Converts a colour that is packed into 32 bits (red in the low byte) to three bytes.
 constexpr Rgb unpacked(std::uint32_t color) {
     return {
         static_cast<std::uint8_t>(color),
@@ -20,7 +20,7 @@ constexpr Rgb unpacked(std::uint32_t color) {
         static_cast<std::uint8_t>(color >> 16U)};
 }
 
-/// The output for pixels whose exact shadow is computed later, before they are shaded.
+/// Output for exact shadows: the visible points whose shadow is computed before their pixels are shaded.
 struct UnresolvedPixels {
     exact::SampleList* samples = nullptr; // receives the visible points that face the light
     std::uint32_t tolerance = 0;          // tolerance of the samples, as in exact::intersect
@@ -29,45 +29,44 @@ struct UnresolvedPixels {
         nullptr; // if not null, receives all pixels instead of `samples`, also those that face away from the light
 };
 
-/// The output for pixels whose shadow maps are drawn later. `mask` receives the lookups that will follow. With
-/// `isLitLater`, the pixels are also listed, in any order. An entry has the pixel, its texel of the depth texture, the
-/// depth for the comparison, the lit colour in the format of PixelBatch, and whether the pixel counts as lit when light
-/// reaches it.
+/// Output for pixels whose shadow maps are drawn later. `mask` receives their shadow map lookups. With `isLitLater`,
+/// the pixels are also listed, in any order. An entry has the pixel, its texel of the depth texture, the depth for the
+/// comparison, the lit colour in the format of PixelBatch, and whether the pixel counts as lit when light reaches it.
 struct AwaitedPixels {
     exact::LookupMask* mask = nullptr;
     bool isLitLater = false;
-    // The arrays have memory for all pixels. Only the first `size` entries are valid.
+    // One entry per listed pixel. The arrays have memory for all pixels, but only the first `size` entries are valid.
     std::vector<std::uint32_t> pixels, texels, litColors;
     std::vector<float> depths;
     std::vector<std::uint8_t> counts;
     std::atomic<std::size_t> size{0};
 };
 
-/// The output buffers of shading. Rows are ordered from top to bottom. `surfaces` can be null.
+/// The output buffers of shading, with rows from top to bottom. `surfaces` can be null.
 struct ShadingTarget {
     Picture* picture = nullptr;
     Raster<SurfaceSample>* surfaces = nullptr;
-    // If not null, the visible points are only collected here, and all other outputs stay unchanged.
+    // If not null, shading only collects the visible points here. All other outputs stay unchanged.
     UnresolvedPixels* unresolved = nullptr;
-    // If not null, pixels are shaded as in shadow, and the pixels whose shadow maps are drawn later are collected here.
-    // A pixel that needs no map receives its final colour immediately.
+    // If not null, pixels are shaded as in shadow, and shadow map lookups for later are collected here. A pixel that
+    // needs no lookup receives its final colour immediately.
     AwaitedPixels* awaited = nullptr;
-    // receives the number of pixels that are known to be at least partly lit
+    // Receives the number of pixels that are known to be at least partly lit.
     std::atomic<std::uint64_t>* litPixels = nullptr;
     LightPicture* light = nullptr;           // with `wantsLight`: receives the light of `picture`
     const shadow::TileMask* tiles = nullptr; // the tiles to shade; null: all pixels
 };
 
-/// Tells when the shadows are computed relative to shading. Known: before it. Unresolved: after it, as exact shadows.
-/// Awaited: after it, when the shadow maps are drawn.
+/// When shadows are computed. Known: before shading. Unresolved: after the visible points are collected, as exact
+/// shadows. Awaited: after shading, by shadow maps that are drawn later.
 enum class Verdict : std::uint8_t { Known, Unresolved, Awaited };
 
-/// Shades one frame. All threads can shade boxes of the image in parallel.
+/// Shades one frame on the CPU. Several threads can shade different boxes of the image in parallel.
 class Shading {
 public:
     /// Prepares the shading of `frame`. All arguments must outlive this object. `shadowDepth` is the depth texture of
-    /// the maps; it is empty without maps. `clusters` are the drawn clusters of the image, to which triangle ids refer.
-    /// If `verdict` is Unresolved or Awaited, each ShadingTarget must have a non-null `unresolved` or `awaited`.
+    /// the shadow maps, or empty without maps. `clusters` are the drawn clusters of the image, to which triangle ids
+    /// refer. If `verdict` is Unresolved or Awaited, each ShadingTarget must have a non-null `unresolved` or `awaited`.
     Shading(
         const DrawInputs& frame,
         const glm::dmat4& clipFromDraw,
@@ -81,14 +80,14 @@ public:
     Shading& operator=(Shading&&) = delete;
     ~Shading() = default;
 
-    /// Shades each pixel of `box`. `words` is the visibility buffer, which contains the same rows as the target. The
-    /// rows of `box` are counted from the bottom of the image.
+    /// Shades each pixel of `box`, whose rows are counted from the bottom of the image. `words` is the visibility
+    /// buffer, with the same rows as the target.
     void shade(const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const;
 
-    /// Returns the image rows that each target contains.
+    /// Returns the rows of the image that each target contains.
     ImageRows rows() const { return rows_; }
 
-    /// Returns the constants of the frame for the shading kernel.
+    /// Returns the constants of the frame for the SIMD shading kernel.
     const ShadingFrame& frame() const { return shared_; }
 
 private:
@@ -110,7 +109,8 @@ private:
     std::array<float, 3> lightOfCap(const Rgb& color) const;
     std::array<float, 3> lightOfGround(float lit) const;
 
-    /// Returns the row of a target that contains row `row` of the image, which is counted from the bottom.
+    /// Returns the row of a target, counted from the top, that contains row `row` of the image, counted from the
+    /// bottom.
     int fromTop(int row) const { return rows_.first + rows_.count - 1 - row; }
 
     bool isGround(const Work& work, std::size_t i) const;

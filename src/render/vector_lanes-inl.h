@@ -56,7 +56,7 @@ HWY_INLINE Floats naturalLog(Floats value) {
     auto series = constant(2.0F / 9);
     for (const float term : {2.0F / 7, 2.0F / 5, 2.0F / 3, 2.0F})
         series = hn::Add(hn::Mul(series, square), constant(term));
-    // The product of an exponent and the upper part of ln 2 is exact.
+    // The upper part of ln 2 has so few bits that its product with an exponent is exact.
     const auto e = toFloats(exponent);
     const auto low = hn::Add(hn::Mul(s, series), hn::Mul(e, constant(-2.12194440e-4F)));
     return hn::Add(hn::Mul(e, constant(0.693359375F)), low);
@@ -97,13 +97,13 @@ HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
         hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// Returns `a` or its opposite: the vector whose dot product with `towards` is not negative.
+/// Returns `a` or -`a`: the vector whose dot product with `towards` is not negative.
 HWY_INLINE Vec3 turned(const Vec3& a, const Vec3& towards) {
     const auto isAway = hn::Lt(dot(a, towards), hn::Zero(kFloats));
     return choose(isAway, {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)}, a);
 }
 
-/// Returns `a` with unit length, or `otherwise` if its length is 0.
+/// Returns `a` scaled to unit length, or `otherwise` if the length of `a` is 0.
 HWY_INLINE Vec3 normalizedOr(const Vec3& a, const Vec3& otherwise) {
     const auto square = dot(a, a);
     const auto hasLength = hn::Gt(square, hn::Zero(kFloats));

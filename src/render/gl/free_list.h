@@ -1,4 +1,4 @@
-// First-fit allocation of ranges of units from a buffer of fixed size.
+// A first-fit allocator for ranges of a buffer of fixed size.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace gnomon::render {
 
-/// An allocator that stores the free ranges, sorted by offset. A released range is merged with adjacent free ranges.
+/// A first-fit allocator that stores the free ranges of a buffer, sorted by offset. A released range is merged with
+/// adjacent free ranges.
 class FreeList {
 public:
     FreeList() = default;
@@ -19,7 +20,7 @@ public:
     /// Allocates `units` units and returns their offset, or nullopt if no free range is large enough.
     std::optional<std::size_t> take(std::size_t units);
 
-    /// Frees a range that `take` returned.
+    /// Frees a range that `take` allocated.
     void release(std::size_t offset, std::size_t units);
 
 private:

@@ -1,5 +1,5 @@
-// A cache of pages in GL memory. The positions, attributes and indices of all pages are in a few large buffers, whose
-// total size is limited.
+// A cache of decoded pages in GPU memory. A few large GL buffers of limited total size contain the positions,
+// attributes and indices of all pages.
 #pragma once
 
 #include "core/units.h"
@@ -18,51 +18,53 @@
 
 namespace gnomon::render {
 
-/// The place of a page in the pool. A chunk is one GL buffer of the pool.
+/// The location of a page in the geometry pool. A chunk is one GL buffer of the pool.
 struct PagePlace {
     std::size_t chunk = 0;
     GLint baseVertex = 0;
     GLuint firstIndex = 0; // number of indices from the start of the chunk's buffer
 };
 
-/// Returns the base vertex for the indices of `cluster`: the last multiple of 2^15 that is not above the cluster's
-/// first vertex. Relative to it, 16-bit indices are sufficient for pages of any size.
+/// Returns the base vertex of the draw call for `cluster`: the last multiple of 2^15 that is not above the cluster's
+/// first vertex. Relative to this base, 16-bit indices are sufficient for pages of any size.
 constexpr std::uint32_t indexBase(const hierarchy::Cluster& cluster) {
     constexpr std::uint32_t kBlock = 1U << 15U;
     return cluster.firstVertex / kBlock * kBlock;
 }
 
-/// A cache of pages in GL memory that evicts the least recently used page. A chunk is one GL buffer. It contains first
-/// the positions of all vertices, which are sufficient for shadow maps, then their attributes, and then indices.
+/// A cache of pages in GPU memory that evicts the least recently used page. The cache consists of GL buffers called
+/// chunks. A chunk contains first the positions of all vertices, which are sufficient for shadow maps, then their
+/// attributes, and then indices.
 class GeometryPool {
 public:
-    /// Creates a pool whose buffers never exceed `cap`. Buffers are created on demand. Within limits, a new buffer is
-    /// as large as all earlier buffers together. Pages are uploaded through the ring buffer `staging`.
+    /// Creates a pool whose buffers never exceed `cap` in total. Buffers are created on demand. A new buffer is as
+    /// large as all earlier buffers together, within limits. Pages are uploaded through the ring buffer `staging`.
     GeometryPool(const gl::Api& api, gl::MappedRing& staging, Bytes cap);
 
-    /// Changes the limit of the pool, and immediately evicts pages until the limit is met. The caller must have issued
-    /// all draws with these pages.
+    /// Changes the size limit of the pool to `cap`, and immediately evicts pages until the pool is small enough. The
+    /// caller must have issued all draw calls that use these pages.
     void keepUnder(Bytes cap);
 
-    /// Returns the place of `page` if it is in the pool, and marks it as used.
+    /// Returns the location of `page` in the pool, and marks it as recently used. Returns nullopt if the page is not in
+    /// the pool.
     std::optional<PagePlace> find(std::uint32_t page);
 
-    /// A page to insert.
+    /// A page to insert into the pool.
     struct NewPage {
         std::uint32_t id = 0;
         const hierarchy::Page* page = nullptr;
     };
 
-    /// Inserts pages of `pages` in order, as far as they fit without eviction. The pages must be distinct and not in
-    /// the pool. All worker threads write to the staging memory, one segment at a time.
+    /// Inserts `pages` in order, until a page needs an eviction. The pages must be distinct and not in the pool. All
+    /// worker threads write to the staging memory, one segment at a time.
     void insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid);
 
-    /// Inserts `page`. Returns nullopt if the pool has no free memory for the page; the caller then calls
-    /// `evictOldest`. Throws Error if the page alone exceeds the limit.
+    /// Inserts `page`. Returns nullopt if the pool has no free memory for the page. The caller must then call
+    /// `evictOldest`. Throws Error if the page alone exceeds the size limit.
     std::optional<PagePlace> insert(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
 
-    /// Evicts the least recently used page. Returns false if the pool is empty. The caller must have issued all draws
-    /// with this page.
+    /// Evicts the least recently used page. Returns false if the pool is empty. The caller must have issued all draw
+    /// calls that use this page.
     bool evictOldest();
 
     /// Returns the vertex array object of a chunk, with positions and attributes, or with positions only.
@@ -72,7 +74,7 @@ public:
 
     std::size_t chunkCount() const { return chunks_.size(); }
 
-    /// Returns the total size of all buffers.
+    /// Returns the total size of all GL buffers of the pool.
     Bytes size() const;
 
 private:
@@ -81,7 +83,7 @@ private:
         std::size_t indices = 0;
     };
 
-    /// The byte offsets of the parts of a page in the buffer of its chunk.
+    /// Byte offsets of a page's positions, attributes and indices in the GL buffer.
     struct PageOffsets {
         std::size_t positions = 0;
         std::size_t attributes = 0;
@@ -105,7 +107,7 @@ private:
         PageSize size;
     };
 
-    /// A page with its place in the pool and its ranges of staging memory.
+    /// A page during its upload: its location in the pool and its ranges of staging memory.
     struct Staged {
         NewPage page;
         PagePlace place;
@@ -129,20 +131,20 @@ private:
     std::unordered_map<std::uint32_t, std::list<Entry>::iterator> entries_;
 };
 
-/// A vertex in the layout of the shaders. Two fields differ from the vertex of the page. The top bits of the position
-/// store the three bits of the cluster's colour index. The alpha of the colour stores the cluster's stored error,
-/// rounded up.
+/// A vertex in the layout of the shaders. Two fields differ from the stored vertex. The top bits of the position
+/// contain the three bits of the cluster's colour index. The alpha of the colour contains the cluster's error, rounded
+/// up.
 using PackedVertex = hierarchy::Vertex;
 
-/// Returns the vertices of `page` for the GPU. `page` must be valid.
+/// Converts the vertices of `page` to the layout of the shaders. `page` must be valid.
 std::vector<PackedVertex> packedVertices(std::uint32_t id, const hierarchy::Page& page, const hierarchy::Grid& grid);
 
-/// Returns the indices of `page` for the GPU, three per triangle. Indices are relative to the result of `indexBase` for
-/// their cluster.
+/// Returns the vertex indices of `page` for the GPU, three per triangle. The indices of a cluster are relative to
+/// `indexBase` of the cluster.
 std::vector<std::uint16_t> packedIndices(const hierarchy::Page& page);
 
-/// Returns the error of a cluster compared with the source, in world units: the stored error of its refinement, or on
-/// level 0 the error by snapping to the grid.
+/// Returns the error of `cluster` compared with the source mesh, in world units. On level 0, this is the error by
+/// rounding vertices to the grid. On other levels, it is the stored error of the finer group that the cluster replaces.
 double storedError(const hierarchy::Page& page, const hierarchy::Cluster& cluster, const hierarchy::Grid& grid);
 
 } // namespace gnomon::render

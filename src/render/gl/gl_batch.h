@@ -1,4 +1,4 @@
-// The draws of one OpenGL pass, collected per chunk (GL buffer) of the geometry pool and issued together.
+// The draw calls of one OpenGL pass. They are collected per GL buffer and issued together.
 #pragma once
 
 #include "gl/api.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::render {
 
-/// One indirect draw in the layout of OpenGL 4.5, section 10.3.10.
+/// The parameters of one indirect draw, in the layout of OpenGL 4.5, section 10.3.10.
 struct DrawCommand {
     GLuint count = 0;
     GLuint instanceCount = 1;
@@ -19,8 +19,8 @@ struct DrawCommand {
     GLuint baseInstance = 0;
 };
 
-/// Appends the draws of a range of clusters of `page` to `commands`. The page is at `place` in the geometry pool.
-/// Clusters with different base vertices (`indexBase`) need separate draws.
+/// Appends the indirect draws of the clusters `range` of `page` to `commands`. The page is at `place` in the geometry
+/// pool. Clusters with different base vertices (`indexBase`) need separate draws.
 void appendCommands(
     std::vector<DrawCommand>& commands,
     const PagePlace& place,
@@ -29,16 +29,17 @@ void appendCommands(
 
 class GlBatch {
 public:
-    /// Creates an empty batch. `withAttributes` is true for drawing surfaces, and false for drawing only depth. The
-    /// draw commands are written to the ring `commands`.
+    /// Creates an empty batch of draws. `withAttributes` is true for drawing surfaces, and false for drawing only
+    /// depth. `commands` is the ring buffer to which the draws are written.
     GlBatch(const gl::Api& api, gl::MappedRing& commands, bool withAttributes)
         : api_(&api), commands_(&commands), withAttributes_(withAttributes) {}
 
-    /// Adds a range of clusters of `page`, which is at `place` in the geometry pool.
+    /// Adds the draws of the clusters `range` of `page`. The page is at `place` in the geometry pool.
     void add(const PagePlace& place, const hierarchy::Page& page, const lod::ClusterRange& range);
 
-    /// Issues all draws with one indirect call per chunk, or with more calls if the ring is too small. Returns the
-    /// number of draws. If `waits`, the function waits for each call before it issues the next call.
+    /// Issues all collected draws and returns their number. Each GL buffer needs one indirect call, or more calls if
+    /// the ring buffer is too small. If `waits` is true, the function waits for each call before it issues the next
+    /// call.
     std::uint64_t flush(const GeometryPool& pool, bool waits);
 
 private:

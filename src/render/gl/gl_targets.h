@@ -1,4 +1,4 @@
-// The textures that OpenGL draws into. They are created on demand, and can be read back as pictures.
+// The textures that OpenGL draws into. They are created on demand and can be read back as pictures.
 #pragma once
 
 #include "core/units.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::render {
 
-/// Flips `raster` vertically, because the first row of OpenGL is the bottom row.
+/// Flips `raster` vertically, because the first row of an OpenGL image is the bottom row.
 template <class Pixel>
 void flipRows(Raster<Pixel>& raster) {
     const auto width = static_cast<std::ptrdiff_t>(raster.width);
@@ -22,41 +22,42 @@ void flipRows(Raster<Pixel>& raster) {
     }
 }
 
-/// The render targets of a frame. All functions except `bytes` and `prepare` require a frame for which `prepare` was
-/// called. The texture of the maps can be larger than the plan requires, so that it need not be created again when
-/// plans change. The maps are in its first columns and rows.
+/// The textures that a frame draws into. Call `prepare` for the frame before any other function except `bytes`. The
+/// depth texture of the shadow maps can be larger than the plan requires, so that changed plans do not need a new
+/// texture. The maps are in its first columns and rows.
 class GlTargets {
 public:
-    /// Returns the memory of the textures that exist after `prepare` for `frame`.
+    /// Returns the memory that the textures will use after `prepare` for `frame`.
     Bytes bytes(const DrawInputs& frame) const;
 
-    /// Creates the missing textures for `frame`. Throws Error if a texture exceeds the max size of OpenGL.
+    /// Creates the textures that `frame` needs and that do not exist. Throws Error if a texture exceeds the max size of
+    /// OpenGL.
     void prepare(const gl::Context& context, const DrawInputs& frame);
 
     /// Returns the colour texture of the image.
     const gl::Texture& color() const { return image_->color; }
 
-    /// Returns the framebuffer with colour and reversed depth, and with normals and positions if surfaces are
-    /// requested.
+    /// Returns the framebuffer of the image, with colour and reversed depth. If surfaces are requested, it also has
+    /// normals and positions.
     GLuint imageFramebuffer() const { return image_->framebuffer.id(); }
 
     bool hasShadowMaps() const { return shadow_.has_value(); }
 
-    /// Returns the depth texture of all shadow maps.
+    /// Returns the depth texture that contains all shadow maps.
     const gl::Texture& shadowMaps() const { return shadow_->depth; }
 
     GLuint shadowFramebuffer() const { return shadow_->framebuffer.id(); }
 
     Picture picture() const;
 
-    /// Returns the light of the image, of a frame with `wantsLight`.
+    /// Returns the light of each pixel. Requires a frame with `wantsLight`.
     LightPicture light() const;
 
-    /// Returns the view depths of the image. `meaning` converts its stored depths. Pixels where nothing was drawn have
-    /// infinite depth.
+    /// Returns the view depth of each pixel, or infinity where nothing was drawn. `meaning` converts stored depths to
+    /// view depths.
     FloatPicture viewDepth(const ImageDepth& meaning) const;
 
-    /// Returns the depths of the shadow maps, lowest row first. The result is empty without shadow maps.
+    /// Returns the depths of all shadow maps, lowest row first, or an empty raster without shadow maps.
     FloatPicture shadowDepth() const;
 
     Raster<SurfaceSample> surfaces() const;

@@ -11,17 +11,17 @@
 
 namespace gnomon::render {
 
-/// A counter of the pixels that the image's shader marked as lit. It uses an occlusion query.
+/// Counts the lit pixels of an image with an occlusion query. The shader of the image has marked these pixels.
 class LitCount {
 public:
     LitCount(const gl::Api& api, const gl::ShaderLibrary& shaders);
 
-    /// Returns the number of lit pixels of `image`. The draw commands of the image must have been issued. Waits for the
-    /// GPU.
+    /// Returns the number of lit pixels of `image`, and waits for the GPU. The draw calls of the image must have been
+    /// issued.
     std::uint64_t of(const gl::Texture& image);
 
-    /// Counts the lit pixels of some images without waiting for the GPU. The count is returned in the call for a later
-    /// image. Returns nullopt if no new count is available, or if the counted image had other `shading` than `image`.
+    /// Counts the lit pixels of every few images without waiting for the GPU. The call for a later image returns the
+    /// count. Returns nullopt if no new count is available, or if the counted image had other `shading` than `image`.
     std::optional<std::uint64_t> nowAndThen(const gl::Texture& image, plan::Shading shading);
 
 private:

@@ -1,4 +1,5 @@
-// The SIMD version of light_model.h, with the same operations in the same order. Included once per instruction set.
+// The SIMD version of light_model.h: computes the light and the displayed colour of surfaces. The operations have the
+// same order. Included once per instruction set.
 #if defined(GNOMON_RENDER_LIGHT_LIGHT_MODEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RENDER_LIGHT_LIGHT_MODEL_INL_H
 #undef GNOMON_RENDER_LIGHT_LIGHT_MODEL_INL_H
@@ -47,7 +48,7 @@ HWY_INLINE Vec3 reflected(const Vec3& albedo, const Vec3& light) {
     return {hn::Mul(albedo.x, light.x), hn::Mul(albedo.y, light.y), hn::Mul(albedo.z, light.z)};
 }
 
-/// Returns the displayed colour of a surface that reflects the linear light `light`.
+/// Returns the displayed colour for linear light `light`, after tone mapping.
 HWY_INLINE Vec3 displayed(const block::Frame& frame, const Vec3& light) {
     return {
         displayFromLinear(toneMapped(frame, light.x)),
@@ -55,7 +56,7 @@ HWY_INLINE Vec3 displayed(const block::Frame& frame, const Vec3& light) {
         displayFromLinear(toneMapped(frame, light.z))};
 }
 
-/// Returns the light that a surface receives from all sources except the sun.
+/// Returns the light that a surface receives from all light sources except the sun.
 HWY_INLINE Vec3 ambientLight(const block::Frame& frame, const Vec3& normal, const Vec3& eyeDirection) {
     const auto cosine = dot(normal, eyeDirection);
     const auto facing = hn::Mul(constant(frame.headlight), hn::Mul(cosine, cosine));

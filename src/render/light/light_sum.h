@@ -1,5 +1,4 @@
-// Sums the light of frames, and computes the picture of their mean. Antialiasing, penumbrae and sky light are such
-// means.
+// Sums the light of several frames and computes the mean image. Such means give antialiasing, penumbrae and skylight.
 #pragma once
 
 #include "render/backend.h"
@@ -11,20 +10,20 @@
 
 namespace gnomon::render {
 
-/// Parameters for the conversion of mean linear light to a picture.
+/// Parameters for converting the mean linear light of several frames to a picture.
 struct ToneMapping {
     bool isToneMapped = true; // true: tone mapping is applied, as in block::Frame
-    // true: the background is transparent, so a partly covered pixel has the colour of its surface only
+    // True if the background is transparent. A partly covered pixel then has the colour of its surface only.
     bool isTransparent = false;
     std::vector<Rgb> backgroundRows; // colour per row, from top to bottom
     bool hasGround = false;          // true: shadows on the ground can darken the background
 };
 
-/// Returns the parameters for pictures of `frame`.
+/// Returns the parameters for converting the light of `frame` to a picture.
 ToneMapping toneMappingOf(const DrawInputs& frame);
 
-/// Adds the light of `other` to `light`, for pixels where both have a surface. For pixels where neither has a surface,
-/// adds the fractions that ground shadows remove.
+/// Adds the light of `other` to `light` for pixels where both images have a surface. Where neither has a surface, the
+/// function adds the fractions that ground shadows remove.
 void addLight(LightPicture& light, const LightPicture& other);
 
 /// A sum of the light of frames of equal size, before tone mapping. Light is stored in units of 2^-20 of full scale,
@@ -40,29 +39,29 @@ class LightSum {
 public:
     static constexpr int kMaxPictures = 65535;
 
-    /// Returns the peak memory for an image with `pixels` pixels: the sums, the light of a frame, and copies. A ground
-    /// and sky light need additional memory.
+    /// Returns the peak memory of a light sum for an image with `pixels` pixels, including the light of one frame and
+    /// copies. A ground and skylight need additional memory.
     static Bytes bytes(std::uint64_t pixels, bool hasGround, bool hasSky);
 
-    /// Clears the sum and frees its memory. With `hasGround`, the light that ground shadows remove is also summed. The
-    /// frames contain the rows of the image from `firstRow` on, counted from the bottom.
+    /// Clears the sum and frees its memory. If `hasGround`, the sum includes the light that ground shadows remove.
+    /// Frames contain the rows of the image from `firstRow` on, counted from the bottom.
     void reset(bool hasGround = false, int firstRow = 0);
 
-    /// Adds a frame. All frames must have the same size, and at most kMaxPictures frames can be added. With `tiles`,
-    /// adds only the pixels in these tiles. All later frames must then have the same tiles.
+    /// Adds the light of one frame. All frames must have the same size, and at most kMaxPictures frames can be added.
+    /// With `tiles`, only the pixels in these tiles are added. All later frames must then have the same tiles.
     void add(const LightPicture& light, const shadow::TileMask* tiles = nullptr);
 
-    /// Returns the number of added frames, including frames with tiles.
+    /// Returns the number of added frames, including frames of which only tiles were added.
     int count() const { return count_; }
 
-    /// Returns the mean light of each pixel, over the frames in which a surface covers the pixel.
+    /// Returns the mean light of each pixel over all frames in which a surface covers the pixel.
     LightPicture mean() const;
 
-    /// Returns the picture of the mean. At least one frame must have been added. `shown` has the background of all rows
-    /// of the whole image. If all frames are equal, the picture is the picture of each frame.
+    /// Returns the picture of the mean light. At least one frame must have been added. `shown` contains the background
+    /// of all rows of the image. If all frames are equal, the result equals the picture of one frame.
     Picture picture(const ToneMapping& shown) const;
 
-    /// Returns the coverage of each pixel: the fraction of the frames in which a surface covers the pixel.
+    /// Returns the coverage of each pixel: the fraction of frames in which a surface covers the pixel.
     Coverage coverage() const;
 
 private:

@@ -1,4 +1,4 @@
-// The overlays: visualisations that are painted over an image.
+// The overlays: visualisations of shadows and levels of detail that are painted over an image.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ namespace gnomon::render {
 /// - Residency shows clusters that are coarser than requested, because finer pages are not in memory.
 enum class Overlay : std::uint8_t { None, Partitions, Texels, Aliasing, Lod, Clusters, Projection, Residency };
 
-/// An overlay with its name on the command line and its title.
+/// An overlay, its name on the command line, and its title in the window.
 struct NamedOverlay {
     Overlay value;
     const char* word;
     const char* title;
 };
 
-/// All overlays in the order of the window's menu.
+/// All overlays, in the order of the window's menu.
 inline constexpr std::array kOverlays = {
     NamedOverlay{Overlay::None, "none", "none"},
     NamedOverlay{Overlay::Partitions, "partitions", "partitions"},
@@ -38,7 +38,7 @@ constexpr bool isOfMaps(Overlay overlay) {
            overlay == Overlay::Projection;
 }
 
-/// Returns the title of `overlay`.
+/// Returns the title of `overlay` for display.
 constexpr const char* title(Overlay overlay) {
     for (const NamedOverlay& each : kOverlays)
         if (each.value == overlay) return each.title;

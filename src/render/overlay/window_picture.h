@@ -1,4 +1,4 @@
-// A picture in the pixel format of windows.
+// A picture in the pixel format that window systems require.
 #pragma once
 
 #include "render/picture.h"
@@ -7,7 +7,8 @@
 
 namespace gnomon::render {
 
-/// One 32-bit word per pixel: 255, red, green and blue from the highest to the lowest byte, as window systems require.
+/// A picture with one 32-bit word per pixel: 255, red, green and blue from the highest to the lowest byte. Window
+/// systems require this format.
 using WindowPicture = Raster<std::uint32_t>;
 
 /// Converts `picture` to the pixel format of windows. The result overwrites `words` and reuses its memory.

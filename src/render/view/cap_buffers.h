@@ -1,11 +1,11 @@
-// Buffers for drawing the intersection lines of a section plane, from which the caps of the section are filled.
+// Buffers for the cap of a section plane: the filled cut that closes a solid model where the plane cuts it.
 #pragma once
 
 #include "render/picture.h"
 
 namespace gnomon::render {
 
-/// The part of a section's cap that a pixel shows.
+/// The part of a section's cap that is visible at a pixel.
 enum class CapKind : std::uint8_t {
     None,
     Solid,    // the inside of a closed surface
@@ -13,7 +13,8 @@ enum class CapKind : std::uint8_t {
     OpenEdge, // intersection of the plane with an open surface
 };
 
-/// The buffers for the lines of one section plane in the image. Before each plane, all values are 0.
+/// The intersection lines of one section plane with the model, drawn into an image. Before each plane, all values are
+/// 0.
 struct CapBuffers {
     Raster<int> windings; // change of the winding number along a row
     Raster<CapKind> kinds;

@@ -1,5 +1,5 @@
-// Finds the closed lines among the intersection lines of a plane and a model. All lines count as closed, except a set
-// of lines with the min total length.
+// Finds closed outlines among the intersection lines of a plane and a model. Only lines that cannot be connected to a
+// closed outline stay open.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,4 +1,4 @@
-// The triangle ids in a visibility buffer. An id identifies a cluster of a pass and a triangle in this cluster.
+// The triangle ids in a visibility buffer. An id identifies a cluster of the image and a triangle in this cluster.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -6,11 +6,12 @@
 
 namespace gnomon::render {
 
-/// A triangle id has the index of the drawn cluster in its high bits and the index of the triangle in its low bits.
+/// Number of low bits of a triangle id, which store the index of the triangle in its cluster. The high bits store the
+/// index of the drawn cluster.
 constexpr unsigned kTriangleBits = 8;
 static_assert(raster::kMaxClusterTriangles == 1U << kTriangleBits);
 
-/// A cluster of a pass, with the data that shading needs.
+/// A drawn cluster with its vertices and triangles for shading.
 struct DrawnCluster {
     const hierarchy::Vertex* vertices = nullptr;
     const hierarchy::Triangle* triangles = nullptr;
@@ -18,11 +19,12 @@ struct DrawnCluster {
     std::uint32_t pageId = 0;
     std::uint32_t cluster = 0; // index in the page
     bool isGround = false;
-    // true: the cluster consists of pieces of cut triangles; `triangles` then has the original triangle of each piece
+    // True if the cluster consists of pieces of cut triangles. `triangles` then contains the original triangle of each
+    // piece.
     bool isPiece = false;
 };
 
-/// Returns the entry for a whole cluster of a page.
+/// Returns the entry for a whole cluster, the cluster `index` of the page `page` with the id `id`.
 inline DrawnCluster drawnCluster(const hierarchy::Page& page, std::uint32_t id, std::uint32_t index) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     return {

@@ -1,4 +1,4 @@
-// Clips a model's triangles by planes. The corners of the results are on the grid.
+// Clips triangles of a model by section planes. The corners of the results are rounded to the grid.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxSections = 6;
 
 glm::dvec3 gridCellOf(const hierarchy::GridPoint& point);
 
-/// A convex polygon of grid points: a triangle clipped by at most kMaxSections planes.
+/// A convex polygon with corners on the grid: a triangle clipped by at most kMaxSections planes.
 struct GridPolygon {
     std::array<glm::dvec3, 3 + kMaxSections> corners{};
     std::size_t size = 0;
@@ -23,8 +23,8 @@ struct GridPolygon {
     void add(const glm::dvec3& corner) { corners.at(size++) = corner; }
 };
 
-/// Returns the part of `polygon` whose distance to `plane`, in cells, is at least 0. New corners are rounded to the
-/// grid. Both triangles of a common edge compute the same corner.
+/// Clips `polygon` by `plane` and returns the part whose distance to the plane is at least 0. New corners are rounded
+/// to the grid. Two triangles with a common edge compute the same new corner on it.
 GridPolygon clipped(const GridPolygon& polygon, const Plane& plane);
 
 } // namespace gnomon::render

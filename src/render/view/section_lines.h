@@ -1,4 +1,4 @@
-// The intersection lines of section planes and a model, cached from frame to frame.
+// The intersection lines of section planes with a model, cached from frame to frame.
 #pragma once
 
 #include "render/backend.h"
@@ -9,14 +9,15 @@
 
 namespace gnomon::render {
 
-/// A cache of the intersection lines of each section plane. The lines stay valid until the plane or the clusters near
-/// the plane change.
+/// A cache of the intersection lines of each section plane with the model. The lines stay valid until the plane or the
+/// clusters near the plane change.
 class SectionLines {
 public:
-    /// Computes the intersection lines of all section planes of `frame`, in grid cells, and marks the closed lines.
+    /// Computes the intersection lines of all section planes of `frame` with the model, in grid cells, and marks closed
+    /// outlines.
     void find(const DrawInputs& frame);
 
-    /// Returns the lines of section plane `plane` for the last frame.
+    /// Returns the intersection lines of section plane `plane` in the last frame.
     const std::vector<SectionLine>& of(std::size_t plane) const { return held_[plane].lines; }
 
 private:
@@ -24,7 +25,7 @@ private:
         Plane plane;
         std::vector<lod::ClusterRange> ranges;
         std::vector<SectionLine> lines;
-        // lines of each cluster, keyed by page and cluster
+        // Intersection lines of each cluster with the section plane, keyed by page and cluster.
         std::unordered_map<std::uint64_t, std::vector<SectionLine>> ofClusters;
         std::size_t known = 0; // total number of lines in ofClusters
     };

@@ -1,4 +1,4 @@
-// The cached section cuts and section lines of a model.
+// The caches for the section planes of a model: clipped clusters and intersection lines.
 #pragma once
 
 #include "render/view/cap_buffers.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::render {
 
-/// The cached section cuts and section lines of one model. The owner passes this object with each frame that has
-/// sections.
+/// The caches of clipped clusters and intersection lines for one model. The caller passes this object with each frame
+/// that has section planes.
 struct SectionMemory {
     SectionCut cut;
     SectionLines lines;

@@ -11,7 +11,8 @@
 namespace gnomon::render {
 
 /// Returns the visible triangle of each pixel, with rows from top to bottom. The image has `width` x `height` pixels.
-/// `words` is its visibility buffer, with rows from bottom to top. Its triangle ids refer to the clusters in `drawn`.
+/// `words` is its visibility buffer, with rows from bottom to top. Triangle ids in `words` refer to the clusters in
+/// `drawn`.
 Raster<SeenTriangle> seenTriangles(
     int width, int height, std::span<const std::uint64_t> words, std::span<const DrawnCluster> drawn);
 

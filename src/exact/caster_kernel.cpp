@@ -53,8 +53,8 @@ void ClusterCaster::rasterizeInto(std::size_t map) {
         rasterizeClipped(map);
 }
 
-/// Computes the boxes of cells that triangles cover, and tests the boxes against the receiver mask. Each SIMD lane
-/// processes one triangle.
+/// Tests all triangles of the cluster, if the map's w is large enough at all corners. Each SIMD lane computes the box
+/// of cells that one triangle covers, and tests the box against the receiver mask.
 void ClusterCaster::rasterizeWhole(std::size_t map) {
     const SampleGrid& grid = *context_.grid;
     const std::size_t count = caster_.geometry.triangles.size();
@@ -101,8 +101,8 @@ void ClusterCaster::rasterizeWhole(std::size_t map) {
     }
 }
 
-/// Rasterises triangles that are partly behind the centre of the map's warp. Only the part of a triangle with w of at
-/// least GridMap::minW can cover a sample.
+/// Tests triangles that are partly behind the centre of the map's warp. Only the part of a triangle with w of at least
+/// GridMap::minW can cover a sample.
 void ClusterCaster::rasterizeClipped(std::size_t map) {
     const GridMap& cells = context_.grid->maps()[map];
     const int side = context_.grid->side();
@@ -135,7 +135,7 @@ void ClusterCaster::rasterizeClipped(std::size_t map) {
     }
 }
 
-/// Rasterises the triangles of a cluster that extends beside or behind the point light.
+/// Tests the triangles of a cluster that extends beside or behind the point light.
 void ClusterCaster::rasterizeNearLight(std::size_t map) {
     const GridMap& cells = context_.grid->maps()[map];
     const int side = context_.grid->side();
@@ -158,7 +158,7 @@ void ClusterCaster::rasterizeNearLight(std::size_t map) {
     }
 }
 
-/// Returns the columns of `box` that the triangle covers in row `row` of the cells.
+/// Returns the grid cells of row `row` that the triangle covers. The cells are within `box`.
 CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row) const {
     const double low = row == box.y0 ? -std::numeric_limits<double>::infinity() : row - kCellSlack;
     const double high = row == box.y1 ? std::numeric_limits<double>::infinity() : row + 1 + kCellSlack;
@@ -209,8 +209,8 @@ void ClusterCaster::rasterizeTriangle(std::size_t map, std::size_t triangle, con
         rasterizeTriangleAs<TriangleTest>(map, triangle, box, isNarrowed);
 }
 
-/// Returns true if doubles prove that the sample lies in the plane of the tested triangle. The triangle then casts no
-/// shadow on the sample.
+/// Returns true if doubles prove that the sample at index `place` lies in the plane of the tested triangle. The
+/// triangle then casts no shadow on the sample.
 bool ClusterCaster::isHitAtOnce(const PointTriangleTest& test, std::size_t place) const {
     return test.surelyHolds(ownCorners(context_, place));
 }
@@ -226,9 +226,9 @@ float ClusterCaster::highestOf(std::size_t triangle) const {
     return std::max({h(0), h(1), h(2)});
 }
 
-/// Returns true if no sample of [begin, end) is below `highest`, the largest h of a triangle. The triangle then casts
-/// no shadow on these samples. Returns false for a point light. Also returns false for kMinBlockSamples or more
-/// samples, because testBlocks tests the heights of whole blocks.
+/// Returns true if no sample of [begin, end) is below `highest`, the largest height h of a triangle. The triangle then
+/// casts no shadow on these samples. Returns false for a point light. Also returns false for kMinBlockSamples or more
+/// samples, because testBlocks tests the heights of whole boxes of samples.
 template <class Test>
 bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest) const {
     if (!std::is_same_v<Test, TriangleTest> || end - begin >= kMinBlockSamples) return false;
@@ -240,7 +240,7 @@ bool ClusterCaster::isBelowAll(std::size_t begin, std::size_t end, float highest
     return true;
 }
 
-/// Tests the triangle against the samples [begin, end). The first long span prepares `blocks`, and later spans of the
+/// Tests the triangle against the samples [begin, end). The first long range prepares `blocks`, and later ranges of the
 /// same triangle reuse it.
 template <class Test>
 void ClusterCaster::testSpan(

@@ -21,7 +21,7 @@ using Mask = hn::Mask<DoubleTag>;
 constexpr DoubleTag kDoubles;
 constexpr IntTag kInts;
 
-/// A projection matrix that is applied to one sample per vector lane.
+/// A projection matrix that is applied to one sample per SIMD lane.
 struct PlaneLanes {
     const glm::dmat4x3& m;
 
@@ -32,7 +32,7 @@ struct PlaneLanes {
     }
 };
 
-/// Returns the mask of the lanes, beginning at sample `i`, that are within `run` and belong to `map`.
+/// Returns a mask of the SIMD lanes whose samples are in `run` and belong to `map`. Lane 0 is sample `i`.
 HWY_INLINE Mask ofMap(const SampleRun& run, std::size_t i, std::size_t map) {
     const auto isListed = hn::FirstN(kDoubles, run.end - i);
     if (run.samples->space().maps == 1) return isListed;
@@ -40,7 +40,7 @@ HWY_INLINE Mask ofMap(const SampleRun& run, std::size_t i, std::size_t map) {
     return hn::And(isListed, hn::Eq(maps, hn::Set(kDoubles, static_cast<double>(map))));
 }
 
-/// The projected positions of samples on the plane of a map, one sample per lane.
+/// The projected positions of samples on the plane of a map, with one sample per SIMD lane.
 struct PlaceLanes {
     HWY_INLINE PlaceLanes(const PlaneLanes& plane, const SampleList& samples, std::size_t i) {
         const auto u = hn::LoadU(kDoubles, &samples.u[i]);
@@ -54,7 +54,7 @@ struct PlaceLanes {
     Doubles x, y, w;
 };
 
-/// The min and max of values per lane. NaN is ignored.
+/// The min and max of values, per SIMD lane. NaN is ignored.
 struct RangeLanes {
     HWY_INLINE RangeLanes()
         : min(hn::Set(kDoubles, std::numeric_limits<double>::infinity())),
@@ -91,7 +91,7 @@ Extent extentInLanes(const glm::dmat4x3& plane, std::size_t map, const SampleRun
     return extent;
 }
 
-/// Returns the result of cellAt for each lane.
+/// Computes the cell column or row of coordinate `x` like cellAt, for one coordinate per SIMD lane.
 HWY_INLINE hn::Vec<IntTag> cellLanes(Doubles x, int side) {
     const auto last = hn::Set(kDoubles, side - 1);
     const auto zero = hn::Zero(kDoubles);

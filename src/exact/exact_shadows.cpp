@@ -13,7 +13,7 @@ namespace gnomon::exact {
 
 namespace {
 
-/// Returns the largest absolute coordinate of all casters, in cells from the origin.
+/// Returns the largest absolute coordinate of all casters, in cells from the frame's origin.
 double reachOf(std::span<const Caster> casters) {
     std::int64_t reach = 1;
     for (const Caster& caster : casters)
@@ -22,8 +22,9 @@ double reachOf(std::span<const Caster> casters) {
     return static_cast<double>(reach);
 }
 
-/// The casters of one round: in each group of eight adjacent casters of the list, those from `first` to before `end`.
-/// Each round can remove dark samples. Later rounds then skip clusters that could shadow only removed samples.
+/// A round tests only some casters against the samples: in each group of eight adjacent casters of the list, the
+/// casters `first` to `end` - 1. After a round, dark samples can be removed. Later rounds then skip clusters that could
+/// shadow only removed samples.
 struct Round {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -32,16 +33,17 @@ struct Round {
 constexpr std::size_t kGrain = 16384; // samples
 constexpr std::size_t kStride = 8;
 constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
-// Dark samples are removed if they are at least this fraction of the remaining samples.
+// Min fraction of dark samples at which dark samples are removed from the grid.
 constexpr double kWorthwhile = 0.25;
 
-/// Returns true if the caster has vertices, and can thus cast shadows. Casters without vertices only contain triangles
-/// on which samples lie.
+/// Returns true if the caster has vertices and thus casts shadows. Casters without vertices only contain triangles on
+/// which samples lie.
 bool castsAnything(const Caster& caster) {
     return caster.geometry.vertexCount > 0;
 }
 
-/// Rasterises the clusters of `round` among the first `casting` casters. Returns the counts of the work.
+/// Tests the clusters of `round` among the first `casting` casters against the samples. Returns the counts of this
+/// work.
 CasterCounts rasterizeRound(const CasterContext& context, std::size_t casting, const Round& round) {
     tbb::combinable<CasterCounts> counts;
     const std::size_t strides = (casting + kStride - 1) / kStride;
@@ -67,7 +69,7 @@ std::size_t sumOver(std::size_t size, const SumOf& sumOf) {
         std::plus<>());
 }
 
-/// Returns the largest tolerance of all samples, in cells along h.
+/// Returns the largest tolerance of all samples, as a distance in cells along h.
 double maxTolerance(const SampleList& samples) {
     const std::uint32_t maxSteps = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, samples.size(), kGrain),
@@ -92,14 +94,14 @@ std::size_t ExactShadows::countDark() const {
     });
 }
 
-/// Removes the dark samples from the grid, if their number `dark` is large enough to save time.
+/// Removes the dark samples from the grid. If their number `dark` is too small to save time, the function does nothing.
 void ExactShadows::removeDark(std::size_t dark) {
     if (static_cast<double>(dark) < kWorthwhile * static_cast<double>(grid_.size())) return;
     const auto isResolved = [&](std::size_t place) { return (sorted_[place] & kDark) != 0; };
     grid_.remove(samples_, sorted_, isResolved, [&](std::size_t place) { statuses_[grid_.source[place]] = kDark; });
 }
 
-/// Copies the statuses of the samples that are still in the grid, and counts the samples per status.
+/// Copies the results of the samples that are still in the grid, and counts the samples per result.
 void ExactShadows::takeStatuses(ExactStatistics& statistics) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid_.size(), kGrain), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)

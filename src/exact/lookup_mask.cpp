@@ -10,17 +10,17 @@ namespace gnomon::exact {
 
 namespace {
 
-/// Max relative error of a sum of four terms in the rasteriser's floats: five roundings (Higham 2002, section 3.1), and
-/// three more as a reserve.
+/// Max relative error of a sum of four terms in the rasteriser's float arithmetic. Five roundings cause the error
+/// (Higham 2002, section 3.1), and three more are a safety margin.
 constexpr double kSumError = 0x1p-21;
-/// Max relative error of a quotient in the rasteriser's floats.
+/// Max relative error of a quotient in the rasteriser's float arithmetic.
 constexpr double kQuotientError = 0x1p-21;
-/// Margin in texels: the max displacement of a vertex by snapping and by rounding, plus the distance from an edge to a
-/// pixel centre.
+/// Margin of the bounds in texels: the max displacement of a vertex by snapping and rounding, plus the distance from an
+/// edge to a pixel centre.
 constexpr double kTexelMargin = 1;
 
-/// A clip-space coordinate as a linear function over a box: the value at the middle, the change from the middle towards
-/// each side, and the max error of the rasteriser's value in the box.
+/// A clip-space coordinate as a linear function over a box: the value at the middle, the change from the middle to each
+/// side, and the max rounding error of the rasteriser in the box.
 struct ClipRow {
     std::array<double, 3> half{};
     double middle = 0;
@@ -46,8 +46,8 @@ struct ClipRow {
     }
 };
 
-/// The range of a clip-space coordinate divided by w, over the corners of a box. It is also the range over the whole
-/// box, because w is positive there.
+/// The range of a clip-space coordinate divided by w, over the corners of a box. The range is valid for the whole box,
+/// because w is positive there.
 struct QuotientRange {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ int clampedTexel(double coordinate, int low, int high) {
     return static_cast<int>(std::clamp(coordinate, static_cast<double>(low), static_cast<double>(high)));
 }
 
-/// Computes the texels of [first, end) whose centres may lie in `range`, which is in normalised device coordinates.
+/// Computes the texels of [first, end) whose centres may be in `range`, which is in normalised device coordinates.
 void setTexels(const QuotientRange& range, int first, int end, int& low, int& high) {
     const double scale = 0.5 * (end - first);
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };
@@ -74,8 +74,8 @@ void setTexels(const QuotientRange& range, int first, int end, int& low, int& hi
     high = clampedTexel(std::floor(max) + 1, first, end);
 }
 
-/// Computes the rows of a logarithmic map whose samples may lie in `range` of y / w. The snapping of vertices moves an
-/// edge by less than the distance to the next row.
+/// Computes the rows of a logarithmic shadow map whose y / w may be in `range`. The snapping of vertices moves an edge
+/// by less than the distance to the next row.
 void setUnevenRows(const QuotientRange& range, const raster::View& view, int& low, int& high) {
     const std::span<const float> rows = view.rowPositions;
     const auto margin = [](double quotient) { return std::abs(quotient) * kQuotientError; };

@@ -15,12 +15,13 @@ struct SeenTriangle {
     std::uint32_t name = 0;
 };
 
-/// Triangles in square buckets on the six faces of a cube around the point light.
+/// A lookup structure for the triangles around a point light: a grid of square buckets on each of the six faces of a
+/// cube around the light.
 class CubeBuckets {
 public:
     explicit CubeBuckets(const glm::i64vec3& light) : light_(light), lists_(6 * kSide * kSide) {}
 
-    /// Adds a triangle to each bucket that intersects the projected box of its corners.
+    /// Adds a triangle to each bucket that intersects the triangle's box, projected onto the cube faces.
     void add(const Corners& corners, std::uint32_t index) {
         const glm::dvec3 min(glm::min(glm::min(corners[0], corners[1]), corners[2]) - light_);
         const glm::dvec3 max(glm::max(glm::max(corners[0], corners[1]), corners[2]) - light_);
@@ -59,7 +60,8 @@ private:
                 lists_[place(face, x, y)].push_back(index);
     }
 
-    /// Returns the bucket of a coordinate in [-1, 1]. Coordinates outside belong to the outermost buckets.
+    /// Returns the index of the bucket that contains the coordinate `x`. Coordinates outside [-1, 1] belong to the
+    /// outermost buckets.
     static std::size_t bucket(double x) {
         const double cells = std::floor((x + 1) / 2 * static_cast<double>(kSide));
         return static_cast<std::size_t>(std::clamp(cells, 0.0, static_cast<double>(kSide - 1)));
@@ -73,12 +75,12 @@ private:
     std::vector<std::vector<std::uint32_t>> lists_;
 };
 
-/// All triangles that cast shadows from a point light.
+/// All triangles that can cast shadows from a point light.
 struct SeenScene {
     explicit SeenScene(const glm::i64vec3& from) : light(from), buckets(from) {}
 
     void add(const Caster& caster, const CasterContext& context) {
-        // a caster without vertices casts no shadow; it only contains triangles of samples
+        // A caster without vertices casts no shadow. It only contains triangles on which samples lie.
         if (caster.geometry.vertexCount == 0) return;
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             const Corners corners = cornersOf(context, caster, t);
@@ -87,7 +89,7 @@ struct SeenScene {
         }
     }
 
-    /// Returns the status of `point`, which lies on the triangle with id `own`.
+    /// Returns the shadow result of `point`, which lies on the triangle with the id `own`.
     std::uint8_t statusOf(const PointOnTriangle& point, std::uint32_t own) const {
         const glm::i64vec3 scaled = scaledPoint(point);
         const std::optional<PointRay> ray = rayToPoint(light, scaled);
@@ -95,8 +97,8 @@ struct SeenScene {
         const glm::dvec3 fromLight = glm::dvec3(scaled) * 0x1p-24 - glm::dvec3(light);
         std::uint8_t status = kLit;
         for (const std::uint32_t t : buckets.at(fromLight)) {
-            // Skips the triangle of the sample itself. If a section cut this triangle, rounding may move the sample off
-            // its plane.
+            // A sample does not shadow itself: if a section plane cut its triangle, rounding may move the sample off
+            // the plane of the triangle.
             if (triangles[t].name == own) continue;
             const RayHit hit = intersectTowards(triangles[t].corners, light, scaled, *ray);
             if (hit.kind == Hit::None) continue;

@@ -10,8 +10,8 @@ namespace gnomon::exact {
 
 namespace {
 
-/// A triangle and the box of its shadow on the light plane. The box is enlarged by one cell on each side, which exceeds
-/// every rounding error.
+/// A triangle and the bounding box of its shadow on the light plane. The box is enlarged by one cell on each side,
+/// which exceeds every rounding error.
 struct PlainTriangle {
     Corners corners{};
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
@@ -19,8 +19,8 @@ struct PlainTriangle {
     std::uint32_t name = 0;
 };
 
-/// Triangles in square buckets of the light plane. The outermost buckets also contain the triangles outside the bucket
-/// grid.
+/// A grid of square buckets on the light plane, for finding triangles. The outermost buckets also contain the triangles
+/// outside the grid.
 class Buckets {
 public:
     Buckets(const glm::dvec2& min, const glm::dvec2& max)
@@ -62,7 +62,7 @@ PlainTriangle plainTriangle(const Corners& corners, const LightShear& shear) {
     return result;
 }
 
-/// The scene against which each sample is tested.
+/// The casters for exact shadows by brute force.
 struct PlainScene {
     const CasterContext& context;
     std::span<const Caster> casters;
@@ -83,8 +83,8 @@ std::uint8_t plainStatus(const SampleList& samples, std::size_t i, const PlainSc
     std::uint8_t status = kLit;
     for (const std::uint32_t t : scene.buckets.at(u, v)) {
         const PlainTriangle& triangle = scene.triangles[t];
-        // Skips the triangle of the sample itself. If a section cut this triangle, rounding may move the sample off its
-        // plane.
+        // A sample does not shadow itself: if a section plane cut its triangle, rounding may move the sample off the
+        // plane of the triangle.
         if (triangle.name == own) continue;
         if (u < triangle.min.x || v < triangle.min.y || u > triangle.max.x || v > triangle.max.y) continue;
         const RayHit hit = intersect(triangle.corners, samples.space().light, scaled, samples.tolerance[i]);
@@ -116,7 +116,7 @@ std::vector<std::uint8_t> plainStatuses(
     std::vector<PlainTriangle> triangles;
     Buckets buckets(min, max);
     for (const Caster& caster : casters) {
-        // a caster without vertices casts no shadow; it only contains triangles of samples
+        // A caster without vertices casts no shadow. It only contains triangles on which samples lie.
         if (caster.geometry.vertexCount == 0) continue;
         for (std::size_t t = 0; t < caster.geometry.triangles.size(); ++t) {
             PlainTriangle triangle = plainTriangle(cornersOf(context, caster, t), samples.space().shear);

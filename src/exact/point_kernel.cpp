@@ -59,8 +59,8 @@ HWY_INLINE Doubles size(const Vec3& v) {
     return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
 }
 
-/// The weights of corners 1 and 2 as integers in units of 2^-24, one point per lane. Each weight is at least 1, and
-/// their sum is below 2^24.
+/// The barycentric weights of corners 1 and 2 as integers in units of 2^-24, with one point per SIMD lane. Each weight
+/// is at least 1, and their sum is below 2^24.
 struct WeightLanes {
     Doubles second, third;
 };
@@ -76,9 +76,9 @@ HWY_INLINE WeightLanes weightLanes(const PointBatch& batch, std::size_t i) {
     return {second, third};
 }
 
-/// Returns 1 if light and eye are on the same side of the triangle, 0 if not, and 2 if rounding may change the result.
-/// A side is the sign of a sum. Its terms are at most 6 times the product of the sizes, with at most ten roundings
-/// each.
+/// Tests whether light and eye are on the same side of the triangle. The result is 1 if they are, 0 if not, and 2 if
+/// rounding may change the answer. A side is the sign of a sum. Its terms are at most 6 times the product of the sizes,
+/// with at most ten roundings each.
 HWY_INLINE hn::Vec<LongTag> facesLight(const SampleSpace& space, const Vec3& corner, const Vec3& e1, const Vec3& e2) {
     const Vec3 normal = cross(e1, e2);
     const Vec3 light = space.pointLight ? subtract(constant(glm::dvec3(*space.pointLight)), corner)

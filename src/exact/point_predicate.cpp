@@ -24,7 +24,7 @@ int signOfLong(Long value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// Returns the sign of the dot product a . b, computed with 192 bits. Components of `b` must be below 2^61.
+/// Returns the sign of the dot product a . b, computed exactly with 192 bits. Components of `b` must be below 2^61.
 int signOfProduct(const LongVector& a, const glm::i64vec3& b) {
     constexpr int kLimb = 64;
     Long high = 0; // multiples of 2^64
@@ -45,8 +45,7 @@ LongVector normalAcross(const Corners& corners) {
 
 constexpr std::int64_t kWhole = std::int64_t{1} << kWeightBits;
 
-/// The side of the edge from `a` to `b` on which the ray to the light passes: 1 or -1, or 0 if the edge points to the
-/// light.
+/// Tells on which side of a triangle edge the ray to the light passes: 1 or -1, or 0 if the edge points to the light.
 struct PassedSide {
     int sign = 0;
     bool isOnEdge = false;

@@ -32,7 +32,8 @@ WideVector normalOf(const Corners& corners) {
 
 constexpr std::int64_t kScale = std::int64_t{1} << kWeightBits;
 
-/// The side of the edge from `a` to `b` on which the ray passes: 1 or -1, or 0 if the edge is parallel to the light.
+/// Tells on which side of a triangle edge the ray to the light passes: 1 or -1, or 0 if the edge is parallel to the
+/// light.
 struct EdgeSide {
     int sign = 0;
     bool isOnEdge = false;
@@ -81,7 +82,7 @@ RayHit intersect(
     if (first.sign != second.sign) return {};
     const EdgeSide third = sideOf(caster[2], caster[0], light, scaledPoint);
     if (first.sign != third.sign) return {};
-    // The height of the triangle's plane above the point along the light, times `towards`.
+    // Height of the triangle's plane above the point along the light direction, multiplied by the factor `towards`.
     const Wide height = dot(normal, caster[0] * kScale - scaledPoint);
     const Wide ahead = towards > 0 ? height : -height;
     if (ahead <= 0) return {};

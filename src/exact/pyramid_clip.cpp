@@ -9,7 +9,7 @@ namespace gnomon::exact {
 
 namespace {
 
-/// A polygon with at most eight corners.
+/// A clipped polygon with at most eight corners.
 struct ClippedPolygon {
     static constexpr std::size_t kMaxCorners = 8; // three corners, and one more per clipping plane
     std::array<glm::dvec3, kMaxCorners> corners{};
@@ -18,7 +18,7 @@ struct ClippedPolygon {
     void add(const glm::dvec3& corner) { corners[count++] = corner; }
 };
 
-/// Clips `polygon` to the half space dot(inward, p) >= 0 (Sutherland and Hodgman 1974).
+/// Clips `polygon` to the half-space dot(inward, p) >= 0 (Sutherland and Hodgman 1974).
 ClippedPolygon clippedTo(const ClippedPolygon& polygon, const glm::dvec3& inward) {
     ClippedPolygon result;
     for (std::size_t i = 0; i < polygon.count; ++i) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kChunk = 16384;
 
-/// Calls `visit(begin, end, chunk)` for equal chunks of [0, size) in parallel.
+/// Divides [0, size) into equal chunks, and calls `visit(begin, end, chunk)` for each chunk in parallel.
 template <class Visit>
 void forChunks(std::size_t size, const Visit& visit) {
     const std::size_t chunks = (size + kChunk - 1) / kChunk;
@@ -39,14 +39,15 @@ std::vector<Extent> extentsOf(const SampleList& samples, std::span<const glm::dm
     return result;
 }
 
-/// The transformation of a map's plane to cells: scale about the origin, then translation by `offset`.
+/// A transformation from the projection plane of a map to grid cells: scale about the origin, then translation by
+/// `offset`.
 struct Stretch {
     glm::dvec2 scale{0};
     glm::dvec2 offset{0};
 };
 
-/// Returns the transformation of `extent` to side x side cells, with a margin of 0.1% on each side. Both scales are
-/// limited to `max`.
+/// Returns the transformation that maps `extent` to side x side grid cells, with a margin of 0.1% on each side. Both
+/// scales are limited to `max`.
 Stretch stretchOf(const Extent& extent, int side, double max) {
     Stretch stretch;
     stretch.scale = glm::min(side * 0.998 / (extent.max - extent.min), glm::dvec2(max));
@@ -63,9 +64,9 @@ GridMap mapOf(const glm::dmat4x3& plane, const Stretch& stretch, double minW) {
     return {matrixOf(stretch) * plane, minW / 2, false};
 }
 
-/// Returns the error of a x + b y + c w, for weights (a, b, c). x, y and w are the plane coordinates of a point whose
-/// (u, v, h) has an error of `coordinateError`. This error is at least 2^-50 of |u|, |v| and |h|, so the seven
-/// roundings of each term are smaller than one more such error.
+/// Returns the rounding error of a x + b y + c w, for weights (a, b, c). x, y and w are the plane coordinates of a
+/// point whose (u, v, h) has an error of `coordinateError`. This error is at least 2^-50 of |u|, |v| and |h|, so the
+/// seven roundings of each term are smaller than one more such error.
 double errorOf(const glm::dmat4x3& plane, const glm::dvec3& weights, double coordinateError) {
     const auto size = [&](int column) {
         const glm::dvec3 terms = weights * plane[column];
@@ -74,8 +75,8 @@ double errorOf(const glm::dmat4x3& plane, const glm::dvec3& weights, double coor
     return 2 * coordinateError * (size(0) + size(1) + size(2)) + 0x1p-50 * size(3);
 }
 
-/// Returns the smallest w at which the error of a caster's x and y is at most an eighth of kCellSlack. Samples, corners
-/// and their float copies share this slack. Returns infinity if an extent of 0 makes a scale invalid.
+/// Returns the smallest w at which the rounding error of a caster's x and y is at most an eighth of kCellSlack. The
+/// rest is for the errors of samples and of float copies. Returns infinity if an extent of 0 makes a scale invalid.
 double minUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, double coordinateError) {
     const double w = errorOf(plane, {0, 0, 1}, coordinateError);
     const double x = errorOf(plane, {stretch.scale.x, 0, stretch.offset.x}, coordinateError);
@@ -83,8 +84,8 @@ double minUsableW(const glm::dmat4x3& plane, const Stretch& stretch, int side, d
     return x == x && y == y ? (std::max(x, y) + side * w) * (8 / kCellSlack) : std::numeric_limits<double>::infinity();
 }
 
-/// Returns true if the warp is usable: w varies by at most 2^20 over the samples, and x and y of casters are precise
-/// enough.
+/// Returns true if the warp of a map is usable. This requires that w varies by at most 2^20 over the samples, and that
+/// x and y of casters are precise enough.
 bool isUsable(
     const glm::dmat4x3& plane, const Extent& extent, const Stretch& stretch, int side, double coordinateError) {
     constexpr double kMaxVariation = 1 << 20;
@@ -93,13 +94,14 @@ bool isUsable(
     return std::isfinite(min) && min <= extent.minW / 2;
 }
 
-/// Extends a homography of the light plane to points (u, v, h, 1). The result ignores h.
+/// Extends a homography of the light plane to points (u, v, h, 1). The result does not depend on h.
 glm::dmat4x3 withoutHeight(const glm::dmat3& plane) {
     return {plane[0], plane[1], glm::dvec3(0), plane[2]};
 }
 
-/// Returns the projection from a point light at `light` through face `map` / 2 of the cube around it. x / w and y / w
-/// are in [-1, 1]. w is the distance along the axis of the face, which is (map / 2) % 3.
+/// Returns the projection from a point light at `light` through a face of the cube around it. Each face has two maps,
+/// so the index of the face is `map` / 2. x / w and y / w are in [-1, 1]. w is the distance along the axis of the face,
+/// which is (map / 2) % 3.
 glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
     const int along = map / 2 % 3;
     const int first = (along + 1) % 3;
@@ -112,8 +114,8 @@ glm::dmat4x3 facePlane(const glm::dvec3& light, int map) {
     return plane;
 }
 
-/// Returns the smallest height of the samples [begin, end) towards a point light, along the axis of the map's cube
-/// face.
+/// Returns the smallest height towards a point light of the samples [begin, end). Heights are along the axis of the
+/// map's cube face.
 double minNearness(const SampleList& samples, const GridMap& map, std::size_t begin, std::size_t end) {
     const FrameArray<double>& values = map.nearAxis == 0 ? samples.u : map.nearAxis == 1 ? samples.v : samples.h;
     if (map.nearSign > 0) return *std::min_element(&values[begin], &values[end]);
@@ -155,8 +157,8 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
         }
     }
     if (!isUnwarped) return;
-    // The error of x is at most 6 scale coordinateError. This is the result of errorOf if the offset is at most 2^50
-    // coordinateError scale.
+    // The rounding error of x is at most 6 scale coordinateError. This is the result of errorOf if the offset is at
+    // most 2^50 coordinateError scale.
     const double max = kCellSlack / 64 / coordinateError;
     const std::vector<Extent> plainExtents = extentsOf(samples, used);
     for (std::size_t map = 0; map < used.size(); ++map)
@@ -164,9 +166,9 @@ void SampleGrid::fitMaps(const SampleList& samples, std::span<const glm::dmat3> 
             maps_[map] = mapOf(used[map], stretchOf(plainExtents[map], side_, max), 1);
 }
 
-/// Computes the maps of a point light. Cells are so large that the error of a sample's x and y stays below the share of
-/// kCellSlack for samples. If even a cell of the size of the whole face is too small, all samples of the face share one
-/// cell.
+/// Computes the grid maps of a point light. Cells are so large that the rounding error of a sample's x and y stays
+/// below the fraction of kCellSlack for samples. If even a cell of the size of the whole face is too small, all samples
+/// of the face share one cell.
 void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError) {
     const glm::dvec3 light(*samples.space().pointLight);
     const double farthestAlong = std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
@@ -181,8 +183,8 @@ void SampleGrid::fitPointMaps(const SampleList& samples, double coordinateError)
         if (extent.samples == 0) continue;
         const double error = 2 * coordinateError + 0x1p-50 * farthestAlong;
         const Stretch stretch = stretchOf(extent, side_, kCellSlack / 128 * extent.minW / error);
-        // The code computes the slopes of a triangle from points beside the face. If these points were too far away,
-        // the rounding of doubles would exceed whole cells.
+        // The slopes of a triangle are computed from points beside the face. If these points were too far away, the
+        // rounding of doubles would exceed whole cells.
         const double farthest =
             std::max(stretch.scale.x, stretch.scale.y) * (coordinateError * 0x1p49 + farthestAlong) * 0x1p-36;
         const double minW = std::max(minUsableW(used[map], stretch, side_, coordinateError), farthest);
@@ -222,7 +224,7 @@ void SampleGrid::countCells(const SampleList& samples) {
     }
 }
 
-/// Sorts the arrays of `samples` one after another: each array is sorted into the spare array, and its own memory
+/// Sorts the arrays of `samples` one after another. Each array is sorted into the spare array, and its own memory
 /// becomes the next spare array.
 void SampleGrid::order(SampleList& samples) {
     forChunks(size_, [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -242,7 +244,7 @@ void SampleGrid::order(SampleList& samples) {
     }
 }
 
-/// Divides the samples into pieces, and calls `visit` for the pieces in parallel.
+/// Divides the samples into ranges, and calls `visit` for all ranges in parallel.
 void SampleGrid::forPieces(const std::function<void(Piece&)>& visit) {
     pieces_.clear();
     for (std::size_t begin = 0; begin < size_; begin += kChunk) {
@@ -252,8 +254,8 @@ void SampleGrid::forPieces(const std::function<void(Piece&)>& visit) {
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) { visit(pieces_[i]); });
 }
 
-/// Moves the remaining samples of all pieces together. Reduces the first sample index of each cell by the number of
-/// samples that earlier pieces removed.
+/// Moves the remaining samples together after a removal. Reduces the first sample index of each cell by the number of
+/// removed samples before the cell.
 void SampleGrid::closeGaps(SampleList& samples, FrameArray<std::uint8_t>& statuses) {
     std::size_t size = 0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {

@@ -6,10 +6,10 @@
 namespace gnomon::raster {
 namespace {
 
-/// A tile that has more than 1/32 of the total cost of the pass is split.
+/// A tile is split if its cost exceeds the total cost of the pass divided by this number.
 constexpr std::uint64_t kMaxTilesWorth = 32;
 
-/// Returns the columns and rows of tiles that `box` intersects.
+/// Returns the range of tile columns and rows that `box` intersects.
 PixelBox touchedTiles(const PixelBox& box, const PixelBox& viewport, int side) {
     return {
         (box.x0 - viewport.x0) / side,
@@ -69,7 +69,7 @@ TileBin quarterOf(std::span<const BinItem> items, const TileBin& tile, const Pix
     return quarter;
 }
 
-/// Returns the four quarters of `box`. For a narrow box, some quarters can be empty.
+/// Returns the four quarters of `box`. If the box is narrow, some quarters can be empty.
 std::array<PixelBox, 4> quarters(const PixelBox& box) {
     const int middleX = box.x0 + (box.width() + 1) / 2;
     const int middleY = box.y0 + (box.height() + 1) / 2;
@@ -80,7 +80,7 @@ std::array<PixelBox, 4> quarters(const PixelBox& box) {
         PixelBox{middleX, middleY, box.x1, box.y1}};
 }
 
-/// Replaces tile `t` by its quarters.
+/// Replaces tile `t` of `bins` by its quarters.
 void splitTile(std::span<const BinItem> items, std::size_t t, Bins& bins) {
     const TileBin tile = bins.tiles[t];
     bool isFirst = true;
@@ -99,7 +99,7 @@ bool hasMinSide(const PixelBox& box, int side) {
     return std::min(box.width(), box.height()) >= side;
 }
 
-/// Removes tiles without a wanted pixel, and splits tiles with a quarter that has no wanted pixel.
+/// Removes tiles that contain no pixel that the caller needs. Splits tiles if the caller needs no pixel of a quarter.
 void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bins& bins) {
     const auto isUnwanted = [&](const PixelBox& box) { return !box.empty() && !isWanted(box); };
     for (std::size_t t = 0; t < bins.tiles.size();) {
@@ -117,7 +117,7 @@ void dropUnwanted(std::span<const BinItem> items, const BoxFilter& isWanted, Bin
     }
 }
 
-/// Splits tiles that have more than 1/32 of the total cost, and sorts the tiles by decreasing cost.
+/// Splits tiles with more than 1/32 of the total cost, and sorts all tiles by decreasing cost.
 void shareOut(std::span<const BinItem> items, int minSide, Bins& bins) {
     std::uint64_t total = 0;
     for (const TileBin& tile : bins.tiles)
@@ -156,7 +156,8 @@ void binWanted(
     fillTiles(items, viewport, side, bins);
     if (isWanted) dropUnwanted(items, isWanted, bins);
     shareOut(items, minSide, bins);
-    // The last splitting can create tiles without a wanted pixel, smaller than the tiles that dropUnwanted tests.
+    // The last splits can create small tiles without a pixel that the caller needs. dropUnwanted does not test tiles
+    // of this size.
     if (isWanted) std::erase_if(bins.tiles, [&](const TileBin& tile) { return !isWanted(tile.box); });
 }
 

@@ -19,21 +19,20 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Number of corners of a box, and thus the max number of SIMD lanes that process them.
+/// Number of corners of a box. Each corner needs one SIMD lane.
 constexpr std::size_t kCorners = 8;
 using CornerTag = hn::CappedTag<float, kCorners>;
 using Corners = hn::Vec<CornerTag>;
 constexpr CornerTag kCornerTag;
 
-/// Relative error of a sum of terms: 5 x 2^-24 for the rounding in the vertex stage, and the same for the rounding in
-/// this file.
+/// Relative error of a sum of terms: 5 x 2^-24 by rounding in the vertex stage, and the same by rounding in this file.
 constexpr float kSumError = 0x1p-20F;
-/// Relative error of a quotient and of a pixel coordinate, for the rounding in the vertex stage and in this file.
+/// Relative error of a quotient and of a pixel coordinate, by rounding in the vertex stage and in this file.
 constexpr float kQuotientError = 0x1p-20F;
-/// Absolute error from the underflow of products. It is far smaller than the smallest w (kMinW).
+/// Absolute error by the underflow of products. It is far smaller than the smallest w (kMinW).
 constexpr float kUnderflow = 0x1p-130F;
 
-/// A clip-space coordinate at the corners of a box, with its max error.
+/// A clip-space coordinate at the eight corners of a box, with its max rounding error.
 struct ClipRow {
     std::array<float, 3> low{}; // per axis: matrix entry times the coordinate at the lower end of the box
     std::array<float, 3> high{};
@@ -61,7 +60,7 @@ struct ClipRow {
     }
 };
 
-/// The range of a clip-space coordinate divided by w over the corners of a box, without rounding errors.
+/// The range of a clip-space coordinate divided by w, over the corners of a box. Rounding errors are not included.
 struct QuotientRange {
     Corners lo, hi;
 
@@ -79,7 +78,7 @@ struct QuotientRange {
     }
 };
 
-/// The linear mapping from normalised device coordinates to pixels along an axis.
+/// The linear mapping from normalised device coordinates to pixels along one axis.
 struct AxisScale {
     float scale;
     float translate;
@@ -90,12 +89,12 @@ struct PixelRange {
     int end;
 };
 
-/// Returns the pixels along an axis whose centres are in [low, high], extended by `error` and by the rounding of the
-/// mapping to pixels. The arguments are in normalised device coordinates.
+/// Returns the pixels along an axis whose centres are in [low, high]. The range is extended by `error` and by the
+/// rounding of the mapping to pixels. All arguments are in normalised device coordinates.
 PixelRange pixelsWithin(float low, float high, float error, const AxisScale& axis) {
     const auto [scale, translate] = axis;
     const float largest = std::max(std::abs(low), std::abs(high)) * scale + std::abs(translate) + 1;
-    // half a subpixel for snapping, and the rounding of this function's addition
+    // The margin includes half a subpixel for snapping, and the rounding of the addition below.
     constexpr float kSnapping = 1.0F / kSubpixels;
     const float margin = error * scale + largest * kQuotientError + kSnapping;
     constexpr float kFar = 1 << 20; // pixels: larger than any viewport, and fits an int
@@ -104,7 +103,7 @@ PixelRange pixelsWithin(float low, float high, float error, const AxisScale& axi
         static_cast<int>(std::floor(std::min(high * scale + translate + margin - 0.5F, kFar))) + 1};
 }
 
-/// Returns the corner `end` of a box, relative to the eye.
+/// Returns corner `end` of a box, relative to the eye.
 std::array<float, 3> fromEye(const Projection& projection, const std::array<std::uint32_t, 3>& end) {
     std::array<float, 3> result{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -181,7 +180,7 @@ private:
         return {first, end};
     }
 
-    /// Returns the max error of a clip-space coordinate divided by w, if the quotient is in [low, high].
+    /// Returns the max rounding error of a clip-space coordinate divided by w, if the quotient is in [low, high].
     float error(const ClipRow& row, float low, float high, float minW) const {
         const float largest = std::max(std::abs(low), std::abs(high));
         return ((row.error + largest * w_.error) / minW + largest * kQuotientError) * (1 + kQuotientError);

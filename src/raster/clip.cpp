@@ -19,8 +19,8 @@ struct Polygon {
     std::size_t count = 0;
 };
 
-/// Returns the signed distance of point `p` to a clipping plane. Points with distance >= 0 are inside. `plane` is 0 to
-/// 3 for the sides of the guard band, 4 for near and 5 for far.
+/// Returns the signed distance of point `p` to a clipping plane, at least 0 if the point is inside. Planes 0 to 3 are
+/// the sides of the guard band, 4 is near and 5 is far.
 double distance(const Projection& projection, int plane, const Corner& p) {
     switch (plane) {
     case 0:
@@ -38,8 +38,8 @@ double distance(const Projection& projection, int plane, const Corner& p) {
     }
 }
 
-/// Returns the intersection of an edge with a plane. The computation always starts at the inside corner. Both triangles
-/// of an edge therefore compute the same point.
+/// Returns the intersection of a triangle edge with a clipping plane. The computation always starts at the inside
+/// corner, so both triangles of an edge compute the same point.
 Corner cut(const Corner& inside, double insideDistance, const Corner& outside, double outsideDistance) {
     const double t = insideDistance / (insideDistance - outsideDistance);
     return {
@@ -65,7 +65,7 @@ Polygon cutByPlane(const Projection& projection, int plane, const Polygon& polyg
 }
 
 SnappedVertex snappedCut(const Projection& projection, const Corner& p) {
-    // Rounding can move a clipped corner slightly outside the guard band.
+    // Rounding can move a corner slightly outside the guard band after clipping.
     constexpr double kLimit = 2.0 * kGuardPixels;
     const double x = p.x / p.w * projection.scaleX + projection.translateX - 0.5;
     const double y = p.y / p.w * projection.scaleY + projection.translateY - 0.5;
@@ -94,7 +94,7 @@ ClippedPolygon clipTriangle(const Projection& projection, const std::array<ClipP
     ClippedPolygon clipped;
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const Corner& p = polygon.corners[i];
-        // A point with w = 0 that is inside all planes is the centre of projection: the triangle is seen edge-on.
+        // A point with w = 0 that is inside all planes is the centre of projection, so the triangle is seen edge-on.
         // Non-finite coordinates come from overflow.
         if (!(p.w >= double{kMinW}) || !std::isfinite(p.x + p.y + p.z + p.w)) return {};
         clipped.corners[clipped.count++] = p.isCut ? snappedCut(projection, p)

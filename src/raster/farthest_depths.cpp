@@ -19,8 +19,8 @@ bool FarthestDepths<Depths>::hides(const PixelBox& box, std::uint32_t nearest) {
 }
 
 /// Returns true if all pixels of `box` within one block hide a triangle of nearness `nearest`. The function is called
-/// if the stored farthest depth of the block does not hide the triangle. Visible triangles usually fail at the first
-/// pixels. The function therefore updates the block's farthest depth only if all pixels hide the triangle.
+/// if the stored farthest depth of the block does not hide the triangle. The first pixels usually show that a triangle
+/// is visible. The function therefore updates the farthest depth only if all pixels hide the triangle.
 template <class Depths>
 bool FarthestDepths<Depths>::hidesIn(
     std::size_t blockX, std::size_t blockY, const PixelBox& box, std::uint32_t nearest) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned kDigitBits = 10; // bits per digit of the radix sort; three digits contain the bits of 1.0F
 
-/// Returns the depth that a pixel stores for depth `z`.
+/// Returns the depth that a pixel stores for the unclamped depth `z`.
 float clampedDepth(float z) {
     return std::clamp(z, 0.0F, 1.0F);
 }
@@ -80,8 +80,8 @@ void OcclusionPass::boundClusters(std::span<const CellBox> boxes) {
     });
 }
 
-/// Returns an upper bound of the nearness of item `i`, which is a cluster of the pass or a cluster of clipped
-/// triangles.
+/// Returns an upper bound of the nearness (an integer that is larger for nearer depths) of cluster `i`. The cluster is
+/// a cluster of the pass or a cluster of clipped triangles.
 std::uint32_t OcclusionPass::nearnessOf(std::size_t i) const {
     if (order_ == DepthOrder::Plain) return isBounded(i) ? plainNearness(bounds_[i].min) : plainNearness(0);
     return reversedNearness(isBounded(i) ? bounds_[i].nearest : clampedDepth(snapped_->all()[i].maxZ));
@@ -107,8 +107,8 @@ void OcclusionPass::orderItems(const PixelBox& viewport) {
     }
 }
 
-/// Snaps the vertices of a cluster, in the first thread that needs them. Other threads wait for less than a
-/// microsecond.
+/// Snaps the vertices of a cluster before its first use. The first thread that needs the cluster does the work, and
+/// other threads wait for less than a microsecond.
 void OcclusionPass::requireSnapped(std::uint32_t cluster) {
     if (cluster >= input_.size() || stages_[cluster].load(std::memory_order_acquire) == Stage::Snapped) return;
     Stage expected = Stage::Waiting;
@@ -121,8 +121,8 @@ void OcclusionPass::requireSnapped(std::uint32_t cluster) {
         std::this_thread::yield();
 }
 
-/// Records which triangles of a cluster passed triangle setup in a tile. Other tiles can record other triangles of the
-/// cluster.
+/// Records the triangles of a cluster that passed triangle setup in a tile. Other tiles can record other triangles of
+/// the same cluster.
 void OcclusionPass::noteSetUp(std::uint32_t cluster, const TriangleBits& bits) {
     for (std::size_t i = 0; i < bits.size(); ++i)
         if (bits[i] != 0) setUpBits_[cluster * bits.size() + i].fetch_or(bits[i], std::memory_order_relaxed);

@@ -56,7 +56,7 @@ SnappedVertex snapped(const Projection& projection, const ClipPosition& p) {
     const float x = p.x * inverseW * projection.scaleX + projection.translateX;
     const float yOverW = p.y * inverseW;
     const float y = yOverW * projection.scaleY + projection.translateY;
-    // Adding +0 converts a depth of -0 to +0, whose bits have the correct order.
+    // Adding +0 converts a depth of -0 to +0, whose bits sort correctly as an integer.
     const float z = std::min(std::max(p.z * inverseW, -kDepthLimit), kDepthLimit) + 0.0F;
     if (projection.rows != nullptr) return unevenTo(double{(x - 0.5F) * static_cast<float>(kSubpixels)}, yOverW, z);
     return snappedTo(

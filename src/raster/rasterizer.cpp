@@ -26,18 +26,17 @@ void checkViewport(const PixelBox& viewport, int width, int height) {
     GNOMON_CHECK_OP(viewport.y1, <=, height);
 }
 
-/// Returns the part of `viewport` whose rows are in `target`.
+/// Returns the part of `viewport` whose rows the target contains.
 PixelBox heldPart(const PixelBox& viewport, const VisibilityTarget& target) {
     const PixelBox held = intersection(viewport, {0, target.firstRow, viewport.x1, target.firstRow + target.height});
     checkViewport(held, target.width, target.firstRow + target.height);
     return held;
 }
 
-/// Min side of a tile in pixels. With smaller tiles, most of the cost would come from clusters that overlap several
-/// tiles.
+/// Min side of a tile in pixels. Smaller tiles would be slow, because most clusters would overlap several tiles.
 constexpr int kMinTileSide = 32;
 
-/// The types and constants of a depth target. VisibilityKind has the same members for a visibility target.
+/// The pixel type and the constants of a depth map target. VisibilityKind has the same members for a visibility buffer.
 struct DepthKind {
     using Pixel = float;
     static constexpr float kEmpty = 1.0F;
@@ -57,7 +56,7 @@ struct VisibilityKind {
     }
 };
 
-/// The memory of a target, with the layout of its rows.
+/// The memory of a depth map or visibility buffer, and the layout of its rows.
 template <class Kind>
 struct TargetRows {
     typename Kind::Pixel* pixels = nullptr;
@@ -89,8 +88,8 @@ struct Rasterizer::Memory {
     void snapClusters(std::span<const Cluster> input, const Projection& projection);
     void binClusters(const PixelBox& viewport, int side);
 
-    /// Draws all tiles of a pass. `drawTile` draws a tile: it receives the bin of the tile and its empty pixels, and
-    /// returns the number of drawn fragments.
+    /// Draws all tiles of a pass. The function `drawTile` draws one tile. It receives the clusters and the empty pixels
+    /// of the tile, and returns the number of drawn fragments.
     template <class Kind, class DrawTile>
     void drawTiles(const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile);
 
@@ -106,7 +105,7 @@ struct Rasterizer::Memory {
     void drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target);
 };
 
-/// First step of a pass: snaps the vertices of each cluster once.
+/// First step of a pass: snaps the vertices of each cluster to subpixels.
 void Rasterizer::Memory::snapClusters(std::span<const Cluster> input, const Projection& projection) {
     clusters.reset(input);
     constexpr std::size_t kGrain = 64;
@@ -127,7 +126,7 @@ void Rasterizer::Memory::binClusters(const PixelBox& viewport, int side) {
     binWanted(items, viewport, isWanted, side, kMinTileSide, bins);
 }
 
-/// Last step of a pass: draws each tile in thread-local memory, and then copies it to the target.
+/// Last step of a pass: draws each tile in thread-local memory, and then copies its pixels to the target.
 template <class Kind, class DrawTile>
 void Rasterizer::Memory::drawTiles(
     const TargetRows<Kind>& target, const TileVisitor& onTile, const DrawTile& drawTile) {
@@ -169,7 +168,8 @@ void Rasterizer::Memory::draw(
     });
 }
 
-/// Returns the projection parameters of a depth pass. Also stores the rows of `view` if it is a logarithmic map.
+/// Returns the vertex stage parameters of a depth pass. If `view` is a logarithmic map, the function also stores its
+/// rows.
 Projection Rasterizer::Memory::depthProjection(const View& view) {
     if (view.rowPositions.empty()) return projection(view, false);
     GNOMON_CHECK_OP(view.rowPositions.size(), ==, static_cast<std::size_t>(view.viewport.height()));
@@ -177,7 +177,7 @@ Projection Rasterizer::Memory::depthProjection(const View& view) {
     return projection(view, false, &rows);
 }
 
-/// Draws the depth pass of `drawDepth` for a logarithmic map.
+/// Draws a logarithmic shadow map for `drawDepth`.
 void Rasterizer::Memory::drawUneven(std::span<const Cluster> input, const View& view, const DepthTarget& target) {
     const Projection projection = depthProjection(view);
     snapClusters(input, projection);

@@ -20,7 +20,7 @@ constexpr std::array<Triangle, CutCluster::kMaxTriangles> unsharedTriangles() {
 
 constexpr std::array<Triangle, CutCluster::kMaxTriangles> kUnsharedTriangles = unsharedTriangles();
 
-/// Returns the range of rows that a triangle corner can touch, without its upper end.
+/// Returns the first row and the end (exclusive) of the rows that a triangle corner can touch.
 std::array<int, 2> rowsOf(const RowBands* rows, const SnappedVertex& corner) {
     if (rows == nullptr) return {(corner.y + kSubpixels - 1) >> kSubpixelBits, (corner.y >> kSubpixelBits) + 1};
     const auto position = std::bit_cast<float>(corner.y);

@@ -30,8 +30,8 @@ HWY_INLINE TriangleBits bitsOf(const SortedCluster& sorted) {
     return bits;
 }
 
-/// Sorts the triangles of a cluster into size classes. Skips triangles that cover no pixel centre of the tile. If the
-/// target has occlusion tests enabled, also skips triangles that are hidden by the target's pixels.
+/// Sorts the triangles of a cluster into size classes. The function skips triangles that cover no pixel centre of the
+/// tile. With occlusion tests, it also skips triangles that are hidden by drawn pixels.
 template <bool isCompact, class Target>
 HWY_INLINE void sortTriangles(
     const SnappedCluster& cluster, const PixelBox& tile, Target& target, SortedCluster& sorted) {
@@ -72,13 +72,14 @@ HWY_INLINE bool reachesOverEdge(const SnappedCluster& cluster, const PixelBox& t
     return cluster.box.x1 > tile.x1 || cluster.box.y1 > tile.y1;
 }
 
-/// Returns the lanes whose pixel is outside the tile. x and y are counted from the first pixel of the lane's triangle.
+/// Returns a mask of the SIMD lanes whose pixel is outside the tile. The pixel is in column x and row y, counted from
+/// the first pixel of the lane's triangle.
 HWY_INLINE IntMask isOutside(const TriangleLanes& t, int x, int y) {
     return hn::Or(
         hn::Gt(hn::Add(t.firstX, hn::Set(kInts, x)), t.lastX), hn::Gt(hn::Add(t.firstY, hn::Set(kInts, y)), t.lastY));
 }
 
-/// Subtracts the covered pixels in the margin of the tile's memory from the count of the target.
+/// Subtracts covered pixels outside the tile from the pixel count of `target`.
 template <class Target>
 HWY_INLINE void discountOutside(
     const TriangleLanes& t, IntMask inside, int x, int y, bool reachesOver, Target& target) {
@@ -119,8 +120,8 @@ HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, c
     }
 }
 
-/// Draws narrow triangles one after another, with one pixel per SIMD lane. The setup before has one triangle per SIMD
-/// lane.
+/// Draws narrow triangles one after another, with one pixel per SIMD lane. Their setup is computed before, with one
+/// triangle per SIMD lane.
 template <bool isCompact, class Target>
 HWY_INLINE void drawNarrow(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));

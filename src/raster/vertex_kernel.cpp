@@ -31,8 +31,8 @@ struct Cells {
     Ints x, y, z;
 };
 
-/// Gathers the positions of vertices, one per lane, from `first` on. Lanes beyond the last vertex receive the last
-/// vertex.
+/// Loads the positions of vertices from `first` on, with one vertex per SIMD lane. Lanes beyond the last vertex receive
+/// the last vertex.
 HWY_INLINE Cells gatheredCells(const Cluster& cluster, std::uint32_t first) {
     const auto last = hn::Set(kInts, static_cast<std::int32_t>(cluster.vertexCount) - 1);
     const auto index = hn::Min(hn::Iota(kInts, static_cast<std::int32_t>(first)), last);
@@ -52,7 +52,8 @@ HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
 
 #else
 
-/// Loads four words of each of the vertices first, first + 4, ..., with one vertex per block of four lanes.
+/// Loads four 32-bit words of each of the vertices first, first + 4, and so on. Each vertex fills one block of four
+/// SIMD lanes.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const Cluster& cluster, std::uint32_t first) {
     if constexpr (hn::MaxLanes(tag) == 4) {
@@ -66,9 +67,9 @@ HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const Cluster& cluster, std::uint32
     }
 }
 
-/// Returns the positions of vertices from `first` on, one per lane. The function loads whole vertices and transposes
-/// them in blocks of four, because gathers take several times as long. Vertices of twelve bytes need gathers, because a
-/// load of four words could read beyond the end of the array.
+/// Loads the positions of vertices from `first` on, with one vertex per SIMD lane. The function loads whole vertices
+/// and transposes them in blocks of four, because gathers take several times as long. Vertices of twelve bytes need
+/// gathers, because a load of four words could read beyond the end of the array.
 HWY_INLINE Cells cellsOf(const Cluster& cluster, std::uint32_t first) {
     if (cluster.positionStride < 4 * sizeof(std::uint32_t)) return gatheredCells(cluster, first);
     constexpr hn::Repartition<std::int64_t, IntTag> kPairs;
@@ -154,7 +155,7 @@ HWY_INLINE Floats snappedDepth(Floats z, Floats inverseW) {
     return hn::Add(hn::Min(hn::Max(hn::Mul(z, inverseW), hn::Neg(limit)), limit), hn::Zero(kFloats));
 }
 
-/// The stored y of vertices in a logarithmic map, and the min and max over the vertices so far.
+/// The y of the vertices of a logarithmic map, and the min and max over all vertices so far.
 struct UnevenAxis {
     Floats lowest, highest;
 
@@ -173,8 +174,8 @@ struct UnevenAxis {
     HWY_INLINE float max() const { return hn::GetLane(hn::MaxOfLanes(kFloats, highest)); }
 };
 
-/// If `box` is small enough, packs x and y of each vertex into the words of snapped.x, and returns true (compact
-/// cluster). Otherwise stores y separately, and returns false.
+/// Stores a compact cluster if `box` is small enough: packs x and y of each vertex into the words of snapped.x, and
+/// returns true. Otherwise stores y separately, and returns false.
 HWY_INLINE bool join(const SnappedArrays& snapped, const std::int32_t* y, std::uint32_t count, const PixelBox& box) {
     const bool isCompact = std::max(box.width(), box.height()) <= kMaxCompactPixels;
     const auto originX = hn::Set(kInts, (box.x0 - 1) * kSubpixels);

@@ -8,7 +8,7 @@ namespace gnomon::raster {
 namespace {
 
 /// Returns the exact floor of a / b for b > 0. The function corrects a floating-point estimate, which is wrong by at
-/// most one. It avoids integer divisions, which took a third of the time of an image with large triangles.
+/// most one. It avoids integer divisions, which took a third of the drawing time of large triangles.
 std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b, double inverseOfB) {
     const auto estimate = static_cast<std::int64_t>(static_cast<double>(a) * inverseOfB);
     const std::int64_t rest = a - estimate * b;
@@ -16,8 +16,8 @@ std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b, double inverseOfB) 
     return rest >= b ? estimate + 1 : estimate;
 }
 
-/// Returns the edge function dx (Y - from.y) - dy (X - from.x) of the edge from `from` to `to`. A pixel is inside if
-/// the value is >= 0, or > 0 for an edge that is neither a left edge nor the lowest edge.
+/// Returns the edge function dx (Y - from.y) - dy (X - from.x) of the triangle edge from `from` to `to`. A pixel is
+/// inside if the value is >= 0, or > 0 for an edge that is neither a left edge nor the lowest edge.
 WideEdge wideEdge(const SnappedVertex& from, const SnappedVertex& to) {
     const std::int64_t dx = to.x - from.x;
     const std::int64_t dy = to.y - from.y;
@@ -30,7 +30,7 @@ WideEdge wideEdge(const SnappedVertex& from, const SnappedVertex& to) {
     return edge;
 }
 
-/// The vector between two unsnapped corners.
+/// The vector between two unsnapped corners of a triangle.
 struct Side {
     double x;
     double y;
@@ -66,7 +66,7 @@ WideTriangle wideTriangle(std::array<SnappedVertex, 3> corners) {
     const Side side1(a, b);
     const Side side2(a, c);
     const double unsnapped = side1.x * side2.y - side2.x * side1.y;
-    // If snapping created most of the area of a thin triangle, its unsnapped corners give no reliable depth plane.
+    // The unsnapped corners of a thin triangle give no reliable depth plane if most of its area comes from snapping.
     if (!(unsnapped > kMinTrueArea * static_cast<double>(area))) return wideTriangle(withoutRests(corners));
     const double dz1 = double{b.z} - a.z;
     const double dz2 = double{c.z} - a.z;
@@ -115,7 +115,7 @@ WideRows::WideRows(const WideTriangle& triangle, const PixelBox& tile)
     depthPerY_ = triangle.depthPerY;
 }
 
-/// Reduces the range of rows to the rows that have a pixel inside the edge. If no row of the tile has such a pixel, the
+/// Limits the range of rows to the rows that have a pixel inside the edge. If no row of the tile has such a pixel, the
 /// range becomes empty.
 void WideRows::limitRows(const WideEdge& edge) {
     const auto best = [&](int y) { // max value of the edge function in the row

@@ -55,7 +55,7 @@ enum class Residence : std::uint8_t {
     Damaged, // the refinement cannot be read
 };
 
-/// A drawn cluster that is coarser than the error limit allows, because finer data is not in memory.
+/// A drawn cluster that is coarser than the error limit allows, because finer data is not available.
 struct LodSubstitute {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;
@@ -221,7 +221,7 @@ public:
     /// their shadows, and shades each pixel once. Throws Error if the backend does not support exact shadows.
     virtual DrawStatistics drawExactly(const DrawInputs& frame);
 
-    /// Returns the memory of geometry and textures that the last frame used.
+    /// Returns the memory of geometry and textures after the last frame.
     virtual Bytes deviceMemory() const = 0;
 
     /// Draws the shadow maps and the image of a frame. Receiver culling does not change the image.

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::exact::HWY_NAMESPACE {
 
-/// Computes the boxes of adjacent blocks along one axis. Each of the blocks must be full.
+/// Computes the bounding boxes of adjacent groups of eight samples along one axis. Each group must be full.
 void boxWholeBlocksInLanes(const double* values, std::size_t blocks, float* middle, float* half) {
     namespace hn = hwy::HWY_NAMESPACE;
     constexpr float kUp = 1 + 0x1p-22F; // larger than the rounding error of a conversion to float

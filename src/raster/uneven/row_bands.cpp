@@ -13,8 +13,8 @@ float powerOfTwoFrom(float value) {
     return std::exp2(std::ceil(std::log2(value)));
 }
 
-/// Returns the number of units per y / w. With this scale, rows at the narrowest gap stay more than one bucket apart
-/// after rounding.
+/// Returns the scale from y / w to units of a band. With this scale, adjacent rows stay more than one bucket apart
+/// after rounding. `narrowest` is the narrowest gap between rows.
 float scaleFor(int bucketBits, float narrowest) {
     return powerOfTwoFrom(static_cast<float>((1 << bucketBits) + 2) / narrowest);
 }
@@ -34,7 +34,7 @@ void RowBands::reset(std::span<const float> positions, int firstRow) {
     highest_ = positions_.size() > 1 ? high + gap(positions_.size() - 2) : high + guard_;
     std::size_t first = 0;
     while (first < positions_.size()) {
-        // For a band with a single row, the gaps to the adjacent rows determine the precision of the snapping.
+        // In a band with a single row, the gaps to the adjacent rows determine the precision of the snapping.
         float narrowest = positions_.size() == 1 ? guard_ : std::numeric_limits<float>::max();
         if (first > 0) narrowest = std::min(narrowest, gap(first - 1));
         if (first + 1 < positions_.size()) narrowest = std::min(narrowest, gap(first));

@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 
 namespace gnomon::raster::HWY_NAMESPACE {
 
-/// Returns the lanes whose triangles are narrow: their edge functions fit an int32.
+/// Returns a mask of the SIMD lanes whose triangles are narrow, so that their edge functions fit an int32.
 HWY_INLINE IntMask isNarrow(const UnevenSource& source, Ints corners) {
     const PointLanes a = source.pointAt(cornerIndex<0>(corners));
     const PointLanes b = source.pointAt(cornerIndex<1>(corners));
@@ -33,8 +33,8 @@ HWY_INLINE IntMask isNarrow(const UnevenSource& source, Ints corners) {
         hn::Lt(hn::Sub(maxOf(a.y, b.y, c.y), minOf(a.y, b.y, c.y)), narrow));
 }
 
-/// Sorts the triangles of a cluster into size classes, by the number of samples that they may cover. Skips triangles
-/// that cannot cover a sample of the tile.
+/// Sorts the triangles of a cluster into size classes by the number of pixel centres that they may cover. Skips
+/// triangles that cannot cover a pixel centre of the tile.
 HWY_INLINE void sortUneven(
     const SnappedCluster& cluster,
     const BandVertices& vertices,
@@ -55,7 +55,7 @@ HWY_INLINE void sortUneven(
         const auto a = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<0>(corners));
         const auto b = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<1>(corners));
         const auto c = hn::GatherIndex(kInts, vertices.places.data(), cornerIndex<2>(corners));
-        // The range of samples in the bounding box. Rows are counted from the first row of the band.
+        // The range of pixels in the bounding box of each triangle. Rows are counted from the first row of the band.
         const auto minX = minOf(Place::x(a), Place::x(b), Place::x(c));
         const auto maxX = maxOf(Place::x(a), Place::x(b), Place::x(c));
         const auto firstX = hn::ShiftRight<kSubpixelBits>(hn::Add(minX, round));
@@ -80,8 +80,8 @@ HWY_INLINE void sortUneven(
     sorted.pad();
 }
 
-/// The results of triangle setup, with one triangle per lane: the first samples, the units of the first row and of the
-/// highest corner, and the reference row of the depth plane.
+/// The results of triangle setup in a logarithmic map, with one triangle per SIMD lane: the first pixels, the units of
+/// the first row and of the highest corner, and the reference row of the depth plane.
 struct UnevenLanes {
     TriangleLanes t; // rows are counted from the band's first row; lastY is the tile's last row
     Ints firstUnits;
@@ -89,13 +89,14 @@ struct UnevenLanes {
     Ints referenceUnits;
 };
 
-/// Returns the distance from the depth plane's reference row to height `units`, in pixels of 256 units.
+/// Returns the distance from the depth plane's reference row to the height `units`, in pixels of 256 units.
 HWY_INLINE Floats fromReference(Ints units, Ints referenceUnits) {
     const auto pixels = hn::Set(kFloats, 1.0F / kSubpixels);
     return hn::Mul(hn::ConvertTo(kFloats, hn::Sub(units, referenceUnits)), pixels);
 }
 
-/// Sets up one narrow triangle per SIMD lane, with counter-clockwise corners.
+/// Computes triangle setup for one narrow triangle per SIMD lane and returns the result. The corners are then
+/// counter-clockwise.
 HWY_INLINE UnevenLanes
 unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints packed, const BandLanes& rows) {
     const auto i0 = cornerIndex<0>(packed);
@@ -114,7 +115,7 @@ unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints pack
     const auto round = hn::Set(kInts, kSubpixels - 1);
     t.firstX = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(minOf(a.x, b.x, c.x), round)), hn::Zero(kInts));
     t.lastX = hn::Min(hn::ShiftRight<kSubpixelBits>(maxOf(a.x, b.x, c.x)), hn::Set(kInts, tile.width() - 1));
-    // Padding triangles in the last vector can lie anywhere, so firstY is clamped to the tile.
+    // Padding triangles in the last SIMD vector can lie anywhere, so firstY is clamped to the tile.
     t.lastY = hn::Set(kInts, tile.y1 - 1 - above);
     t.firstY = hn::Min(hn::Max(rows.firstRow(minOf(a.y, b.y, c.y)), hn::Set(kInts, tile.y0 - above)), t.lastY);
     lanes.firstUnits = rows.row(t.firstY);
@@ -123,7 +124,7 @@ unevenLanes(const SnappedCluster& cluster, const UnevenSource& source, Ints pack
     setEdge(b, c, first, t.edges.e0, t.perX.e0, t.perY.e0);
     setEdge(c, a, first, t.edges.e1, t.perX.e1, t.perY.e1);
     setEdge(a, b, first, t.edges.e2, t.perX.e2, t.perY.e2);
-    // setEdge returns increments per pixel, but rows need increments per unit of the band.
+    // The increments from setEdge are per pixel, but increments from row to row must be per unit of the band.
     t.perY.e0 = hn::ShiftRight<kSubpixelBits>(t.perY.e0);
     t.perY.e1 = hn::ShiftRight<kSubpixelBits>(t.perY.e1);
     t.perY.e2 = hn::ShiftRight<kSubpixelBits>(t.perY.e2);
@@ -142,7 +143,7 @@ HWY_INLINE Edges atUnits(const TriangleLanes& t, Ints unitsFromFirst) {
         hn::Add(t.edges.e2, hn::Mul(t.perY.e2, unitsFromFirst))};
 }
 
-/// Draws triangles of at most `side` x `side` samples, with one triangle per SIMD lane.
+/// Draws triangles that cover at most `side` x `side` pixel centres, with one triangle per SIMD lane.
 template <int side>
 HWY_INLINE void drawSmallUneven(
     const SnappedCluster& cluster,
@@ -183,7 +184,7 @@ HWY_INLINE void drawSmallUneven(
     }
 }
 
-/// Draws the triangle of lane `lane`, with one sample per SIMD lane.
+/// Draws triangle `lane` of the stored triangles, with one pixel per SIMD lane.
 HWY_INLINE void drawStoredUneven(
     const StoredLanes& s,
     std::uint32_t lane,
@@ -198,7 +199,7 @@ HWY_INLINE void drawStoredUneven(
     const Edges first = {edgeAlong(0), edgeAlong(1), edgeAlong(2)};
     const auto value = [&](std::size_t k) HWY_ATTR { return hn::Set(kFloats, s.depth[k][lane]); };
     const DepthLanes depth = {value(0), value(1), value(2), value(3), value(4), value(5), value(6)};
-    // Local copies, because the compiler must assume that writes to the tile change the stored values.
+    // Local copies avoid reloads. The compiler must assume that writes to the tile change the stored values.
     const auto [x0, y0, x1, y1] =
         std::array<std::int32_t, 4>{s.box[0][lane], s.box[1][lane], s.box[2][lane], s.box[3][lane]};
     const std::array<std::int32_t, 3> perY = {s.perY[0][lane], s.perY[1][lane], s.perY[2][lane]};

@@ -34,11 +34,11 @@ UnevenTriangle::UnevenTriangle(std::array<UnevenVertex, 3> corners) : corners_(c
     const double x1 = b.x - a.x + (b.restX - a.restX);
     const double x2 = c.x - a.x + (c.restX - a.restX);
     const double unsnapped = x1 * (c.unsnappedY - a.unsnappedY) - x2 * (b.unsnappedY - a.unsnappedY);
-    // If snapping created most of the area of a thin triangle, its unsnapped corners give no reliable depth plane.
+    // The unsnapped corners of a thin triangle give no reliable depth plane if most of its area comes from snapping.
     setPlane(unsnapped > kMinTrueArea * static_cast<double>(area()));
 }
 
-/// Sets the depth plane through the unsnapped corners if `isTrue`, else through the snapped corners.
+/// Computes the depth plane from the unsnapped corners if `isTrue`, otherwise from the snapped corners.
 void UnevenTriangle::setPlane(bool isTrue) {
     const auto x = [&](const UnevenVertex& vertex) { return vertex.x + (isTrue ? vertex.restX : 0); };
     const auto y = [&](const UnevenVertex& vertex) {

@@ -1,5 +1,5 @@
-// Finds closed outlines among the intersection lines of a plane and a model. Only lines that cannot be connected to a
-// closed outline stay open.
+// Finds closed outlines among the intersection lines of a plane and a model. The lines that
+// stay open have the min total length.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -33,7 +33,7 @@ struct Round {
 constexpr std::size_t kGrain = 16384; // samples
 constexpr std::size_t kStride = 8;
 constexpr std::array kRounds = {Round{0, 1}, Round{1, 4}, Round{4, kStride}};
-// Min fraction of dark samples at which dark samples are removed from the grid.
+// Min ratio of dark samples to remaining samples at which dark samples are removed from the grid.
 constexpr double kWorthwhile = 0.25;
 
 /// Returns true if the caster has vertices and thus casts shadows. Casters without vertices only contain triangles on

@@ -13,7 +13,7 @@ namespace gnomon::render {
 
 namespace {
 
-/// The clusters of the image, as a set that is searched by page and cluster.
+/// The drawn clusters of the image, as a set that can be searched by page and cluster.
 class ClusterSet {
 public:
     ClusterSet(std::span<const DrawnCluster> clusters, bool withPieces) {
@@ -37,7 +37,7 @@ private:
 exact::Caster casterOf(const DrawInputs& frame, const hierarchy::Page& page, std::uint32_t index, std::size_t place) {
     const hierarchy::Cluster& cluster = page.clusters[index];
     const hierarchy::GridPoint origin = frame.space.originCell;
-    // Differences modulo 2^32 are also correct for positions outside the grid.
+    // Subtraction modulo 2^32 gives correct differences even for positions outside the grid.
     const auto fromOrigin = [&](const hierarchy::GridPoint& p) {
         return glm::i64vec3(glm::ivec3(glm::uvec3(p.x, p.y, p.z) - glm::uvec3(origin.x, origin.y, origin.z)));
     };
@@ -53,7 +53,7 @@ exact::Caster casterOf(const DrawInputs& frame, const hierarchy::Page& page, std
     return caster;
 }
 
-/// Returns the caster of a piece of a cluster that sections cut, with the piece's own corners.
+/// Converts a cut piece of a cluster to a caster, with the piece's own corners.
 exact::Caster casterOfPiece(const DrawInputs& frame, const raster::Cluster& piece) {
     const hierarchy::GridPoint origin = frame.space.originCell;
     exact::Caster caster;
@@ -70,8 +70,9 @@ exact::Caster casterOfPiece(const DrawInputs& frame, const raster::Cluster& piec
     return caster;
 }
 
-/// Returns the eye in grid cells. A distant orthographic eye can exceed the range of fixed-point coordinates with a
-/// precision of 2^-24. The eye is then moved along the view direction, which does not change the parallel rays.
+/// Returns the position of the eye in grid cells. A distant orthographic eye can exceed the range of fixed-point
+/// coordinates with a precision of 2^-24. The eye is then moved along the view direction, which does not change the
+/// parallel rays.
 glm::dvec3 eyeCell(const DrawInputs& frame) {
     constexpr double kFarthest = 0x1p36;
     const glm::dvec3 eye = frame.space.eye / frame.space.step;
@@ -92,7 +93,7 @@ exact::SampleSpace sampleSpace(const DrawInputs& frame) {
     space.light = frame.plan->light;
     space.shear = exact::shearAlong(space.light);
     space.eye = eyeCell(frame);
-    // the plan has 0 maps if the function computes the ground truth for shadow maps
+    // The plan has no maps if this function is called for the ground truth of shadow maps.
     space.maps = std::max(static_cast<int>(frame.plan->sampleGridMaps.size()), 1);
     return space;
 }
@@ -140,8 +141,8 @@ void drawPoints(const DrawInputs& frame, const ImageBuffers& buffers, exact::Vis
 
 namespace {
 
-/// Adds the clusters of the image pass to `casters`, at the same indices. The ground and the pieces of cut clusters are
-/// added without vertices, so they throw no shadow, but samples can still refer to their triangles.
+/// Adds the drawn clusters of the image to `casters`, at the same indices. The ground and the pieces of cut clusters
+/// are added without vertices. They throw no shadow, but samples can still refer to their triangles.
 void addDrawnCasters(const DrawInputs& frame, const SoftwarePass& image, std::vector<exact::Caster>& casters) {
     for (std::size_t place = 0; place < image.drawn().size(); ++place) {
         const DrawnCluster& cluster = image.drawn()[place];
@@ -153,15 +154,15 @@ void addDrawnCasters(const DrawInputs& frame, const SoftwarePass& image, std::ve
     }
 }
 
-/// Adds the pieces of cut clusters, from index `first` of the pass on. The id of a piece is the id of the triangle from
-/// which it was cut.
+/// Adds the cut pieces of clusters to `casters`, from index `first` of the pass on. The id of a piece is the id of the
+/// triangle from which it was cut.
 void addPieceCasters(
     const DrawInputs& frame, const SoftwarePass& image, std::size_t first, std::vector<exact::Caster>& casters) {
     for (std::size_t place = first; place < image.drawn().size(); ++place)
         if (image.drawn()[place].isPiece) casters.push_back(casterOfPiece(frame, image.clusters()[place]));
 }
 
-/// Adds the parts of a cluster that the sections do not remove.
+/// Adds the parts of a cluster that the section planes do not remove to the casters.
 void addCutCaster(
     const DrawInputs& frame,
     SoftwarePass& image,

@@ -11,7 +11,7 @@
 
 namespace gnomon::render {
 
-// The C++ structs must have the same std140 layout as the uniform blocks of the shaders.
+// The C++ structs must have the same std140 memory layout as the uniform blocks of the shaders.
 static_assert(offsetof(block::Frame, gridStep) == offsetof(block::Frame, eye) + 12 && sizeof(block::Frame) % 16 == 0);
 static_assert(offsetof(block::Frame, sliceCount) % 16 == 0 && offsetof(block::Frame, ambientMean) % 16 == 0);
 static_assert(offsetof(block::Shadows, partitions) % 256 == 0);
@@ -31,14 +31,14 @@ glm::vec4 toDraw(const CameraBasis& basis, const glm::dvec3& direction, double w
     return {glm::vec3(toWorld(basis, direction)), static_cast<float>(w)};
 }
 
-/// Returns the transformation to camera space for an eye at `eye` in camera-relative space, which has the axes of the
-/// world.
+/// Returns the matrix from camera-relative space to camera space, for an eye at the position `eye` in camera-relative
+/// space.
 glm::dmat4 cameraFromDraw(const CameraBasis& basis, const glm::dvec3& eye) {
     const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
     return fromRows(row(basis.right), row(basis.up), row(basis.view), {0, 0, 0, 1});
 }
 
-/// Returns the camera-relative space of `view` whose origin is the grid point nearest to `local`. `local` is in the
+/// Returns the camera-relative space whose origin is the grid point nearest to `local`. The position `local` is in the
 /// model's local space.
 CameraRelativeSpace cameraRelativeSpaceAt(
     const plan::View& view, const hierarchy::Grid& grid, const glm::dvec3& local) {
@@ -59,8 +59,8 @@ glm::dvec3 originIn(const DrawInputs& frame, const CameraRelativeSpace& space) {
     return (cells(space.originCell) - cells(frame.space.originCell)) * space.step;
 }
 
-/// Returns the space for drawing a stabilised map. It depends only on the map's place in the world, not on the camera
-/// or the frame.
+/// Returns the coordinate system for drawing a stabilised shadow map. It depends only on the map's place in the world,
+/// not on the camera or the frame.
 MapDrawing stableDrawing(const DrawInputs& frame, const shadow::ShadowMap& map) {
     const plan::View& view = frame.plan->view;
     const shadow::LightFrame axes = shadow::stableWorldFrame(frame.plan->light.unit());

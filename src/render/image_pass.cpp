@@ -25,7 +25,8 @@ std::optional<raster::OcclusionCounts> drawVisible(const DrawInputs& frame, cons
             return tiles.holdsAny(box.x0, box.y0, box.x1, box.y1);
         };
     std::optional<raster::OcclusionCounts> hidden;
-    // the search for section lines runs in parallel with the other work, because it is itself hard to parallelise
+    // The search for section lines runs in parallel with the other work, because the search itself is hard to
+    // parallelise.
     tbb::task_group lines;
     if (!frame.sections.empty()) lines.run([&] { frame.sectionMemory->lines.find(frame); });
     if (frame.plan->skipsHidden)
@@ -39,7 +40,7 @@ std::optional<raster::OcclusionCounts> drawVisible(const DrawInputs& frame, cons
 
 namespace {
 
-/// Shades the requested tiles in `square`. The corner of the square is the corner of a tile.
+/// Shades the tiles in `square` that the target requests. The corner of the square is the corner of a tile.
 void shadeTiles(
     const Shading& shading,
     const raster::PixelBox& square,
@@ -55,8 +56,8 @@ void shadeTiles(
 } // namespace
 
 void shadeVisible(const Shading& shading, std::span<const std::uint64_t> words, const ShadingTarget& target) {
-    // Work is divided into squares, because neighbouring pixels in both directions often show the same triangle. The
-    // squares are small enough for load balancing.
+    // The image is divided into squares, because neighbouring pixels in both directions often show the same triangle.
+    // The squares are small enough for load balancing.
     constexpr int kSide = 2 * shadow::ImageTiles::kSide;
     const Picture& picture = *target.picture;
     const ImageRows held = shading.rows();

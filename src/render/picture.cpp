@@ -29,7 +29,7 @@ std::string sizeText(const Picture& picture) {
 
 namespace {
 
-/// A picture as libpng needs it.
+/// A picture in the structure that libpng requires.
 class PngImage {
 public:
     PngImage(const Picture& picture, const std::optional<Coverage>& coverage) : pixels_(picture.pixels.data()) {
@@ -47,7 +47,8 @@ public:
         pixels_ = withAlpha_.data();
     }
 
-    /// Writes the PNG file to the memory `to`. If `to` is null, only computes the size of the file.
+    /// Writes the picture as a PNG file to the memory `to`. If `to` is null, the function only computes the size of the
+    /// file.
     void write(void* to, png_alloc_size_t& size) {
         require(png_image_write_to_memory(&image_, to, &size, 0, pixels_, 0, nullptr) != 0);
     }
@@ -64,7 +65,7 @@ private:
     std::vector<std::array<std::uint8_t, 4>> withAlpha_;
 };
 
-/// A stdio stream that writes to a File.
+/// A C stream (FILE*) that writes to an object of class File.
 class FileStream {
 public:
     explicit FileStream(File& file)
@@ -83,7 +84,7 @@ public:
 
     std::FILE* stream() { return stream_; }
 
-    /// Flushes the stream and throws the first write error, if there was one.
+    /// Flushes and closes the stream. Throws the first error that occurred during writing.
     void close() {
         std::fclose(std::exchange(stream_, nullptr));
         rethrow();

@@ -36,8 +36,8 @@ std::string y4mFrame(const Picture& picture) {
     frame.resize(luma + 3 * count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto& [r, g, b] = picture.pixels[i];
-        // The BT.709 matrix in units of 1/65536, times 219/255 for luma and 224/255 for chroma, rounded. The
-        // coefficients of each chroma row add up to 0.
+        // The coefficients are the BT.709 matrix in units of 1/65536, times 219/255 for luma and 224/255 for chroma,
+        // rounded. The coefficients of each chroma row add up to 0.
         frame[luma + i] = static_cast<char>(16 + (11966 * r + 40254 * g + 4064 * b + 32768) / 65536);
         frame[luma + count + i] = static_cast<char>((-6596 * r - 22189 * g + 28785 * b + 128 * 65536 + 32768) / 65536);
         frame[luma + 2 * count + i] =

@@ -11,15 +11,15 @@ namespace gnomon::render {
 
 namespace {
 
-/// Returns the corners of a triangle of a cluster, in cells from the frame's origin.
+/// Returns the corners of `triangle`, in cells from the frame's origin. `vertices` are the vertices of its cluster.
 exact::Corners cornersOf(
     const DrawInputs& frame, const hierarchy::Vertex* vertices, const hierarchy::Triangle& triangle) {
     const hierarchy::GridPoint& origin = frame.space.originCell;
     exact::Corners corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const hierarchy::GridPoint& p = vertices[triangle[k]].position;
-        // The coordinates are unsigned. The subtraction wraps modulo 2^32, and the cast gives the correct signed
-        // difference, even for positions outside the grid.
+        // Unsigned subtraction wraps modulo 2^32. The cast then gives the correct signed difference, even for
+        // positions outside the grid.
         corners[k] = glm::ivec3(
             static_cast<std::int32_t>(p.x - origin.x),
             static_cast<std::int32_t>(p.y - origin.y),
@@ -28,7 +28,7 @@ exact::Corners cornersOf(
     return corners;
 }
 
-/// A hit rule that ignores the triangle on which a ray starts, and all triangles in the plane of this triangle.
+/// A rule for ray tracing: a ray ignores the triangle on which it starts, and all triangles in the same plane.
 class PlaneRule final : public raytrace::HitRule {
 public:
     PlaneRule(const DrawInputs& frame, const exact::SampleList& samples, std::span<const DrawnCluster> drawn)

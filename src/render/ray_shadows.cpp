@@ -10,7 +10,7 @@
 namespace gnomon::render {
 
 std::vector<lod::ClusterRange> distinctClusters(std::span<const lod::DrawList* const> lists) {
-    // Each range has one cluster, so that clusters in several lists can be found and removed.
+    // Each range contains one cluster, so that a cluster in several lists can be found and removed.
     std::vector<lod::ClusterRange> clusters;
     for (const lod::DrawList* list : lists)
         for (const lod::ClusterRange& range : list->ranges)
@@ -56,8 +56,8 @@ std::vector<raytrace::Light> lightByRays(
         points[i] = {surface.position, surface.normal, static_cast<float>(offsetPixels * pixel)};
     });
     std::vector<raytrace::Light> light = raytrace::litByRays(scene, points, lightSource(frame));
-    // Image and rays can disagree about the lit side of a grazing surface, by the last bit of a cosine. The result of
-    // the image is used.
+    // Rasterised image and rays can disagree about the lit side of a grazing surface, by the last bit of a cosine. The
+    // result of the image is used.
     for (std::size_t i = 0; i < light.size(); ++i)
         if (surfaces.pixels[i].isSurface != 0 && !surfaces.pixels[i].isLitSide()) light[i] = raytrace::Light::Turned;
     return light;
@@ -73,8 +73,8 @@ raytrace::CutScene cutScene(const DrawInputs& frame, raytrace::KeptTrees& trees)
     return {trees, clusters, frame.grid, frame.space.originCell};
 }
 
-/// Returns the lit pixels of `frame` by ray tracing: 255 if lit, otherwise 0. The function first draws the surfaces,
-/// and adds the number of draw calls to `drawCalls`.
+/// Computes the lit pixels of `frame` by ray tracing: 255 if lit, otherwise 0. The function first draws the visible
+/// surfaces, and adds the number of draw calls to `drawCalls`.
 Raster<std::uint8_t> litBySurfaces(Backend& backend, DrawInputs frame, std::uint64_t& drawCalls) {
     frame.wantsSurfaces = true;
     frame.wantsLight = false;
@@ -101,7 +101,7 @@ DrawStatistics drawByRays(Backend& backend, DrawInputs frame, raytrace::KeptTree
         statistics.shadows.time.count += making.count;
         return statistics;
     }
-    // the plan has no maps, so this call only discards the maps of earlier frames
+    // The plan has no shadow maps, so this call only discards the maps of earlier frames.
     statistics.shadows = backend.drawShadowMaps(frame);
     const Raster<std::uint8_t> lit = litBySurfaces(backend, frame, statistics.shadows.drawCalls);
     statistics.shadows.time = watch.elapsed();

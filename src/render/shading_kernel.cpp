@@ -37,7 +37,7 @@ HWY_INLINE void store(const Vec3& v, PixelBatch::Vectors<float>& values, std::si
     hn::StoreU(v.z, kFloats, values[2].data() + i);
 }
 
-/// Barycentric weights of a point in a triangle.
+/// The barycentric weights of a point in a triangle, per SIMD lane.
 struct Weights {
     Floats first, second, third;
 
@@ -46,11 +46,12 @@ struct Weights {
     }
 };
 
-/// The point of an edge that is nearest to a ray.
+/// The point of a triangle edge that is nearest to a ray, per SIMD lane.
 struct NearestOnEdge {
     Floats along; // position on the edge, from 0 to 1
-    // Measure of the distance to the ray, times the squared length of the ray's direction. The measure is the squared
-    // sine of the angle to the ray, or the squared distance for parallel rays.
+    // A measure of the distance between the point and the ray, times the squared length of the ray's direction. In
+    // perspective, the measure is the squared sine of the angle to the ray. For parallel rays, it is the squared
+    // distance.
     Floats beside;
 };
 
@@ -83,11 +84,11 @@ nearestOnOutline(const Vec3& ray, bool isParallel, const Vec3& fromCorner, const
     return {hn::Sub(hn::Sub(one, w1), w2), w1, w2};
 }
 
-/// Returns the barycentric weights of the intersection of the pixel's ray and the triangle (after Möller and Trumbore
-/// 1997). The ray can miss the triangle, because the snapping of vertices moved the pixel's centre into the triangle.
-/// If the triangle is almost edge-on, floats are too imprecise. In both cases, the result is the nearest point of the
-/// outline. The result is therefore always a point of the triangle at this pixel. `normal` is the cross product of the
-/// edges.
+/// Returns the barycentric weights of the intersection of the pixel's primary ray and the triangle (after Möller and
+/// Trumbore 1997). The ray can miss the triangle, because the snapping of vertices moved the pixel's centre into the
+/// triangle. If the triangle is almost edge-on, floats are too imprecise. In both cases, the result is the nearest
+/// point of the outline. The result is therefore always a point of the triangle at this pixel. `normal` is the cross
+/// product of the edges.
 HWY_INLINE Weights weightsAt(
     const Vec3& ray, bool isParallel, const Vec3& fromCorner, const Vec3& e1, const Vec3& e2, const Vec3& normal) {
     const auto zero = hn::Zero(kFloats);
@@ -111,8 +112,8 @@ HWY_INLINE Weights weightsAt(
         hn::IfThenElse(isHit, hit.third, nearest.third)};
 }
 
-/// Decodes the two snorm16 of an octahedral normal to a unit vector (Meyer et al. 2010). Returns zero if the vertex has
-/// no normal.
+/// Decodes an octahedral normal from two snorm16 values to a unit vector (Meyer et al. 2010). Returns zero if the
+/// vertex has no normal.
 HWY_INLINE Vec3 octahedral(Uints bits) {
     const auto word = hn::BitCast(kInts, bits);
     const auto decoded = [](Ints half) HWY_ATTR {
@@ -154,19 +155,19 @@ HWY_INLINE Floats channel(const PixelBatch& batch, std::size_t i, const Weights&
     return hn::Mul(weights.mix(corner(0), corner(1), corner(2)), constant(1 / 255.0F));
 }
 
-/// Converts a value in [0, 1] to the nearest of the levels 0 to 255.
+/// Converts a colour channel in [0, 1] to the nearest integer from 0 to 255.
 HWY_INLINE Ints level(Floats value) {
     const auto doubled = hn::Mul(constant(510), hn::Min(hn::Max(value, hn::Zero(kFloats)), constant(1)));
     return hn::ShiftRight<1>(hn::Add(hn::ConvertTo(kInts, doubled), hn::Set(kInts, 1)));
 }
 
-/// Packs a colour to 8-bit RGB, red in the low byte.
+/// Packs a colour to 8-bit RGB in one word, with red in the low byte.
 HWY_INLINE Ints packed(const Vec3& color) {
     return hn::Or(level(color.x), hn::Or(hn::ShiftLeft<8>(level(color.y)), hn::ShiftLeft<16>(level(color.z))));
 }
 
-/// Stores the parameters of lookups that follow when the maps are drawn. `pass` receives the index of the map, or -1
-/// without a lookup.
+/// Stores the parameters of shadow map lookups that are done later, when the maps are drawn. `pass` receives the index
+/// of the map, or -1 without a lookup.
 HWY_INLINE void leaveLookups(
     const ShadingFrame& f, const SurfaceLanes& surface, Ints& pass, PixelBatch& batch, std::size_t i) {
     const AwaitedLanes awaited = awaitedLookups(f, surface, pass);
@@ -177,21 +178,21 @@ HWY_INLINE void leaveLookups(
     hn::StoreU(awaited.depth, kFloats, batch.lookupDepth.data() + i);
 }
 
-/// Returns the unit direction from `position` to the point light.
+/// Returns the unit vector from `position` to the point light.
 HWY_INLINE Vec3 towardsPoint(const block::Frame& frame, const Vec3& position) {
     const auto zero = hn::Zero(kFloats);
     return normalizedOr(subtract(constant(&frame.towardsLight.x), position), {zero, zero, zero});
 }
 
 /// Returns the brightness of the point light at `position`, relative to the sun. It decreases with the squared
-/// distance, and is clamped to the range of light sums.
+/// distance, and is clamped so that it fits the range of light sums.
 HWY_INLINE Floats pointStrength(const block::Frame& frame, const Vec3& position) {
     const Vec3 towards = scale(subtract(constant(&frame.towardsLight.x), position), constant(1 / frame.pointReach));
     constexpr float kMinSquare = 1.0F / 1024;
     return hn::Div(constant(1), hn::Max(dot(towards, towards), constant(kMinSquare)));
 }
 
-/// Returns the lit fraction that is known without lookups in shadow maps.
+/// Returns the lit fraction of pixels as far as it is known without shadow map lookups.
 template <class Mask>
 HWY_INLINE Floats litBefore(const ShadingFrame& f, const PixelBatch& batch, std::size_t i, Mask faces) {
     if (f.litSource == LitSource::Mask) return load(batch.litMask, i);

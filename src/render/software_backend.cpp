@@ -103,7 +103,8 @@ Cutting castersCutting(const DrawInputs& frame) {
     return frame.plan->view.cutsCasters ? Cutting::BySections : Cutting::Whole;
 }
 
-/// Sets the texels of the depth texture outside all maps to 1. The texels of a map are cleared when the map is drawn.
+/// Clears all texels of the depth texture outside the shadow maps to 1. The texels of a map are cleared when the map is
+/// drawn.
 void SoftwareBackend::clearBetweenMaps(const plan::FramePlan& plan) {
     std::vector<shadow::TexelRectangle> row;
     for (int y = 0; y < shadowDepth_.height; ++y) {
@@ -122,7 +123,7 @@ void SoftwareBackend::clearBetweenMaps(const plan::FramePlan& plan) {
     }
 }
 
-/// Sets the size of the depth texture to the size in the plan. If the size changes, the content is undefined.
+/// Resizes the depth texture of the shadow maps to the size in the plan. If the size changes, the content is undefined.
 void SoftwareBackend::sizeShadowDepth(const plan::FramePlan& plan) {
     shadowDepth_.width = plan.textureWidth;
     shadowDepth_.height = plan.textureHeight;
@@ -138,8 +139,8 @@ void SoftwareBackend::drawMap(
     *statistics.fragments += rasterizer_.drawDepth(mapPass_.clusters(), view, depthTarget());
 }
 
-/// Draws a map, but skips texels that no receiver looks up, and casters that are hidden from the light by other
-/// casters. Returns the counts of skipped casters.
+/// Draws a shadow map, but skips texels that no receiver looks up and casters that other casters hide from the light.
+/// Returns the counts of skipped casters.
 raster::OcclusionCounts SoftwareBackend::drawWantedMap(
     const DrawInputs& frame, const lod::DrawList& casters, const raster::View& view, PassStatistics& statistics) {
     mapPass_.gather(frame, casters, castersCutting(frame));
@@ -170,7 +171,7 @@ PassStatistics SoftwareBackend::drawShadowMaps(const DrawInputs& frame) {
     return statistics;
 }
 
-/// Draws the parts of all maps that receivers look up.
+/// Draws the texels of all shadow maps that receivers look up. Returns the numbers of tested and drawn casters.
 CulledCasters SoftwareBackend::drawCulledMaps(const DrawInputs& frame, PassStatistics& statistics) {
     CulledCasters culled;
     for (std::size_t p = 0; p < frame.plan->passes.size(); ++p) {
@@ -232,7 +233,8 @@ void SoftwareBackend::sizeTargets(const DrawInputs& frame) {
         light_ = {};
 }
 
-/// Computes the colours of the image from the visibility buffer, and the surfaces if the frame requests them.
+/// Shades the visibility buffer: computes the colours of the image. If the frame requests surfaces, also computes the
+/// surface of each pixel.
 void SoftwareBackend::shade(const DrawInputs& frame) {
     const Shading shading(frame, imageClipFromDraw(frame), shadowDepth_, pass_.drawn());
     litPixels_ = 0;
@@ -253,7 +255,7 @@ PassStatistics SoftwareBackend::drawImage(const DrawInputs& frame) {
     return {watch.elapsed(), frame.image->ranges.size(), std::nullopt, occlusion};
 }
 
-/// Sets the mask of lit pixels from the exact-shadow `statuses` of the samples.
+/// Converts the shadow results of the samples to a mask with 255 for each lit pixel.
 void SoftwareBackend::keepVerdict(std::span<const std::uint8_t> statuses) {
     const exact::SampleList& samples = exact_.samples();
     litMask_.width = picture_.width;
@@ -272,7 +274,7 @@ void SoftwareBackend::keepVerdict(std::span<const std::uint8_t> statuses) {
     });
 }
 
-/// Shades the image with the mask of lit pixels. Returns true if it uses the headlight.
+/// Shades the image with the mask of lit pixels. Uses the headlight if too few pixels are lit, and then returns true.
 bool SoftwareBackend::shadeDecided(const DrawInputs& frame) {
     const std::uint64_t lit = litPixels_;
     DrawInputs decided = frame;
@@ -315,15 +317,15 @@ FloatPicture SoftwareBackend::shadowDepth() {
     return result;
 }
 
-/// Returns true if the pixel with index `wordAt` in the visibility buffer shows the ground.
+/// Returns true if the pixel at index `wordAt` of the visibility buffer shows the ground.
 bool SoftwareBackend::isOnGround(std::size_t wordAt) const {
     const std::uint64_t word = words_[wordAt];
     if (word == 0 || isCapName(raster::visibleTriangle(word))) return false;
     return pass_.drawn()[raster::visibleTriangle(word) >> kTriangleBits].isGround;
 }
 
-/// Returns the picture of the image. With a transparent background, the ground was drawn as a shadow on white. The
-/// darkness of the shadow determines the coverage, and the colour becomes black.
+/// Returns the colours of the image. With a transparent background, the ground was drawn as a shadow on white. The
+/// darkness of the shadow then determines the coverage, and the colour becomes black.
 Picture SoftwareBackend::picture() {
     Picture result = picture_;
     if (!isTransparent_ || !pass_.hasGround()) return result;
@@ -348,7 +350,7 @@ FloatPicture SoftwareBackend::viewDepth() {
     for (int row = 0; row < result.height; ++row)
         for (int column = 0; column < result.width; ++column) {
             const std::size_t at = result.index(column, result.height - 1 - row);
-            // The depth is infinite if no surface of the model is visible.
+            // The view depth is infinite if no surface of the model is visible at the pixel.
             const bool isShown = !pass_.hasGround() || !isOnGround(at);
             result.at(column, row) =
                 static_cast<float>(depth_.asked(isShown ? raster::visibleDepth(words_[at]) : 0.0F));

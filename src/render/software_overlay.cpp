@@ -12,8 +12,8 @@ namespace gnomon::render {
 
 namespace {
 
-/// Returns the colour of a surface without a shadow map: diagonal stripes that are four pixels wide. `light` scales the
-/// brightness.
+/// Returns the colour of a surface that uses no shadow map: diagonal stripes that are four pixels wide. `light` scales
+/// the brightness.
 glm::vec3 withoutMap(const PaintedPixel& pixel, float light) {
     return glm::vec3(light) * kWithoutMap[(pixel.x + pixel.y) / 4 % 2 == 0 ? 0 : 1];
 }
@@ -73,7 +73,7 @@ glm::vec3 SoftwareOverlay::residence(const DrawnCluster& cluster) const {
 float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
     const block::Partition& part = shadows_->partitions[pixel.pass];
     const auto at = [&](int column, int row) {
-        // Intersects the ray of pixel (column, row) with the plane of the triangle.
+        // Intersects the primary ray of pixel (column, row) with the plane of the triangle.
         const glm::dvec3 origin =
             pixel.rayOrigin + double(column - pixel.x) * pixel.originPerX + double(row - pixel.y) * pixel.originPerY;
         const glm::dvec3 fromOrigin = glm::dvec3(pixel.position) - origin;
@@ -84,7 +84,7 @@ float SoftwareOverlay::texelGrid(const PaintedPixel& pixel) const {
         const glm::dvec3 hit = across == 0 ? fromOrigin : ray * (distance / across);
         return (texelAt(part, clipOf(part, glm::vec3(hit + origin))) - part.firstTexel) / 5.0F;
     };
-    // The differences are computed within blocks of two by two pixels, as in OpenGL.
+    // Differences between pixels are computed within blocks of two by two pixels, as in OpenGL.
     const int left = pixel.x & ~1;
     const int low = pixel.y & ~1;
     const glm::vec2 perX = glm::abs(at(left + 1, pixel.y) - at(left, pixel.y));

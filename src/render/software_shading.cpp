@@ -26,25 +26,25 @@ glm::vec3 toVector(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// Converts a channel in [0, 1] to the nearest of the levels 0 to 255.
+/// Converts a colour channel in [0, 1] to the nearest integer from 0 to 255.
 std::uint8_t level(float channel) {
     return static_cast<std::uint8_t>((static_cast<int>(510 * std::clamp(channel, 0.0F, 1.0F)) + 1) / 2);
 }
 
 } // namespace
 
-/// A batch of pixels with their positions in the image.
+/// A batch of pixels for the shading kernel, with their positions in the image.
 struct Shading::Work {
     PixelBatch batch;
     std::array<std::uint32_t, PixelBatch::kMaxPixels> triangles{}; // ids of the visible triangles
     std::array<std::array<const hierarchy::Vertex*, 3>, PixelBatch::kMaxPixels> corners{};
     std::array<int, PixelBatch::kMaxPixels> columns{};
     std::array<int, PixelBatch::kMaxPixels> rows{}; // row of each pixel, from the bottom
-    // of pixels whose exact shadow is not computed yet
+    // Pixel ids and tolerances of pixels whose exact shadows are computed later.
     std::array<std::uint32_t, PixelBatch::kMaxPixels> pixels{}, tolerances{};
-    // index of the map whose sample grid contains the pixel
+    // Index of the shadow map whose sample grid contains the pixel.
     std::array<std::int32_t, PixelBatch::kMaxPixels> maps{};
-    // indices in the batch of pixels that wait for a map
+    // Indices in the batch of pixels whose shadow map is drawn later.
     std::array<std::uint32_t, PixelBatch::kMaxPixels> awaiting{};
 };
 
@@ -62,7 +62,7 @@ Shading::Shading(
       overlay_(frame, block_, shadows_, clusters),
       background_(backgroundRows(frame)) {
     if (frame.ground != nullptr) {
-        // SoftwareBackend::picture explains why the background is white.
+        // The ground is drawn on white. SoftwareBackend::picture converts its shadow to coverage.
         if (isTransparent(frame)) background_.assign(background_.size(), {255, 255, 255});
         leftInShadow_ = leftInShadow(frame);
         shadowed_ = shadowedRows(background_, leftInShadow_);
@@ -106,7 +106,7 @@ bool Shading::isGround(const Work& work, std::size_t i) const {
     return clusters_[work.triangles[i] >> kTriangleBits].isGround;
 }
 
-/// Computes the colours of the ground pixels: the background, darkened by the shadow of the sun.
+/// Computes the colours of pixels that show the ground: the background, darkened by the shadow of the sun.
 void Shading::colorGround(Work& work) const {
     PixelBatch& batch = work.batch;
     const auto packed = [](const Rgb& c) {
@@ -127,8 +127,8 @@ void Shading::colorGround(Work& work) const {
     }
 }
 
-/// Writes the surface and the light of pixel `at`, which shows the background or the cap of a section. Its colour is
-/// already in the picture.
+/// Writes the surface and the light of pixel `at`, which shows the background or a section cap. The colour of the pixel
+/// is already in the picture.
 void Shading::leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& target) const {
     if (target.surfaces != nullptr) target.surfaces->pixels[at] = {};
     if (target.light == nullptr) return;
@@ -139,7 +139,7 @@ void Shading::leaveUnshaded(std::size_t at, bool isCap, const ShadingTarget& tar
 void Shading::shade(
     const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target) const {
     // Pixels are processed in small squares, so that neighbouring samples are adjacent in the sample list. A triangle
-    // is tested against consecutive samples of the list.
+    // is later tested against consecutive samples of this list.
     constexpr int kSide = 8;
     Work work;
     for (int y = box.y0; y < box.y1; y += kSide)
@@ -148,7 +148,7 @@ void Shading::shade(
     flush(work, target);
 }
 
-/// Adds the pixels of a square to the batch in `work`. The caller must flush the pixels that remain in the batch.
+/// Adds the pixels of a small square to the batch in `work`. The caller must shade the pixels that remain in the batch.
 void Shading::shadeSquare(
     const raster::PixelBox& box, std::span<const std::uint64_t> words, const ShadingTarget& target, Work& work) const {
     const Picture& picture = *target.picture;
@@ -175,7 +175,8 @@ void Shading::shadeSquare(
     }
 }
 
-/// Copies the triangles of the batch into its input. The corners are scattered over pages, so they are prefetched.
+/// Copies the triangles of the batch into the input of the shading kernel. The corners are scattered over pages in
+/// memory, so they are prefetched.
 void Shading::gatherTriangles(Work& work) const {
     PixelBatch& batch = work.batch;
     for (std::size_t i = 0; i < batch.count; ++i) {
@@ -248,7 +249,8 @@ void Shading::flush(Work& work, const ShadingTarget& target) const {
     batch.count = 0;
 }
 
-/// Returns the light of a section's cap whose displayed colour is `color`. A cap receives no light from sky directions.
+/// Returns the linear light of a section cap whose displayed colour is `color`. A cap receives no light from single sky
+/// directions.
 std::array<float, 3> Shading::lightOfCap(const Rgb& color) const {
     std::array<float, 3> light{};
     if (frame_->lightPart == LightPart::SkyDirection) return light;
@@ -259,8 +261,8 @@ std::array<float, 3> Shading::lightOfCap(const Rgb& color) const {
     return light;
 }
 
-/// Returns the value of a ground pixel in a LightPicture: the light that a shadow with the lit fraction `lit` removes
-/// from the background.
+/// Returns the value of a ground pixel in a LightPicture, which encodes the fraction of the background's light that the
+/// shadow removes. `lit` is the lit fraction of the pixel.
 std::array<float, 3> Shading::lightOfGround(float lit) const {
     std::array<float, 3> light{};
     for (int c = 0; c < 3; ++c)
@@ -278,7 +280,7 @@ void Shading::keepLight(const Work& work, const ShadingTarget& target) const {
     }
 }
 
-/// Returns true if pixel `i` of `work` counts as a lit pixel when light reaches it. Surfaces that the light grazes do
+/// Returns true if pixel `i` of `work` counts as lit when light reaches it. Surfaces at a grazing angle to the light do
 /// not count, because they are dark, and rounding determines which side faces the light.
 bool Shading::countsAsLit(const Work& work, std::size_t i) const {
     constexpr float kMinCosine = 1e-3F;
@@ -308,7 +310,8 @@ void Shading::leaveUnresolved(Work& work, const ShadingTarget& target) const {
         work.maps[i] = 0;
         if (unresolved.sliceEnds.size() < 2) continue;
         const auto end = std::lower_bound(unresolved.sliceEnds.begin(), unresolved.sliceEnds.end(), batch.depth[i]);
-        // A pixel behind the last slice has an index that is too large by one. SampleList clamps it to the last map.
+        // A pixel behind the last slice receives an index that is too large by one. SampleList clamps it to the last
+        // map.
         work.maps[i] = static_cast<std::int32_t>(end - unresolved.sliceEnds.begin());
     }
     exact::PointBatch points;

@@ -17,7 +17,7 @@ namespace {
 
 using Index = std::uint16_t;
 
-/// The attributes of a vertex besides its position.
+/// The attributes of a vertex in the GL buffer, without the position.
 struct PackedAttributes {
     std::uint32_t normal = 0;
     std::uint32_t color = 0;
@@ -35,7 +35,7 @@ constexpr std::array<gl::Attribute, 3> kAttributes = {
     gl::Attribute{1, 1, GL_UNSIGNED_INT, true, 0, 1},
     gl::Attribute{2, 4, GL_UNSIGNED_BYTE, false, 4, 1}};
 
-/// A page in the layout of the GL buffers.
+/// A page in the memory layout of the GL buffers.
 struct PackedPage {
     std::vector<hierarchy::GridPoint> positions;
     std::vector<PackedAttributes> attributes;
@@ -59,8 +59,8 @@ void fill(const gl::RingPiece& piece, const std::vector<T>& values) {
     std::memcpy(piece.bytes.data(), values.data(), piece.bytes.size());
 }
 
-/// Returns the 8-bit code of a stored error: its logarithm relative to the grid step, in eighths of an octave, rounded
-/// up. Code 0 means no error.
+/// Encodes a stored error in 8 bits: its logarithm relative to the grid step, in eighths of an octave, rounded up. Code
+/// 0 means no error.
 std::uint32_t errorCode(double error, double step) {
     if (!(error > 0)) return 0;
     const double code = std::ceil(8 * std::log2(error / step)) + 9;
@@ -145,7 +145,7 @@ std::optional<PagePlace> GeometryPool::find(std::uint32_t page) {
     return found->second->place;
 }
 
-/// Adds a buffer to the pool. Its memory is divided between vertices and indices in the ratio of `page`.
+/// Adds a GL buffer to the pool. Its memory is divided between vertices and indices in the same ratio as in `page`.
 bool GeometryPool::addChunk(const PageSize& page) {
     const std::uint64_t held = size().count;
     const std::uint64_t left = cap_.count - std::min(cap_.count, held);
@@ -224,8 +224,7 @@ std::optional<PagePlace> GeometryPool::insert(
 
 void GeometryPool::insertAll(std::span<const NewPage> pages, const hierarchy::Grid& grid) {
     std::vector<Staged> staged;
-    // Used staging memory in bytes. It must not exceed one segment: when the segment is full, its copy commands are
-    // issued.
+    // Used staging memory in bytes, at most one segment. If a segment is full, its copy commands are issued.
     std::size_t bytes = 0;
     const auto flush = [&] {
         upload(staged, grid);

@@ -26,11 +26,11 @@ namespace {
 constexpr GLuint kShadowDepthUnit = 0;
 constexpr GLuint kLitMaskUnit = 1;
 
-/// Segment size in bytes of the ring of uniform blocks. A segment contains the blocks of several frames, for the
-/// partitions and for each pass.
+/// Segment size in bytes of the ring buffer for uniform blocks. A segment contains the uniform blocks of several
+/// frames.
 constexpr std::size_t kBlockSegment = std::size_t{128} << 10U;
 
-/// Returns the segment size in bytes of any other ring: memory / share, within limits.
+/// Returns the segment size in bytes of a ring buffer: `memory` / `share`, clamped to [minBytes, maxBytes].
 std::size_t ringSegment(Bytes memory, std::uint64_t share, std::size_t minBytes, std::size_t maxBytes) {
     return std::clamp<std::size_t>(memory.count / share, minBytes, maxBytes);
 }
@@ -39,7 +39,8 @@ constexpr std::size_t kKibibyte = 1024;
 
 class GlBackend final : public Backend {
 public:
-    /// Creates a backend. `own` is the context if only this backend uses the context, otherwise null.
+    /// Creates a backend that draws with `context`. If the backend owns the context, `own` contains it, otherwise `own`
+    /// is null.
     GlBackend(
         std::unique_ptr<const gl::Context> own,
         const gl::Context& context,
@@ -89,7 +90,7 @@ public:
 private:
     const gl::Api& api() const { return context_->api(); }
 
-    /// Makes the context of this backend current, and returns the render targets for reading.
+    /// Makes the OpenGL context current, and returns the render targets for reading.
     const GlTargets& targets() const {
         context_->makeCurrent();
         return targets_;
@@ -162,7 +163,7 @@ PassStatistics GlBackend::drawImage(const DrawInputs& frame) {
 }
 
 /// Draws a frame and measures its time, with the clock of the GPU if available. If the program waits for each frame,
-/// the times belong to this frame, otherwise to the last finished frame.
+/// the times belong to this frame. Otherwise they belong to the last finished frame.
 DrawStatistics GlBackend::draw(const DrawInputs& frame) {
     DrawStatistics statistics = Backend::draw(frame);
     if (submission_ == GlSubmission::WaitsForEachFrame) {
@@ -175,7 +176,7 @@ DrawStatistics GlBackend::draw(const DrawInputs& frame) {
     return statistics;
 }
 
-/// Creates the render targets. The rest of the memory limit becomes the limit of the geometry pool.
+/// Creates the render targets of the frame. The rest of the GPU memory limit becomes the limit of the geometry pool.
 void GlBackend::prepareTargets(const DrawInputs& frame) {
     context_->makeCurrent();
     targetMemory_ = targets_.bytes(frame);
@@ -198,7 +199,8 @@ void GlBackend::bindFrameBlock(const block::Frame& values) {
         GL_UNIFORM_BUFFER, 0, blocks_.id(), static_cast<GLintptr>(piece.offset), GLsizeiptr{sizeof values});
 }
 
-/// Binds the struct block::Shadows as three uniform blocks, because OpenGL guarantees only 16 KiB per block.
+/// Binds the shadow map parameters (block::Shadows) as three uniform blocks, because OpenGL guarantees only 16 KiB per
+/// block.
 void GlBackend::bindShadowsBlock(const DrawInputs& frame) {
     constexpr std::size_t kFirst = offsetof(block::Shadows, partitions);
     constexpr std::size_t kOthers = kFirst + GNOMON_FIRST_PARTITIONS * sizeof(block::Partition);
@@ -229,7 +231,7 @@ void GlBackend::drawMaps(const DrawInputs& frame) {
     if (!keepsSome) clear();
     gl.enable(GL_DEPTH_TEST);
     gl.depthFunc(GL_LESS);
-    // Rounding can move clipped fragments out of the viewport; the scissor test removes them.
+    // The scissor test removes fragments outside the viewport. Clipping can create such fragments by rounding.
     gl.enable(GL_SCISSOR_TEST);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         if (plan.passes[p].isReused) continue;
@@ -350,8 +352,8 @@ PagePlace GlBackend::placed(const DrawInputs& frame, std::uint32_t id, GlBatch& 
     const hierarchy::Page& page = frame.pages(id);
     for (;;) {
         if (const auto place = pool_.insert(id, page, frame.grid)) return *place;
-        // The pool is too small for all pages of the pass. The collected clusters are drawn now, so that their pages
-        // can be evicted.
+        // The pool has no memory for more pages. The clusters collected so far are drawn now, so that their pages can
+        // be evicted.
         drawCalls_ += batch.flush(pool_, waitsForDraws());
         pool_.evictOldest();
     }
@@ -365,9 +367,9 @@ void GlBackend::drawGeometry(const DrawInputs& frame, const lod::DrawList& list,
     drawCalls_ += batch.flush(pool_, waitsForDraws());
 }
 
-/// Returns true if the program waits for each draw call. Mesa's software renderer stores the binned triangles of all
-/// unfinished draws, about 200 MiB outside the memory limit. Waiting limits this memory, but increases the time by a
-/// sixth.
+/// Returns true if the program waits for each draw call to finish. Mesa's software renderer stores the binned triangles
+/// of all unfinished draws, about 200 MiB outside the memory limit. Waiting limits this memory, but increases the time
+/// by a sixth.
 bool GlBackend::waitsForDraws() const {
     return submission_ == GlSubmission::WaitsForEachPass;
 }

@@ -74,8 +74,8 @@ void GlTargets::prepareShadow(const gl::Api& api, const plan::FramePlan& plan) {
     shadow_->height = plan.textureHeight;
 }
 
-/// Returns the size of the depth texture for the maps of `plan`: per direction, the max of the current and the required
-/// size. If more than half of this texture would be unused, returns the required size.
+/// Returns the size of the depth texture for the shadow maps of `plan`. Each side is the max of the current and the
+/// required size. If more than half of this texture would be unused, the function returns the required size.
 glm::ivec2 GlTargets::shadowSize(const plan::FramePlan& plan) const {
     if (plan.passes.empty()) return {0, 0};
     const glm::ivec2 needed(plan.textureWidth, plan.textureHeight);

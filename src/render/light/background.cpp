@@ -9,13 +9,13 @@ namespace gnomon::render {
 
 namespace {
 
-// Colours in linear RGB.
+// Colours of the sky background, in linear RGB.
 constexpr glm::vec3 kZenith{0.26F, 0.42F, 0.66F};
 constexpr glm::vec3 kHorizon{0.76F, 0.82F, 0.88F};
 constexpr glm::vec3 kBelow{0.36F, 0.38F, 0.41F};
 constexpr float kHaze = 0.2F; // sine of the elevation below the horizon at which the colour has faded to kBelow
 
-/// Returns the smoothstep of x in [0, 1].
+/// Returns the smoothstep interpolation 3 x^2 - 2 x^3 for x in [0, 1].
 float smooth(float x) {
     return x * x * (3 - 2 * x);
 }
@@ -65,7 +65,7 @@ bool isTransparent(const DrawInputs& frame) {
 
 namespace {
 
-/// Returns the ambient light of `block` that horizontal ground receives.
+/// Returns the ambient light that horizontal ground receives, from the parameters in `block`.
 glm::vec3 ambientOf(const block::Frame& block, const glm::vec3& up) {
     return block.ambientMean + block.ambientTilt * glm::dot(up, block.skyAxis);
 }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr float kStrength = 24;
 constexpr float kDarkest = 0.3F;
-/// Offsets in pixels to one of each pair of opposite neighbours. At these distances, outlines are two pixels wide.
+/// Pixel offsets to four neighbours. The opposite neighbours have the negated offsets. With these offsets, outlines are
+/// two pixels wide.
 constexpr std::array<std::array<int, 2>, 4> kAround = {{{2, 0}, {0, 2}, {1, 1}, {1, -1}}};
 
 void darken(Rgb& pixel, float light) {
@@ -29,8 +30,8 @@ void applyEyeDome(Picture& picture, const FloatPicture& depth, double parallelDi
     GNOMON_CHECK(picture.width == depth.width && picture.height == depth.height);
     const int width = picture.width;
     const int height = picture.height;
-    // A measure of nearness that is linear over a plane: 1/depth in perspective, or minus depth with parallel rays.
-    // 1/depth is 0 for a pixel without a surface.
+    // Nearness is a function of depth that is linear over a plane: 1/depth in perspective, or minus depth with
+    // parallel rays. Without a surface, 1/depth is 0.
     const bool isParallel = parallelDistance > 0;
     const auto perDepth = static_cast<float>(isParallel ? -1 / parallelDistance : 0);
     const auto nearness = [&](int x, int y) {

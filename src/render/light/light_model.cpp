@@ -7,20 +7,20 @@ namespace gnomon::render {
 
 namespace {
 
-// Light colours in linear RGB. The sun is warmer than the sky, and the light reflected from the ground is even warmer.
-// Their sum is nearly neutral, so grey surfaces in full light stay grey. A white surface in full light has nine tenths
-// of the max brightness of a screen.
+// Colours of the light sources in linear RGB. The sun is warmer than the sky, and light reflected from the ground is
+// even warmer. Their sum is nearly neutral, so grey surfaces in full light stay grey. A white surface in full light
+// has nine tenths of the max brightness of a screen.
 constexpr glm::vec3 kSun{2.3F, 2.23F, 2.12F};
 constexpr glm::vec3 kSky{0.47F, 0.51F, 0.57F};
 constexpr glm::vec3 kGround{0.1F, 0.09F, 0.08F};
 constexpr float kFill = 0.22F; // weak headlight, which shows curvature where all other light is uniform
-/// The brightest part of the sky is near the sun. kLean tilts the axis of the sky from up towards the azimuth of the
+/// Tilt of the sky's brightest direction from up towards the azimuth of the sun, because the sky is brightest near the
 /// sun.
 constexpr double kLean = 0.7;
 
-// Parameters of the headlight. It decreases with the angle so steeply that walls, floor and ceiling of the same colour
-// are distinguishable. The additional ambient light is brighter above than below, and brighter on the right than on the
-// left.
+// Parameters of the headlight. Its light decreases steeply with the angle, so that walls, floor and ceiling of the
+// same colour are distinguishable. The additional ambient light is brighter above than below, and brighter on the
+// right than on the left.
 constexpr float kHeadlight = 4.5F;
 constexpr float kDim = 0.26F;
 constexpr float kDimTilt = 0.22F;

@@ -27,12 +27,12 @@ void forAllPixels(std::size_t pixels, const Work& work) {
 }
 
 std::uint64_t lightSteps(float light) {
-    // NaN becomes the max value, so that it is visible.
+    // NaN becomes the max brightness, so that errors are visible.
     const float bounded = light < kBrightest ? std::max(light, 0.0F) : kBrightest;
     return static_cast<std::uint64_t>(std::llround(static_cast<double>(bounded) * kLightSteps));
 }
 
-/// Converts linear light to the nearest level of an 8-bit screen. The rounding is the same as for single frames.
+/// Converts linear light to the nearest of the 8-bit levels of a screen. The rounding is the same as for single frames.
 std::uint8_t screenLevel(float linear) {
     return static_cast<std::uint8_t>(
         (static_cast<int>(510 * std::clamp(displayFromLinear(linear), 0.0F, 1.0F)) + 1) / 2);
@@ -62,7 +62,7 @@ void addLight(LightPicture& light, const LightPicture& other) {
 Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
     constexpr std::uint64_t kLight = sizeof(LightPicture::pixels[0]);
     constexpr std::uint64_t kHeld = sizeof(Sums) + sizeof(std::uint16_t) + kLight;
-    // size of the results, which is at least the size of the copy of a frame's light
+    // Memory of the results. It is at least the size of the copy of a frame's light.
     constexpr std::uint64_t kShown = kLight + sizeof(Rgb);
     const std::uint64_t ofGround = hasGround ? sizeof(Sums) : 0;
     const std::uint64_t ofSky = hasSky ? kLight : 0;
@@ -116,7 +116,7 @@ void LightSum::add(const LightPicture& light, const shadow::TileMask* tiles) {
     ++count_;
 }
 
-/// Returns the number of frames that drew pixel `i`.
+/// Returns the number of frames that contain pixel `i`.
 int LightSum::framesOf(std::size_t i) const {
     if (!tiles_) return count_;
     const auto width = static_cast<std::size_t>(sums_.width);
@@ -135,8 +135,8 @@ LightPicture LightSum::mean() const {
     return mean;
 }
 
-/// Returns the mean fraction of the background's light that shadows on pixel `i` leave, over the frames in which the
-/// pixel shows the background. Returns 1 if no frame shows it.
+/// Returns the fraction of the background's light that remains at pixel `i` in ground shadows, per channel. The
+/// fraction is the mean over the frames in which the pixel shows the background, or 1 if there are none.
 std::array<float, 3> LightSum::leftOfBackground(std::size_t i) const {
     std::array<float, 3> left = {1, 1, 1};
     const int open = framesOf(i) - covered_.pixels[i];
@@ -156,7 +156,7 @@ Picture LightSum::picture(const ToneMapping& shown) const {
     GNOMON_CHECK(count_ > 0);
     const auto lastRow = static_cast<std::size_t>(firstRow_) + static_cast<std::size_t>(sums_.height);
     GNOMON_CHECK(shown.backgroundRows.size() >= lastRow);
-    // number of rows of the image above the summed rows
+    // Number of image rows above the rows in the sum.
     const std::size_t above = shown.backgroundRows.size() - lastRow;
     block::Frame curve{};
     curve.isToneMapped = shown.isToneMapped ? 1 : 0;

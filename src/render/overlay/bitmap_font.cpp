@@ -6,7 +6,7 @@ namespace gnomon::render {
 
 namespace {
 
-/// The glyph of a letter: nine rows of five dots, with the left dot in the highest bit. The last two rows are below the
+/// The dots of a letter: nine rows of five dots, with the left dot in the highest bit. The last two rows are below the
 /// baseline.
 struct Glyph {
     char letter;

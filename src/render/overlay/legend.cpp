@@ -27,7 +27,7 @@ Rgb bytes(const glm::vec3& color) {
         static_cast<std::uint8_t>(scaled.r), static_cast<std::uint8_t>(scaled.g), static_cast<std::uint8_t>(scaled.b)};
 }
 
-/// Adds one line per shadow map of `plan`, up to the number of colours.
+/// Adds one legend entry per shadow map of `plan`, up to the number of different colours.
 void addMaps(const plan::FramePlan& plan, Legend& legend) {
     for (std::size_t i = 0; i < plan.passes.size() && i < kIndexColors; ++i) {
         const shadow::ShadowMap& map = plan.passes[i].map;
@@ -69,7 +69,7 @@ Size sizeInDots(const Legend& legend) {
     return {width + 2 * kMargin, static_cast<int>(lines) * kLineDots + scale + 2 * kMargin};
 }
 
-/// Draws into a picture in units of dots. The origin is the upper left corner of the legend.
+/// Draws the legend into a picture, with positions in dots. The origin is the upper left corner of the legend.
 class Pen {
 public:
     Pen(Picture& picture, int top, int dot) : picture_(&picture), top_(top), dot_(dot) {}
@@ -88,7 +88,7 @@ private:
     int dot_;
 };
 
-/// Converts a position on the scale, in [0, 1], to dots from the left end of the colour bar.
+/// Converts a position on the colour bar, in [0, 1], to dots from the left end of the bar.
 int barPlace(double place) {
     return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0) * (kBarWidth - 1)));
 }
@@ -159,7 +159,8 @@ bool areClear(const std::vector<ColorScale::Tick>& ticks) {
     return true;
 }
 
-/// Returns ticks at 1, 2 and 5 times powers of ten, or fewer ticks if their numbers would overlap.
+/// Returns ticks of a logarithmic colour bar at 1, 2 and 5 times powers of ten. If their numbers would overlap, returns
+/// fewer ticks.
 std::vector<ColorScale::Tick> logarithmicTicks(const ValueScale& values) {
     const int first = static_cast<int>(std::floor(std::log10(values.min)));
     const int last = static_cast<int>(std::ceil(std::log10(values.max)));
@@ -194,7 +195,7 @@ ColorScale colorScale(const ValueScale& values) {
     const double first = std::ceil(values.min / step - 1e-6);
     for (int i = 0; i <= kMaxSteps && (first + i) * step <= values.max + 1e-6 * step; ++i)
         scale.ticks.push_back(
-            // + 0.0 removes the sign of -0
+            // Adding 0.0 removes the minus sign of -0.
             {double{values.place((first + i) * step)}, formatted("%.7g", (first + i) * step + 0.0)});
     return scale;
 }

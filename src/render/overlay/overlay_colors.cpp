@@ -7,8 +7,8 @@ namespace gnomon::render {
 
 namespace {
 
-/// The colours of indices. Lightness values are at least 10 apart, and ordered such that the colours of neighbouring
-/// indices differ by 20 or more.
+/// Colours for indexColor. Their lightness values are at least 10 apart, and the values of adjacent colours differ by
+/// 20 or more.
 constexpr std::array<glm::vec3, kIndexColors> kColors = {
     glm::vec3(0.74F, 0.57F, 0.29F),
     glm::vec3(0.49F, 0.12F, 0.1F),

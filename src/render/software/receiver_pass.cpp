@@ -10,7 +10,7 @@ namespace gnomon::render {
 
 namespace {
 
-/// Returns the group of `page` that contains `cluster`. Groups are sorted by their clusters.
+/// Returns the group of `page` that contains `cluster`, by binary search. Groups are sorted by their clusters.
 const hierarchy::Group& groupOf(const hierarchy::Page& page, std::uint32_t cluster) {
     const auto after = std::upper_bound(
         page.groups.begin(), page.groups.end(), cluster, [](std::uint32_t c, const hierarchy::Group& group) {
@@ -23,7 +23,8 @@ raster::CellBox cells(const hierarchy::GridBox& box) {
     return {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
 }
 
-/// Marks the clusters of `range` for which `mayShadow` is true. The function tests whole groups first.
+/// Marks the clusters of `range` that may shadow a receiver according to `mayShadow`. The function tests whole groups
+/// first.
 template <class MayShadow>
 void markRange(
     const hierarchy::Page& page,

@@ -19,7 +19,7 @@ namespace {
 constexpr double kWeld = 2;   // max distance in cells between end points that are merged
 constexpr double kBridge = 8; // max distance in cells between end points that an additional line can connect
 
-/// A union-find structure.
+/// A union-find data structure for the elements 0 to `count` - 1.
 class Joined {
 public:
     explicit Joined(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
@@ -45,14 +45,14 @@ std::uint64_t hashOfPoint(const glm::dvec3& p) {
     return hashOfThree(bits(p.x), bits(p.y), bits(p.z));
 }
 
-/// The distinct positions ("places") of the end points of lines. Each line has two entries in `ofEnds`, its start
+/// The distinct positions ("places") of the end points of all lines. Each line has two entries in `ofEnds`, its start
 /// first.
 struct Places {
     std::vector<std::uint32_t> ofEnds;
     std::vector<glm::dvec3> points; // position per place
 };
 
-/// Finds the places of all end points. End points with bit-identical positions have the same place.
+/// Finds the distinct positions (places) of all end points. Bit-identical positions are one place.
 Places samePlaces(const std::vector<SectionLine>& lines) {
     Places places;
     places.ofEnds.reserve(2 * lines.size());
@@ -102,7 +102,7 @@ void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use&
     std::vector<std::uint32_t> next(points.size()); // next point in the same cell
     std::vector<PointKey> keys(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        // The range of cells that can contain a point within `reach`; usually one cell.
+        // The range of hash grid cells that can contain a point within `reach`. Usually it is one cell.
         const PointKey low = keyOf(points[i] - reach);
         const PointKey high = keyOf(points[i] + reach);
         keys[i] = low == high ? low : keyOf(points[i]);
@@ -118,7 +118,7 @@ void forAllPairs(const std::vector<glm::dvec3>& points, double reach, const Use&
     }
 }
 
-/// Returns the surplus of each place: the number of outgoing minus incoming lines.
+/// Returns the surplus of each end point position: the number of outgoing minus incoming lines.
 std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t placeCount) {
     std::vector<int> surplus(placeCount);
     for (std::size_t i = 0; i < ends.size(); i += 2) {
@@ -128,7 +128,8 @@ std::vector<int> surplusOf(const std::vector<std::uint32_t>& ends, std::size_t p
     return surplus;
 }
 
-/// Marks the lines of each connected component in which all places have as many outgoing as incoming lines.
+/// Marks lines as closed. The function marks a connected component if each end point has as many outgoing as incoming
+/// lines.
 void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
     const std::vector<int> surplus = surplusOf(places.ofEnds, places.points.size());
     Joined joined(places.points.size());
@@ -141,7 +142,7 @@ void markBalanced(const Places& places, std::vector<SectionLine>& lines) {
         lines[i].isClosed = !isOpen[joined.find(places.ofEnds[2 * i])];
 }
 
-/// The lines that are not marked as closed: their indices, and their places.
+/// The lines that are not marked as closed: their indices, and the positions of their end points.
 struct OpenLines {
     std::vector<std::uint32_t> numbers;
     Places places;
@@ -165,8 +166,8 @@ OpenLines openLines(const std::vector<SectionLine>& lines, const Places& places)
     return open;
 }
 
-/// A directed graph whose nodes are places and whose edges are lines. Lines before `onceCount` can be removed once.
-/// Lines from `onceCount` on can be removed any number of times.
+/// A directed graph whose nodes are end point positions and whose edges are lines. Lines before `onceCount` can be
+/// removed once. Lines from `onceCount` on can be removed any number of times.
 struct LineGraph {
     std::vector<std::uint32_t> ends;   // two places per line
     std::vector<std::int64_t> lengths; // per line
@@ -174,7 +175,7 @@ struct LineGraph {
     std::size_t onceCount = 0;         // number of lines that can be removed at most once
 };
 
-/// Removes lines with the min total length from the graph, so that the surplus of each place becomes 0.
+/// Removes lines of min total length from a graph, so that each node has as many outgoing as incoming lines.
 class MinOpening {
 public:
     explicit MinOpening(LineGraph graph)
@@ -201,7 +202,7 @@ public:
                 dropFrom(place);
     }
 
-    /// Returns the number of times that a line was removed.
+    /// Returns the number of times that the algorithm removed `line` from the graph.
     int dropped(std::size_t line) const { return dropped_[line]; }
 
 private:
@@ -222,8 +223,8 @@ private:
         }
     };
 
-    /// Relaxes the lines at the place `from`, whose distance is known. The search follows existing lines forward. It
-    /// follows removed lines backward, which restores them.
+    /// Relaxes the lines at the node `from`, whose distance is known (Dijkstra). The search follows existing lines
+    /// forward. It follows removed lines backward, which restores them.
     void spread(const Waiting& from) {
         for (std::uint32_t k = firstAt_[from.place]; k < firstAt_[from.place + 1]; ++k) {
             const std::uint32_t end = linesAt_[k];
@@ -242,13 +243,13 @@ private:
         }
     }
 
-    /// Removes the shortest path from `start` to a place with a negative surplus.
+    /// Removes the lines of the shortest path from `start` to a node with more incoming than outgoing lines.
     void dropFrom(std::uint32_t start) {
         touched_.assign(1, start);
         waiting_.assign(1, {0, start});
         reached_[start] = {0, kNoEnd};
-        // A place with more outgoing than incoming lines has a path to a place with more incoming lines, because each
-        // place before has an existing outgoing line.
+        // A node with more outgoing than incoming lines has a path to a node with more incoming lines, because each
+        // node on the way has an existing outgoing line.
         Waiting nearest = waiting_.front();
         while (true) {
             std::pop_heap(waiting_.begin(), waiting_.end());
@@ -288,7 +289,7 @@ std::int64_t lengthOf(const glm::dvec3& a, const glm::dvec3& b) {
     return 1 + std::llround(glm::length(b - a));
 }
 
-/// Adds bridges to `graph`: possible lines between nearby places with surplus of opposite sign. If the algorithm
+/// Adds possible lines ("bridges") to `graph`, between nearby nodes with surplus of opposite sign. If the algorithm
 /// removes a bridge from the graph, a line between its ends is added to the section.
 void addBridges(const std::vector<glm::dvec3>& points, LineGraph& graph) {
     std::vector<std::uint32_t> places;
@@ -326,7 +327,7 @@ void markClosed(std::vector<SectionLine>& lines) {
     opening.run();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (opening.dropped(i) != 0) continue;
-        // Merged end points receive identical positions, because a gap between them would make the winding numbers of a
+        // Merged end points receive identical positions. A gap between them would make the winding numbers of a pixel
         // row wrong.
         lines[numbers[i]] = {places.points[ends[2 * i]], places.points[ends[2 * i + 1]], true};
     }

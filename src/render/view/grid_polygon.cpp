@@ -5,7 +5,7 @@ namespace gnomon::render {
 namespace {
 
 /// Returns the intersection of the edge from `a` to `b` with a plane, rounded to the grid. `atA` and `atB` are the
-/// distances of the ends from the plane. The result is the same for both directions of the edge.
+/// signed distances of the ends from the plane. The result is the same for both directions of the edge.
 glm::dvec3 crossing(const glm::dvec3& a, double atA, const glm::dvec3& b, double atB) {
     const bool isTurned = a.x != b.x ? b.x < a.x : a.y != b.y ? b.y < a.y : b.z < a.z;
     const glm::dvec3 hit = isTurned ? b + (a - b) * (atB / (atB - atA)) : a + (b - a) * (atA / (atA - atB));

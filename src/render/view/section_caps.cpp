@@ -31,8 +31,8 @@ Rgb byteColor(const glm::vec3& color, float light) {
     return rgb;
 }
 
-/// The intersection lines of a section plane, drawn into an image: the pixels that lines cross, and the winding number
-/// of the closed lines at each pixel.
+/// The intersection lines of one section plane, drawn into an image. The image stores the pixels that lines cross, and
+/// the winding number of the closed lines at each pixel.
 class LineImage {
 public:
     LineImage(const DrawInputs& frame, const glm::dmat4& clipFromCell)
@@ -55,7 +55,8 @@ public:
         draw(a, b, line.isClosed ? CapKind::Outline : CapKind::OpenEdge);
     }
 
-    /// Calls `use` for each pixel of row `y` that has a line or a non-zero winding number. Then clears the row.
+    /// Calls `use` for each pixel of row `y` that has a line or a non-zero winding number. Then the function clears the
+    /// row.
     template <class Use>
     void forRow(int y, const Use& use) {
         int* changes = &windings_->at(0, y);
@@ -67,7 +68,7 @@ public:
             if (x == width_) break;
             winding += std::exchange(changes[x], 0);
             const CapKind line = std::exchange(lines[x], CapKind::None);
-            // An open line inside a solid does not end the solid.
+            // An open line inside a solid part is drawn as an outline, and the solid part continues behind it.
             const CapKind inside = line == CapKind::None ? CapKind::Solid : CapKind::Outline;
             const CapKind kind = winding != 0 ? inside : line;
             if (kind != CapKind::None) use(x, kind);
@@ -85,16 +86,16 @@ private:
         return std::memcmp(values, kNothing.data(), sizeof(kNothing)) == 0;
     }
 
-    /// An end point of a line in clip coordinates, and its image position in pixels. The position is also defined
-    /// behind the eye.
+    /// An end point of an intersection line in clip coordinates, and its image position in pixels. The image position
+    /// is also defined behind the eye.
     struct End {
         glm::dvec4 clip{0};
         glm::dvec2 pixel{0};
 
         bool isBehind() const { return clip.w < 0; }
 
-        /// Returns true if the end point is above `row`, which is the middle of a row of pixels. Such a row corresponds
-        /// to a straight line in the section plane.
+        /// Returns true if the end point is above `row`, the middle of a row of pixels. Such a row corresponds to a
+        /// straight line in the section plane.
         bool isAbove(double row) const { return isBehind() ? pixel.y <= row : pixel.y > row; }
     };
 
@@ -106,16 +107,16 @@ private:
         return end;
     }
 
-    /// Adds a line's crossing of row `y` at column `column` to the winding numbers.
+    /// Updates the winding numbers of row `y` for a line that crosses the row at column `column`.
     void windAt(double column, int y, bool isBehind, int sign) {
         const int firstColumn = static_cast<int>(std::clamp(std::ceil(column - 0.5), 0.0, static_cast<double>(width_)));
         windings_->at(firstColumn, y) += isBehind ? -sign : sign;
         if (isBehind) windings_->at(0, y) += sign;
     }
 
-    /// Adds a line to the winding numbers of all pixels that are to one side of the line. A row of pixels corresponds
-    /// to a straight line in the section plane, and a part of this line can be behind the eye. Crossings behind the eye
-    /// count for the pixels on the other side.
+    /// Updates the winding numbers of all pixels to one side of a line. A row of pixels corresponds to a straight line
+    /// in the section plane, and a part of this line can be behind the eye. Crossings behind the eye count for the
+    /// pixels on the other side.
     void wind(const End& a, const End& b) {
         if (a.isBehind() != b.isBehind()) return windThroughEyePlane(a, b);
         const auto [low, high] = std::minmax(a.pixel.y, b.pixel.y);
@@ -128,7 +129,7 @@ private:
             windAt(a.pixel.x + (y + 0.5 - a.pixel.y) * slope, y, a.isBehind(), sign);
     }
 
-    /// Adds a line of which only one end point is behind the eye to the winding numbers.
+    /// Updates the winding numbers for a line of which only one end point is behind the eye.
     void windThroughEyePlane(const End& a, const End& b) {
         for (int y = 0; y < height_; ++y) {
             const bool isAbove = a.isAbove(y + 0.5);
@@ -187,8 +188,8 @@ private:
     Raster<CapKind>* kinds_;
 };
 
-/// Returns the depth at which a primary ray intersects the section plane with index `plane`. Returns nullopt if other
-/// section planes remove this point.
+/// Returns the depth at which a primary ray intersects section plane `plane`. Returns nullopt if other section planes
+/// remove this point.
 std::optional<double> capDepth(
     const ImageProjection& projection, const std::vector<Plane>& planes, std::size_t plane, const glm::dvec2& at) {
     const glm::dvec3 start = projection.visiblePoint(at, 0);

@@ -58,7 +58,8 @@ Containment SectionCut::place(const hierarchy::GridBox& box) const {
     return result;
 }
 
-/// Adds a cache entry for the cluster `whole` and returns it. Returns null if the cache already contains the cluster.
+/// Adds an empty entry for the cluster `whole` to the cache and returns it. Returns null if the cache already contains
+/// the cluster.
 SectionCut::CutCluster* SectionCut::insert(const DrawnCluster& whole) {
     const auto [place, isNew] = cuts_.try_emplace(keyOf(whole));
     return isNew ? &place->second : nullptr;
@@ -85,7 +86,8 @@ void SectionCut::cut(const DrawInputs& frame, std::span<const lod::ClusterRange>
         bytes_ += bytesOf(*cut);
 }
 
-/// Clips a triangle, and adds the result to `cut`. Each bit of `outside` is a plane that intersects the triangle.
+/// Clips a triangle by section planes, and adds the result to `cut`. Each bit of `outside` is a plane that intersects
+/// the triangle.
 void SectionCut::cutTriangle(
     const DrawnCluster& whole, const hierarchy::Triangle& triangle, unsigned outside, CutCluster& cut) const {
     GridPolygon polygon;
@@ -115,7 +117,7 @@ void SectionCut::cutTriangle(
 
 void SectionCut::cutCluster(const DrawnCluster& whole, CutCluster& cut) const {
     const hierarchy::Cluster& cluster = whole.page->clusters[whole.cluster];
-    // per vertex: one bit per plane that removes the vertex
+    // For each vertex, one bit per section plane that removes the vertex.
     std::array<std::uint8_t, raster::kMaxClusterVertices> outside{};
     for (std::size_t plane = 0; plane < planes_.size(); ++plane)
         for (std::uint32_t v = 0; v < cluster.vertexCount; ++v)

@@ -12,8 +12,8 @@ namespace gnomon::render {
 
 namespace {
 
-/// Returns the intersection of the edge from `a` to `b` with a plane. `atA` and `atB` are the distances of the ends
-/// from the plane. The result is the same for both directions of the edge.
+/// Returns the intersection of the edge from `a` to `b` with a plane. `atA` and `atB` are the signed distances of the
+/// ends from the plane. The result is the same for both directions of the edge.
 glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     const bool isTurned = std::array{b.x, b.y, b.z} < std::array{a.x, a.y, a.z};
     if (isTurned) {
@@ -23,7 +23,7 @@ glm::dvec3 meeting(glm::dvec3 a, double atA, glm::dvec3 b, double atB) {
     return a + (b - a) * (atA / (atA - atB));
 }
 
-/// Returns true if the plane is within one cell of the box.
+/// Returns true if the distance between plane and box is at most one cell.
 bool isHit(const hierarchy::GridBox& box, const Plane& plane) {
     const glm::dvec3 half = (gridCellOf(box.max) - gridCellOf(box.min)) * 0.5;
     return std::abs(plane.signedDistance(gridCellOf(box.min) + half)) <= glm::dot(glm::abs(plane.normal), half) + 1;
@@ -46,7 +46,7 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
             const std::size_t a = corners[i];
             const std::size_t b = corners[(i + 1) % 3];
             if ((sides.at(a) >= 0) == (sides.at(b) >= 0)) continue;
-            // Seen from outside the solid, the corners are counter-clockwise. The outline of a triangle crosses the
+            // The corners are counter-clockwise as seen from outside the solid. The outline of a triangle crosses the
             // plane twice, once in each direction.
             (sides.at(a) >= 0 ? line.from : line.to) = meeting(placeOf(a), sides.at(a), placeOf(b), sides.at(b));
         }
@@ -56,7 +56,8 @@ std::vector<SectionLine> linesIn(const hierarchy::Page& page, const hierarchy::C
 
 } // namespace
 
-/// Computes the lines of the clusters that are not in the cache `held`, and concatenates the lines of all clusters.
+/// Computes the intersection lines of clusters that are not in the cache `held`. Then concatenates the lines of all
+/// clusters.
 void SectionLines::gather(const DrawInputs& frame, Held& held) {
     std::vector<const std::vector<SectionLine>*> parts;
     std::vector<std::pair<ClusterName, std::vector<SectionLine>*>> missing;

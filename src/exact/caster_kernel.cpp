@@ -181,7 +181,8 @@ CellBox ClusterCaster::rowSpan(std::size_t triangle, const CellBox& box, int row
         std::max(box.x0, cellAt(min - kCellSlack, side)), row, std::min(box.x1, cellAt(max + kCellSlack, side)), row};
 }
 
-/// Prepares `test` for a triangle. Returns false if the triangle's plane is parallel to the light direction.
+/// Prepares `test` for triangle `triangle` of the cluster. Returns false if the triangle's plane is parallel to the
+/// light direction.
 bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
     const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
     const auto orientation = [&] {
@@ -195,7 +196,7 @@ bool ClusterCaster::prepare(std::size_t triangle, TriangleTest& test) const {
 bool ClusterCaster::prepare(std::size_t triangle, PointTriangleTest& test) const {
     const auto corner = [&](std::size_t k) { return sheared_[static_cast<std::size_t>(corner_[k][triangle])].data(); };
     const glm::i64vec3& light = *context_.samples->space().pointLight;
-    // The test needs the sign of n . (A - L), and facingPoint returns the sign of n . (L - A).
+    // The sample test needs the sign of n . (A - L), but facingPoint returns the sign of n . (L - A).
     const auto orientation = [&] { return -facingPoint(cornersOf(context_, caster_, triangle), light); };
     test.name = caster_.geometry.firstTriangleId + static_cast<std::uint32_t>(triangle);
     return test.set(corner(0), corner(1), corner(2), glm::dvec3(light), context_.coordinateError, orientation);

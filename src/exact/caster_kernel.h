@@ -10,7 +10,7 @@ namespace gnomon::exact {
 /// status bits of the samples. Can run on any thread.
 void rasterizeCluster(const CasterContext& context, std::size_t caster, CasterCounts& counts);
 
-/// Returns the corners of triangle `triangle` of a caster, in cells from the origin.
+/// Returns the three corners of triangle `triangle` of the cluster `caster`, in cells from the frame's origin.
 Corners cornersOf(const CasterContext& context, const Caster& caster, std::size_t triangle);
 
 /// Returns the corners of the triangle on which the sample at index `place` of the sample grid lies, in cells from the

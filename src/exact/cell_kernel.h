@@ -1,4 +1,5 @@
-// Projects samples onto the planes of sample grids and finds their cells, with one sample per SIMD lane.
+// Projects samples (visible points) onto the plane of a grid map and finds their grid cells, with one sample per SIMD
+// lane.
 #pragma once
 
 #include "exact/sample_list.h"

@@ -1,5 +1,6 @@
 // Tests one cluster of casters against the samples of exact shadows. First the receiver mask of each map can cull the
-// cluster. Corners are in the sheared light space, or relative to a point light. Included once per instruction set.
+// cluster. Corners are in the sheared light space, or relative to a point light. The header is compiled once per SIMD
+// instruction set.
 #if defined(GNOMON_EXACT_CLUSTER_CASTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_CLUSTER_CASTER_INL_H
 #undef GNOMON_EXACT_CLUSTER_CASTER_INL_H

@@ -1,4 +1,4 @@
-// Conversion of doubles to floats with directed rounding.
+// Converts doubles to floats with directed rounding (down or up).
 #pragma once
 
 #include <cmath>

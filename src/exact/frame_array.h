@@ -11,7 +11,7 @@ namespace gnomon::exact {
 template <class T>
 class FrameArray {
 public:
-    /// Reserves memory for `count` values. A reallocation loses the old values.
+    /// Reserves memory for `count` elements. If the array must grow, the old elements are lost.
     void ensureCapacity(std::size_t count) {
         if (count <= size_) return;
         values_.reset();

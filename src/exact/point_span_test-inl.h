@@ -1,5 +1,6 @@
 // Exact shadows of a point light: tests one triangle against adjacent samples, with one sample per SIMD lane. The code
-// uses doubles where their error bounds suffice, and integers otherwise. Included once per instruction set.
+// uses doubles where their error bounds suffice, and integers otherwise. The header is compiled once per SIMD
+// instruction set.
 #if defined(GNOMON_EXACT_POINT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_POINT_SPAN_TEST_INL_H
@@ -134,9 +135,9 @@ HWY_INLINE Doubles dotLanes(const double* a, Doubles x, Doubles y, Doubles z) {
     return hn::MulAdd(constant(a[0]), x, hn::MulAdd(constant(a[1]), y, hn::Mul(constant(a[2]), z)));
 }
 
-/// Bounds of the `height` that a plane has over a sample if it is one cell ahead of the sample along the ray to the
-/// light. `d` is the sample minus corner A. The rounding of ray directions adds an uncertainty of `slack` times the
-/// size of the normal. Near the light, the bounds are the widest possible interval.
+/// Bounds of `height` (N . d) if the triangle's plane is one cell ahead of the sample along the ray to the light. `d`
+/// is the sample minus corner A. The rounding of ray directions adds an uncertainty of `slack` times the size of the
+/// normal. Near the light, the bounds are the widest possible interval.
 struct CellAheadLanes {
     Doubles min, max;
 

@@ -39,7 +39,7 @@ public:
 
     void finish();
 
-    /// Returns true if no block contains a sample.
+    /// Returns true if no block of cells contains a sample.
     bool isEmpty() const { return levels_.back().lowest[0] == kNone; }
 
     /// Returns true if a caster may shadow a sample. The caster covers the cells of `box`, and its largest height is

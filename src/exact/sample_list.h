@@ -79,8 +79,8 @@ public:
     void reset(const SampleSpace& space, std::size_t maxPoints);
 
     /// Adds the points of `batch` that face the light. A point faces the light if eye and light are on the same side of
-    /// its triangle, tested with exact predicates. Can run on any thread. The order of samples is undefined. The list
-    /// must not exceed the `maxPoints` of `reset`.
+    /// its triangle, tested with exact predicates. Can run on any thread, so the order of samples is undefined. The
+    /// list must not exceed the `maxPoints` of `reset`.
     void add(const PointBatch& batch);
 
     /// Appends `count` samples and returns the index of the first new sample. The caller then sets their u, v, h,
@@ -107,7 +107,7 @@ public:
     // Position of each sample in the sheared light space, in cells. The arrays are padded to whole SIMD vectors. A
     // sample grid sorts them.
     FrameArray<double> u, v, h;
-    // Pixel, triangle, weights and tolerance of each sample.
+    // Pixel id, triangle id, barycentric weights and tolerance of each sample.
     FrameArray<std::uint32_t> pixel, triangle, second, third, tolerance;
     FrameArray<std::int32_t> map; // only with more than one map; padded
 

@@ -1,5 +1,5 @@
 // Exact shadows: tests one triangle against adjacent samples, with one sample per SIMD lane. The code uses doubles
-// where their error bounds suffice, and integers otherwise. Included once per instruction set.
+// where their error bounds suffice, and integers otherwise. The header is compiled once per SIMD instruction set.
 #if defined(GNOMON_EXACT_SPAN_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_SPAN_TEST_INL_H
 #undef GNOMON_EXACT_SPAN_TEST_INL_H

@@ -1,5 +1,5 @@
 // Occlusion test of triangles against the drawn pixels of a tile, with one triangle per SIMD lane. The test runs
-// before triangle setup. Included once per instruction set.
+// before triangle setup. The header is compiled once per SIMD instruction set.
 #if defined(GNOMON_RASTER_HIDDEN_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_HIDDEN_LANES_INL_H
 #undef GNOMON_RASTER_HIDDEN_LANES_INL_H

@@ -1,4 +1,5 @@
-// Software prefetch. The clusters of a pass are scattered in memory, so the hardware cannot predict the next cluster.
+// Prefetches data into the CPU cache. The clusters of a pass are scattered in memory, so the hardware cannot predict
+// which cluster comes next.
 #pragma once
 
 #include <cstddef>

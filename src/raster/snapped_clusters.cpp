@@ -60,7 +60,8 @@ CutCluster& SnappedClusters::Cuts::next() {
     return cluster;
 }
 
-/// Clips the triangles of a cluster, and appends the results to `cuts`. Triangles that need no clipping are copied.
+/// Clips the triangles of a cluster, and appends the resulting triangles to `cuts`. Triangles that need no clipping are
+/// copied.
 void SnappedClusters::cutTriangles(const Projection& projection, const Cluster& cluster, Cuts& cuts) {
     std::array<ClipPosition, kMaxClusterVertices> positions;
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)

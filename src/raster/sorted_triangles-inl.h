@@ -1,4 +1,5 @@
-// The triangles of a cluster, packed into 32-bit words and sorted by size class. Included once per instruction set.
+// The triangles of a cluster, packed into 32-bit words and sorted by size class. The header is compiled once per SIMD
+// instruction set.
 #if defined(GNOMON_RASTER_SORTED_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_SORTED_TRIANGLES_INL_H
 #undef GNOMON_RASTER_SORTED_TRIANGLES_INL_H

@@ -1,5 +1,5 @@
 // The results of SIMD triangle setup, stored in memory. The triangles are then drawn one after another, with one pixel
-// per SIMD lane. Included once per instruction set.
+// per SIMD lane. The header is compiled once per SIMD instruction set.
 #if defined(GNOMON_RASTER_STORED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_STORED_LANES_INL_H
 #undef GNOMON_RASTER_STORED_LANES_INL_H

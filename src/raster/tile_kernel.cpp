@@ -87,7 +87,7 @@ HWY_INLINE void discountOutside(
         if (reachesOver) target.discount(hn::CountTrue(kInts, hn::And(inside, isOutside(t, x, y))));
 }
 
-/// Draws triangles of at most `side` x `side` pixel centres, with one triangle per SIMD lane.
+/// Draws triangles that cover at most `side` x `side` pixel centres, with one triangle per SIMD lane.
 template <bool isCompact, int side, class Target>
 HWY_INLINE void drawSmall(const SnappedCluster& cluster, const Sorted& sorted, const PixelBox& tile, Target& target) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(kInts));

@@ -11,8 +11,8 @@ namespace gnomon::raster {
 /// triangles.
 std::uint64_t drawDepthTile(const TileWork& work, float* depths);
 
-/// Draws the triangles of `work` into `depths`, a tile of a logarithmic map with the row positions `rows`. Each pixel
-/// receives the smallest depth. Returns the number of covered pixels, summed over triangles.
+/// Draws the triangles of `work` into `depths`, a tile of a logarithmic shadow map with the row positions `rows`. Each
+/// pixel receives the smallest depth. Returns the number of covered pixels, summed over triangles.
 std::uint64_t drawUnevenTile(const TileWork& work, const RowBands& rows, float* depths);
 
 /// Draws the triangles of `work` into `words`, a tile of a visibility buffer. Each pixel receives the largest word. If

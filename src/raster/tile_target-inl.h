@@ -1,5 +1,5 @@
 // Stores the covered pixels of triangles to the memory of a tile. The tile belongs to a depth map or a visibility
-// buffer. Included once per instruction set.
+// buffer. The header is compiled once per SIMD instruction set.
 #if defined(GNOMON_RASTER_TILE_TARGET_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_TILE_TARGET_INL_H
 #undef GNOMON_RASTER_TILE_TARGET_INL_H

@@ -1,4 +1,5 @@
-// Triangle setup with one triangle per SIMD lane: edge functions and depth planes. Included once per instruction set.
+// Triangle setup with one triangle per SIMD lane: edge functions and depth planes. The header is compiled once per
+// SIMD instruction set.
 #if defined(GNOMON_RASTER_TRIANGLE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_TRIANGLE_LANES_INL_H
 #undef GNOMON_RASTER_TRIANGLE_LANES_INL_H

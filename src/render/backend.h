@@ -30,9 +30,9 @@ namespace gnomon::render {
 /// Returns the decoded page with the id `page`. The page stays valid until the frame is drawn.
 using PageLookup = std::function<const hierarchy::Page&(std::uint32_t page)>;
 
-/// Camera-relative space: it has the axes and units of the world, and its origin is the grid point of the model that is
-/// nearest to the eye. Floats are therefore precise near the eye, even if the model is far from the world's origin or
-/// the eye is far from the model.
+/// Camera-relative space: the coordinate system with the axes and units of the world and the origin at the grid point
+/// of the model nearest to the eye. Floats are therefore precise near the eye, even if the model is far from the
+/// world's origin or the eye is far from the model.
 struct CameraRelativeSpace {
     hierarchy::GridPoint originCell;
     double step = 1;
@@ -40,7 +40,7 @@ struct CameraRelativeSpace {
     glm::dmat4 cameraFromDraw{1.0}; // from camera-relative space to left-handed camera space
 };
 
-/// Returns the camera-relative space of `view` for a model with the grid `grid`. `bounds` are the bounds of the model
+/// Returns the camera-relative space for `view` and a model with the grid `grid`. `bounds` are the bounds of the model
 /// in world space.
 CameraRelativeSpace cameraRelativeSpace(const plan::View& view, const hierarchy::Grid& grid, const Box& bounds);
 
@@ -100,7 +100,8 @@ struct DrawInputs {
     // View depth of the far clip plane of an orthographic image. Perspective images do not use it.
     double clipFar = 0;
     std::optional<Camera> observerCamera; // if set, the image is drawn from this camera instead of the plan's camera
-    // Sample position relative to the centre of each pixel, in pixels to the right and up.
+    // Sample position within each pixel, for antialiasing. The position is relative to the pixel's centre, in pixels
+    // to the right and up.
     glm::dvec2 subpixel{0};
     Overlay overlay = Overlay::None;
     plan::Shading shading = plan::Shading::Lit; // never Auto

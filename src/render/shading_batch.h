@@ -23,7 +23,7 @@ struct PixelBatch {
 
     std::size_t count = 0;
     // Input per pixel: the pixel centre; corner 0 of its triangle in grid cells from the origin of camera-relative
-    // space; the edges from this corner in cells; the normals and colours of the corners in page format; and the lit
+    // space; the edges from corner 0 in cells; normals and colours of the corners as stored in pages; and the lit
     // fraction, if it is known.
     Values<float> x{}, y{};
     Vectors<std::int32_t> corner{}, edge1{}, edge2{};

@@ -180,7 +180,8 @@ lookupAt(const ShadingFrame& f, const Partition& part, const Vec3& p, const Vec3
         if (row == 1) clip = alongRows(part, clip, w);
         return hn::Add(hn::Mul(clip, part(kTexelScale + row)), part(kTexelOffset + row));
     };
-    // The depth is clamped to 1. For a receiver beyond the far end of the depth range, all its casters are in the map.
+    // The depth is clamped to 1, the far end of the depth range. For a receiver beyond this end, all its casters are
+    // in the map.
     const auto depth = hn::Min(
         hn::Sub(
             hn::Mul(clipCoordinate(part, 2, offset), inverseW),

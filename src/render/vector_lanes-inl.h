@@ -1,4 +1,5 @@
-// SIMD types and functions for numbers and 3D vectors, with one value per lane. Included once per instruction set.
+// SIMD types and functions for numbers and 3D vectors, with one value per lane. The header is compiled once per SIMD
+// instruction set.
 #if defined(GNOMON_RENDER_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RENDER_VECTOR_LANES_INL_H
 #undef GNOMON_RENDER_VECTOR_LANES_INL_H

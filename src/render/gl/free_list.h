@@ -17,7 +17,7 @@ public:
         if (units > 0) free_.emplace(0, units);
     }
 
-    /// Allocates `units` units and returns their offset, or nullopt if no free range is large enough.
+    /// Allocates a range of `units` units and returns its offset, or nullopt if no free range is large enough.
     std::optional<std::size_t> take(std::size_t units);
 
     /// Frees a range that `take` allocated.

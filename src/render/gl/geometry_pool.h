@@ -67,7 +67,8 @@ public:
     /// calls that use this page.
     bool evictOldest();
 
-    /// Returns the vertex array object of a chunk, with positions and attributes, or with positions only.
+    /// Returns the OpenGL vertex array of GL buffer `chunk`. The array contains positions and attributes if
+    /// `withAttributes` is true, otherwise positions only.
     GLuint vertexArray(std::size_t chunk, bool withAttributes) const {
         return (withAttributes ? chunks_[chunk].surfaces : chunks_[chunk].positions).id();
     }

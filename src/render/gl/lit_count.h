@@ -1,4 +1,4 @@
-// Counts the lit pixels of an image on the GPU.
+// Counts the lit pixels of an OpenGL image on the GPU.
 #pragma once
 
 #include "gl/objects.h"

@@ -1,5 +1,5 @@
 // The SIMD version of light_model.h: computes the light and the displayed colour of surfaces. The operations have the
-// same order. Included once per instruction set.
+// same order. The header is compiled once per SIMD instruction set.
 #if defined(GNOMON_RENDER_LIGHT_LIGHT_MODEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RENDER_LIGHT_LIGHT_MODEL_INL_H
 #undef GNOMON_RENDER_LIGHT_LIGHT_MODEL_INL_H

@@ -12,8 +12,8 @@ namespace gnomon::render {
 inline constexpr int kIndexColors = 8;
 
 /// Returns the colour of a factor: dark blue up to 1/4, neutral grey at 1, orange at 4 and pale yellow from 16. Between
-/// these factors, the colour is linear in the logarithm of the factor. The hue changes at 1, and the lightness always
-/// increases with the factor. Factors below and above 1 therefore also differ in grey.
+/// these values, the colour is linear in the logarithm of the factor. The hue changes at 1. The lightness increases
+/// with the factor, so factors below and above 1 also differ in a grey print.
 glm::vec3 heatColor(float value);
 
 /// Returns a colour for `index`, which is at least 0. Neighbouring indices have strongly different hues and

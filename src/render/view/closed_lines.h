@@ -8,8 +8,8 @@
 
 namespace gnomon::render {
 
-/// A directed line: the intersection of a plane and a triangle. Seen from the side of the plane's normal, solid
-/// material is on its left. Coordinates are in cells from the origin of camera-relative space.
+/// A directed intersection line of a plane and a triangle. Seen from the side of the plane's normal, solid material is
+/// on the left of the line. Coordinates are in cells from the origin of camera-relative space.
 struct SectionLine {
     glm::dvec3 from{0};
     glm::dvec3 to{0};

@@ -79,7 +79,7 @@ public:
 private:
     static constexpr int kAtOnce = 16; // in pixels
 
-    /// Returns true if the next kAtOnce values are 0.
+    /// Returns true if the kAtOnce values from `values` on are all 0.
     template <class Value>
     static bool isNothing(const Value* values) {
         constexpr std::array<Value, kAtOnce> kNothing{};
@@ -146,7 +146,7 @@ private:
         constexpr double kMinW = 1e-9;
         const double nearest = kMinW * std::max(std::abs(a.clip.w), std::abs(b.clip.w));
         if (a.clip.w <= nearest && b.clip.w <= nearest) return;
-        // Clips one end of the line to the half-space in front of the eye.
+        // Clips one end of the line to the half-space in front of the eye, and returns its position in pixels.
         const auto before = [&](const End& end, const End& other) {
             if (end.clip.w > nearest) return end.pixel;
             const double way = (nearest - end.clip.w) / (other.clip.w - end.clip.w);

@@ -46,8 +46,7 @@ struct CasterCounts {
 struct CasterContext {
     const SampleList* samples = nullptr; // with u, v and h in the grid's order
     const SampleGrid* grid = nullptr;
-    /// All casters. The triangle id of a sample contains an index into this list, so the clusters on which samples lie
-    /// must have this index.
+    /// All casters. The triangle id of a sample contains the index of the triangle's cluster in this list.
     std::span<const Caster> casters;
     glm::uvec3 originCell{0};         // grid position of the frame's origin; all cell coordinates are relative to it
     double reach = 0;                 // largest absolute coordinate of all casters, in cells from the origin

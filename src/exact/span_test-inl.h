@@ -131,8 +131,8 @@ HWY_INLINE hn::Mask<DoubleTag> ownLanes(const SampleGrid& grid, std::size_t plac
         hn::BitCast(kDoubles, hn::PromoteTo(kWides, hn::BitCast(kNarrows, hn::VecFromMask(names, own)))));
 }
 
-/// Intermediate values for samples that the triangle may shadow, one sample per SIMD lane. The tolerance of each sample
-/// decides its result.
+/// The values that decide whether a triangle shadows a sample, for one sample per SIMD lane. The tolerance of each
+/// sample is still to be tested.
 struct NearLanes {
     alignas(64) double min[hn::MaxLanes(kDoubles)]; // min of the three edge functions
     alignas(64) double edgeError[hn::MaxLanes(kDoubles)];

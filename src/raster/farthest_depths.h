@@ -10,8 +10,8 @@
 
 namespace gnomon::raster {
 
-/// Converts a reversed depth in [0, 1] (1 is nearest) to an integer with the same order, the nearness. Nearness 0 is
-/// the farthest depth.
+/// Converts a reversed depth in [0, 1] (1 is nearest) to a nearness, an integer that is larger for nearer depths.
+/// Nearness 0 is the farthest depth.
 constexpr std::uint32_t reversedNearness(float depth) {
     return std::bit_cast<std::uint32_t>(depth);
 }
@@ -27,9 +27,9 @@ struct WordDepths {
 
     static constexpr std::uint32_t nearness(Pixel word) { return static_cast<std::uint32_t>(word >> 32U); }
 
-    /// Returns true if pixels hide a triangle of nearness `nearest`. The nearness of each pixel is at least `farthest`.
-    /// A pixel of equal nearness does not hide the triangle, because of two equal depths the smaller triangle id is
-    /// visible.
+    /// Returns true if pixels hide a triangle. All pixels have at least the nearness `farthest`, and the triangle has
+    /// at most the nearness `nearest`. If both are equal, the triangle may be visible, because of two equal depths the
+    /// smaller triangle id is visible.
     static constexpr bool isHiddenBy(std::uint32_t farthest, std::uint32_t nearest) { return farthest > nearest; }
 
     static constexpr Pixel farther(Pixel a, Pixel b) { return std::min(a, b); }
@@ -41,8 +41,9 @@ struct MapDepths {
 
     static constexpr std::uint32_t nearness(Pixel depth) { return plainNearness(depth); }
 
-    /// Returns true if pixels hide a triangle of nearness `nearest`. The nearness of each pixel is at least `farthest`.
-    /// A pixel of equal nearness hides the triangle, because drawing the same depth again changes nothing.
+    /// Returns true if pixels hide a triangle. All pixels have at least the nearness `farthest`, and the triangle has
+    /// at most the nearness `nearest`. If both are equal, the triangle is hidden, because drawing the same depth again
+    /// changes nothing.
     static constexpr bool isHiddenBy(std::uint32_t farthest, std::uint32_t nearest) { return farthest >= nearest; }
 
     static constexpr Pixel farther(Pixel a, Pixel b) { return std::max(a, b); }
@@ -60,8 +61,8 @@ public:
     /// pixels apart in memory.
     FarthestDepths(const Pixel* pixels, int width, int height);
 
-    /// Returns true if the drawn pixels of `box` hide each triangle whose nearness is at most `nearest`. The test is
-    /// exact per pixel.
+    /// Returns true if the drawn pixels of `box` hide each triangle whose nearness (larger is nearer) is at most
+    /// `nearest`. The test is exact per pixel.
     bool hides(const PixelBox& box, std::uint32_t nearest);
 
     /// Marks the blocks that intersect `box` as outdated, because a triangle was drawn there.

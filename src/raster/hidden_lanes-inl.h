@@ -36,8 +36,9 @@ HWY_INLINE Ints nearnessLanes(const SnappedCluster& cluster, Ints corners) {
     return hn::BitCast(kInts, withinUnit(nearest));
 }
 
-/// Returns a mask of the triangles in `asked` that are hidden: each pixel in their bounding box shows a nearer
-/// triangle. Each bounding box has at most `side` x `side` pixels.
+/// Tests triangles against the drawn pixels, and returns a mask of the hidden triangles: each pixel in their bounding
+/// box shows a nearer triangle. `asked` is the mask of the triangles to test. Each bounding box has at most `side` x
+/// `side` pixels.
 HWY_INLINE IntMask
 isHiddenAtPixels(IntMask asked, int side, const PixelLanes& pixels, Ints nearest, const VisibilityTile& target) {
     const auto zero = hn::Zero(kInts);

@@ -19,7 +19,7 @@ constexpr float kGuardPixels = 32768;
 /// Min clip-space w of a vertex. A smaller w is too small for the perspective division.
 constexpr float kMinW = 0x1p-100F;
 
-/// Max absolute depth of a vertex before clamping. With this limit, differences of depths stay finite.
+/// Max absolute depth of a vertex, so that differences of depths stay finite. Pixel depths are later clamped to [0, 1].
 constexpr float kDepthLimit = 0x1p30F;
 
 /// The vertex stage parameters that all vertices of a pass share.

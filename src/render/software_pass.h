@@ -7,7 +7,7 @@
 
 namespace gnomon::render {
 
-/// Whether section planes cut the clusters of a pass.
+/// Tells whether section planes cut the clusters of a pass.
 enum class Cutting : std::uint8_t { Whole, BySections };
 
 /// The clusters that the software rasteriser draws in one pass. The object reuses its memory from pass to pass.

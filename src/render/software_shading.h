@@ -57,7 +57,7 @@ struct ShadingTarget {
     const shadow::TileMask* tiles = nullptr; // the tiles to shade; null: all pixels
 };
 
-/// When shadows are computed. Known: before shading. Unresolved: after the visible points are collected, as exact
+/// Tells when shadows are computed. Known: before shading. Unresolved: after the visible points are collected, as exact
 /// shadows. Awaited: after shading, by shadow maps that are drawn later.
 enum class Verdict : std::uint8_t { Known, Unresolved, Awaited };
 

@@ -1,5 +1,5 @@
-// Exact shadows: tests one triangle against boxes of eight adjacent samples, with one box per SIMD lane. Included once
-// per instruction set.
+// Exact shadows: tests one triangle against boxes of eight adjacent samples, with one box per SIMD lane. The header is
+// compiled once per SIMD instruction set.
 #if defined(GNOMON_EXACT_BLOCK_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_EXACT_BLOCK_TEST_INL_H
 #undef GNOMON_EXACT_BLOCK_TEST_INL_H

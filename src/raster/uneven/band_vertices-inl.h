@@ -1,5 +1,5 @@
-// The vertices of a cluster in a logarithmic shadow map, snapped for one band of rows. Included once per instruction
-// set.
+// The vertices of a cluster in a logarithmic shadow map, snapped for one band of rows. The header is compiled once per
+// SIMD instruction set.
 #if defined(GNOMON_RASTER_BAND_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_RASTER_BAND_VERTICES_INL_H
 #undef GNOMON_RASTER_BAND_VERTICES_INL_H

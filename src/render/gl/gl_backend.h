@@ -10,7 +10,7 @@
 
 namespace gnomon::render {
 
-/// How often the program waits until OpenGL has finished its work.
+/// Tells how often the program waits until OpenGL has finished its work.
 enum class GlSubmission {
     WaitsForEachPass,  // for Mesa's software renderers, whose clocks are wrong and whose queued work uses memory
     WaitsForEachFrame, // for a GPU without a window: measured times belong to the current frame

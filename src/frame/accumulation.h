@@ -1,4 +1,4 @@
-// An image as the mean of several frames with different subpixel positions and light directions. The mean is computed
+// Averages several frames with different subpixel positions and light directions into one image. The mean is computed
 // in linear light. It gives antialiasing, penumbrae and sky light.
 #pragma once
 
@@ -8,27 +8,27 @@
 
 namespace gnomon::frame {
 
-/// Returns the subpixel position of frame `sample` (0, 1, ...) of an accumulation, relative to the pixel's centre. The
-/// unit is pixels to the right and up, each in [-1/2, 1/2). The positions are the first two dimensions of the Sobol
-/// sequence (1967), shifted by half a pixel. The first position is the centre. Each elementary rectangle with area 2^-m
-/// contains exactly one of the first 2^m positions.
+/// Returns the subpixel position of frame `sample` (0, 1, ...) of an averaged image, relative to the pixel's centre.
+/// The unit is pixels to the right and up, each in [-1/2, 1/2). The positions are the first two dimensions of the Sobol
+/// sequence (1967), shifted by half a pixel, so the first position is the centre. Each elementary rectangle with area
+/// 2^-m contains exactly one of the first 2^m positions.
 glm::dvec2 subpixelOffset(int sample);
 
-/// Returns the shift of the shadow maps' texel grids in frame `sample` (0, 1, ...) of an accumulation. The unit is
-/// texels, each in [-1/2, 1/2). The first shift is 0. The shifts are the R2 sequence (Roberts 2018), which does not
+/// Returns the shift of the texel grids of all shadow maps in frame `sample` (0, 1, ...) of an averaged image. The unit
+/// is texels, each in [-1/2, 1/2). The first shift is 0. The shifts are the R2 sequence (Roberts 2018), which does not
 /// correlate with `subpixelOffset`.
 glm::dvec2 mapShift(int sample);
 
-/// The accumulation of several frames of one view, and their mean. If the plan of the first frame samples the light's
-/// disc, each frame has the light from one point of the disc. If the plan samples the sky, each frame is the sum of two
-/// images. The first image has the light of the sun, the ground and the headlight. The second image has the light of
-/// one sky sample. Frames that only add points of the disc are drawn only in the tiles with penumbrae.
+/// Averages several frames of one view. For a sun with a disc, each frame is lit from one point of the disc. For sky
+/// light, each frame is the sum of two images: the first image has the light of the sun, the ground and the headlight,
+/// and the second image has the light of one sky sample. Frames that only add points of the disc are drawn only in the
+/// image tiles with penumbrae.
 class Accumulation {
 public:
-    /// Starts a new accumulation with `frame`, which must be the last frame of `renderer`. This frame must have
-    /// `isAccumulated` and no subpixel offset. `renderer` and `frame` must exist until the last `add`. The number of
-    /// frames is `samples` (at least 1), or the number of light directions in the plan if that is larger. With sky
-    /// light, all frames are drawn in all tiles. Without sky light, the first max(samples, plan::minFirstPoints) frames
+    /// Starts a new mean with `frame`, which must be the last frame of `renderer`, with `isAccumulated` and without a
+    /// subpixel offset. `renderer` and `frame` must exist until the last call of `add`. The number of frames is
+    /// `samples` (at least 1), or the number of light directions in the frame's plan if that is larger. With sky light,
+    /// all frames are drawn in all image tiles. Without sky light, the first max(samples, plan::minFirstPoints) frames
     /// are drawn in all tiles.
     void begin(Renderer& renderer, const Frame& frame, int samples);
 
@@ -41,7 +41,7 @@ public:
     /// Returns the number of accumulated frames.
     int samples() const { return sum_.count(); }
 
-    /// Returns the number of frames of the complete accumulation, over which the light directions are distributed.
+    /// Returns the number of frames of the complete mean. The light directions are distributed over these frames.
     int wanted() const { return wanted_; }
 
     /// Returns the mean light of the accumulated frames, before tone mapping.
@@ -65,7 +65,7 @@ private:
     Renderer* renderer_ = nullptr;
     const Frame* frame_ = nullptr;
     int wanted_ = 1;
-    int whole_ = 1; // number of frames, from the first on, that are drawn in all tiles
+    int whole_ = 1; // the first `whole_` frames are drawn in all image tiles
     render::GroundShares onGround_;
     render::ToneMapping shown_;
     render::LightSum sum_;

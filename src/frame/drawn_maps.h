@@ -1,4 +1,4 @@
-// The shadow maps in a backend's depth texture, and the choice of the maps that a frame can reuse.
+// Describes the shadow maps in a backend's depth texture, and finds the maps that the next frame can reuse.
 #pragma once
 
 #include "frame/frame_options.h"
@@ -8,8 +8,8 @@
 
 namespace gnomon::frame {
 
-/// All inputs of an image, besides the plan, that determine its lookups in the shadow maps. Maps that receivers culled
-/// are valid only for an image with equal inputs.
+/// The inputs, besides the plan, that determine at which points an image looks up its shadow maps. Maps whose casters
+/// were culled by receivers are valid only for an image with equal inputs.
 struct MappedImage {
     FrameOptions options;
     bool usesHeadlight = false;
@@ -19,19 +19,20 @@ struct MappedImage {
     bool operator==(const MappedImage&) const = default;
 };
 
-/// Describes the shadow maps of one frame in the backend's depth texture. A frame compares it with its own plan to find
-/// the maps that it can reuse.
+/// The shadow maps that one frame drew into the backend's depth texture. A later frame compares their plan with its own
+/// plan to find the maps that it can reuse.
 struct DrawnMaps {
     plan::FramePlan plan;
     MappedImage image;
-    bool isCulled = false; // true: casters that cannot change a lookup of the image were not drawn
+    bool isCulled = false; // true: casters that cannot change any shadow lookup of the image are missing in the maps
 };
 
-/// Returns the inputs of the image of `frame` with `options`.
+/// Returns the inputs that determine the shadow lookups of `frame`, drawn with `options`.
 MappedImage mappedImage(const PreparedFrame& frame, const FrameOptions& options);
 
-/// Marks the passes of `frame` whose maps are already in `maps`, for an image with `options`. The caller must draw all
-/// other passes. `maps` can be null.
+/// Marks the shadow passes of `frame` whose maps are already in the depth texture, as described by `maps`. The caller
+/// must draw the maps of all other passes. `options` are the options of the frame. If `maps` is null, no pass is
+/// marked.
 void decideMapReuse(PreparedFrame& frame, const FrameOptions& options, const DrawnMaps* maps);
 
 } // namespace gnomon::frame

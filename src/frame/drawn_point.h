@@ -1,5 +1,5 @@
-// The point of the model that a pixel shows, computed from the triangle in the pixel. This is more precise than a point
-// from the depth buffer.
+// Finds the point of the model that a pixel shows. The point is computed from the triangle in the pixel, which is more
+// precise than the depth buffer.
 #pragma once
 
 #include "frame/renderer.h"
@@ -15,14 +15,14 @@ struct GridPlace {
 };
 
 struct DrawnPoint {
-    GridPlace point;                 // the visible point, rounded to the grid
+    GridPlace point;                 // visible point, rounded to the model's integer grid
     std::optional<GridPlace> vertex; // the nearest vertex of the triangle; empty on the cap of a section
 };
 
 /// Returns the first point of the drawn geometry on the line of sight through the centre of a pixel. The point is on a
-/// triangle or on the cap of a section, rounded to the grid. `pixel` is column and row from the upper left. `frame`
-/// must be the last frame of `renderer`, drawn with `options`. Returns nullopt if the pixel shows no point of the
-/// model, or if the pages of this point have been evicted.
+/// triangle or on the cap of a section plane, and is rounded to the model's grid. `pixel` is column and row from the
+/// upper left. `frame` must be the last frame of `renderer`, drawn with `options`. Returns nullopt if the pixel shows
+/// no point of the model, or if the data of this point have been evicted from memory.
 std::optional<DrawnPoint> drawnPoint(
     const Renderer& renderer, const PreparedFrame& frame, const FrameOptions& options, const glm::ivec2& pixel);
 

@@ -8,12 +8,12 @@
 
 namespace gnomon::frame {
 
-/// The treatment of pages of a frame's cut that are not resident.
+/// Whether a frame waits for missing model pages to be loaded.
 enum class Waiting : std::uint8_t {
-    // Waits until all pages of the cut are resident, and prefetches no pages. All results except times are then
-    // reproducible.
+    // Waits until all pages of the frame's clusters are in memory, and prefetches no pages. All results except times
+    // are then reproducible.
     UntilComplete,
-    // Draws the resident pages at once, and prefetches pages along the camera motion.
+    // Draws the pages in memory at once, and prefetches pages along the camera motion.
     Never,
 };
 
@@ -21,26 +21,30 @@ enum class Waiting : std::uint8_t {
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
     render::Overlay overlay = render::Overlay::None;
-    bool wantsSurfaces = false; // stores the visible surfaces for the backend's `surfaces`
+    bool wantsSurfaces = false; // true: stores the visible surfaces, which the backend's function `surfaces` returns
     bool reusesMaps = true;     // reuses the shadow maps of the previous frame if they are identical
-    // the caller reads the shadow maps, so receivers must not cull casters
+    // true: the caller reads the shadow maps, so the maps contain all casters, without culling by receivers
     bool wantsWholeMaps = false;
-    // the caller reads other data than the colours, so the image is not drawn in bands of rows
+    // true: the caller reads other data than the colours, so the image is not drawn in bands of rows
     bool wantsWholeImage = false;
-    // another camera that shows the frame of the view: clusters, casters and maps stay those of the view
+    // Second camera that draws the image. Clusters, casters and shadow maps are still selected for the camera of the
+    // view, so the image shows them from another position.
     std::optional<Camera> observerCamera;
-    glm::dvec2 subpixel{0}; // sample position as in DrawInputs, at most half a pixel from the centre
-    // calls of `drawSample` will follow: the cut has a `margin`, the maps are complete, and the backend stores the
-    // light
+    // sample position relative to each pixel's centre, in pixels to the right and up, each at most 1/2
+    glm::dvec2 subpixel{0};
+    // true: more frames with other subpixel positions will follow (`drawSample`). The clusters then cover a margin
+    // around the image, the maps are complete, and the backend stores the light.
     bool isAccumulated = false;
-    glm::dvec2 mapShift{0}; // shift of the texel grids of all maps, in texels, as in ShadowMap
+    // shift of the texel grids of all shadow maps, in columns and rows, each at most half a texel
+    glm::dvec2 mapShift{0};
     render::LightPart lightPart = render::LightPart::All;
-    double skyWeight = 0;                          // as in DrawInputs
-    std::optional<glm::vec3> groundShade;          // as in DrawInputs
-    std::shared_ptr<const shadow::TileMask> tiles; // as in DrawInputs
-    std::optional<render::ImageRows> rows;         // as in DrawInputs
+    double skyWeight = 0; // weight of the light from one sky direction, as in DrawInputs
+    // fraction of the background's light that the ground's shadow removes, per channel
+    std::optional<glm::vec3> groundShade;
+    std::shared_ptr<const shadow::TileMask> tiles; // image tiles to draw; null: all tiles
+    std::optional<render::ImageRows> rows;         // image rows to draw; nullopt: all rows
 
-    /// Returns the pixels by which the cut extends beyond the image on each side.
+    /// Returns the width, in pixels, of the margin around the image in which clusters are also selected.
     double margin() const { return isAccumulated ? 0.5 : 0; }
 
     bool operator==(const FrameOptions&) const = default;

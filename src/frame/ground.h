@@ -23,20 +23,21 @@ struct ModelExtent {
     std::span<const hierarchy::PageInfo> pages;
 };
 
-/// Returns the ground of `view`. Returns null if `look` has no ground, or if no shadow can be visible on the ground
-/// because the eye is below it or the light is at or below the horizon. The plane touches the lowest corner of all page
-/// boxes, measured along `up`. If `up` is an axis, this corner has the height of the lowest point of the model. A
-/// shadow ends at 16 times the model's diagonal, or at the end of the grid. With `reachesSky`, the ground also contains
-/// all points where the model hides so much of the sky that an 8-bit image shows it.
+/// Returns the visible ground plane under the model. Returns null if `look` has no ground, or if no shadow can be
+/// visible on it because the eye is below it or the light is at or below the horizon. The plane touches the lowest
+/// corner of all page boxes, measured along `up`. If `up` is an axis, this corner has the height of the lowest point of
+/// the model. A shadow ends at 16 times the model's diagonal, or at the end of the model's grid. With `reachesSky`, the
+/// ground also contains all points where the model hides so much of the sky that an 8-bit image shows it.
 std::shared_ptr<const Ground> groundOf(
     const plan::View& view, const plan::ShadingSettings& look, const ModelExtent& model, bool reachesSky = false);
 
-/// Adds `ground` to `facts`, the scene facts of `view` (a distant view if it is orthographic). Any visible part of the
-/// ground counts as a possible receiver. Returns false, and changes nothing, if no part of the ground is in the
-/// frustum.
+/// Adds `ground` to `facts`, the scene facts of `view`. Orthographic views must first be converted by
+/// plan::distantView. Any visible part of the ground counts as a possible receiver. Returns false, and changes nothing,
+/// if no part of the ground is in the view frustum.
 bool addGround(const Ground& ground, const plan::View& view, double gridStep, plan::SceneFacts& facts);
 
-/// Adds `ground` to `facts` and returns it. Returns null if no part of the ground is in the frustum.
+/// Adds `ground` to the scene facts `facts` and returns it. Returns null, and changes nothing, if no part of the ground
+/// is in the view frustum.
 std::shared_ptr<const Ground> seenGround(
     const std::shared_ptr<const Ground>& ground, const plan::View& view, double gridStep, plan::SceneFacts& facts);
 

@@ -1,4 +1,4 @@
-// Plans penumbrae and sky light of a frame from its drawn clusters.
+// Plans how many light directions a frame needs for penumbrae and sky light.
 #pragma once
 
 #include "frame/prepared_frame.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::frame {
 
-/// Adds penumbrae and sky light to the plan of `frame`. All pages of the frame's cut must be resident. Returns
-/// immediately if the frame requests neither penumbrae nor sky light.
+/// Adds penumbrae and sky light to the plan of `frame`. All model pages with drawn clusters of the frame must be in
+/// memory. Returns immediately if the settings request neither penumbrae nor sky light.
 void planLightSampling(PreparedFrame& frame, const Residency& residency);
 
 } // namespace gnomon::frame

@@ -1,4 +1,4 @@
-// The memory of a frame's image, without the pages of the model. An image that is too large is drawn in bands of rows.
+// Computes the memory of a frame's image, without the model. An image that is too large is drawn in bands of rows.
 #pragma once
 
 #include "frame/frame_options.h"
@@ -8,11 +8,12 @@
 
 namespace gnomon::frame {
 
-/// Returns the memory that the software backend needs to draw and accumulate a frame of `view`. The result includes:
+/// Returns the memory that the software backend needs to draw a frame of `view` and average it with other frames. The
+/// result includes:
 /// - the buffers per pixel, for the rows in `options`,
 /// - the finished image,
 /// - the samples of exact shadows, as if the sun reached every pixel,
-/// - the shadow maps and the cells of exact shadows.
+/// - the shadow maps, and the grid cells into which exact shadows sort their samples.
 Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const FrameOptions& options);
 
 /// Returns the bands of rows in which an image of `view` is drawn within `memory`, from the bottom. The result is a

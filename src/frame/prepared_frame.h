@@ -1,4 +1,4 @@
-// A frame between planning and drawing: its plan, its cut and its resident pages.
+// A frame between planning and drawing: its plan, its selected clusters and its pages in memory.
 #pragma once
 
 #include "frame/ground.h"
@@ -12,24 +12,24 @@
 
 namespace gnomon::frame {
 
-/// The complete input for drawing one view. The pages of its cut stay resident until the renderer prepares another
-/// frame.
+/// The complete input for drawing one view. The model pages that it draws stay in memory until the renderer prepares
+/// another frame.
 struct PreparedFrame {
     plan::FramePlan plan;
-    plan::PlanMemory memory; // for the plan of the next frame
+    plan::PlanMemory memory; // hysteresis values for the plan of the next frame
     plan::SceneFacts facts;
     std::shared_ptr<const Ground> ground; // null if no part of the ground is in view
-    bool hasGround = false;               // true: the look has a ground, even if the ground is out of view
+    bool hasGround = false;               // true: the settings have a ground, even if it is out of view
     render::CameraRelativeSpace space;
-    std::shared_ptr<const lod::ErrorRule> rule; // error rule of the cut
-    // volumes of the cut: the image, the casters of each pass, and the sections
+    std::shared_ptr<const lod::ErrorRule> rule; // converts a cluster's error to pixels to select its level of detail
+    // Volumes whose clusters are selected: first the image, then the casters of each shadow map, then the sections.
     std::vector<ConvexVolume> volumes;
     std::size_t sectionVolumes = 0; // number of section volumes at the end of `volumes`
-    // true: shades with the headlight, because the sun reaches too few visible pixels (--shading auto)
+    // true: the frame is shaded with the headlight, because the sun reaches too few visible pixels (--shading auto)
     bool usesHeadlight = false;
-    // true: `usesHeadlight` depends on the number of lit pixels, which only drawing can count
+    // true: only drawing can count the lit pixels on which `usesHeadlight` depends
     bool asksLitPixels = false;
-    // error limit of the cut in pixels: the limit of the quality, or more if a cap on triangles requires it
+    // Max error of the selected clusters in pixels: the limit of the quality, or more because of a cap on triangles.
     double errorPixels = 1;
     lod::Cut cut;
     lod::DemandOutcome residency;
@@ -49,8 +49,8 @@ struct PreparedFrame {
                !facts.isTurnedFromLight;
     }
 
-    /// Returns true if shadows are computed without maps. The cut then has a single list of casters. It contains all
-    /// casters that can throw a shadow into the view.
+    /// Returns true if shadows are computed without shadow maps. The frame then has a single list of casters instead of
+    /// one list per map. The list contains all casters that can throw a shadow into the view.
     bool hasOneCasterList() const { return isRayTraced() || isExact(); }
 };
 

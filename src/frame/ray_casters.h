@@ -1,4 +1,4 @@
-// The casters that rays from visible surfaces to the light can hit.
+// Finds the casters that rays from visible surfaces to the light can hit.
 #pragma once
 
 #include "frame/prepared_frame.h"
@@ -8,11 +8,11 @@ namespace gnomon::frame {
 /// Returns the volume, in local space, that contains every ray from a visible surface to the light.
 ConvexVolume rayCasterVolume(const PreparedFrame& frame);
 
-/// Returns the required detail of the casters of a point light. Each entry belongs to a range of view depths with far =
-/// 2 near. Near receivers thus increase only the detail of the casters that can shadow them.
+/// Returns the level of detail that the casters of a point light require, per range of view depths [d, 2d]. Near
+/// receivers thus increase only the detail of the casters that can shadow them.
 std::vector<lod::CasterDetail> pointCasterDetails(const PreparedFrame& frame);
 
-/// Returns the required detail of all casters that rays can hit, for a directional light.
+/// Returns the level of detail that all casters of a directional light require if rays compute the shadows.
 lod::CasterDetail rayCasterDetail(const PreparedFrame& frame);
 
 } // namespace gnomon::frame

@@ -1,4 +1,5 @@
-// The resident pages of a model. Each frame admits the loaded pages, and requests the pages of its cut.
+// Manages the model pages in memory. Each frame first adds the pages that were loaded, and then requests the pages of
+// its clusters.
 #pragma once
 
 #include "core/check.h"
@@ -25,19 +26,20 @@ struct ResidencyOptions {
     bool holdsPictures = false;
 };
 
-/// Returns the approximate memory of the tables of `model`, including all run-time structures that are built from them.
+/// Returns the approximate memory of the page table of `model`, including all run-time structures that are
+/// built from them.
 Bytes tableBytes(const hierarchy::ModelFile& model);
 
-/// The pages of one model. A frame calls `admitLoaded`, computes a cut with `query`, and calls `serve` with this cut. A
-/// frame that waits for pages repeats the cut and `serve` until nothing changes. The drawn pages then stay resident
-/// until the next `admitLoaded`.
+/// The pages of one model in memory. A frame calls `admitLoaded`, selects clusters (a cut) with `query`, and calls
+/// `serve` with this cut. A frame that waits for pages repeats the selection and `serve` until nothing changes. The
+/// drawn pages then stay in memory until the next `admitLoaded`.
 class Residency {
 public:
-    /// `model` must outlive this object. Throws Error if the root page is damaged, if the tables alone exceed the
-    /// memory, or if the model is too large or too small to be drawn.
+    /// Opens `model`, which must outlive this object. Throws Error if the root page is damaged, if the tables alone
+    /// exceed the memory limit, or if the model is too large or too small to be drawn.
     Residency(const hierarchy::ModelFile& model, ResidencyOptions options);
 
-    /// Returns a cut query for this model. The caller sets the members that depend on the view.
+    /// Returns a query for selecting clusters of this model. The caller sets the members that depend on the view.
     lod::CutQuery query() const;
 
     hierarchy::ResidentPages resident() const { return store_.resident(); }
@@ -45,20 +47,20 @@ public:
     /// Returns true if `page` could not be read.
     bool isDamaged(std::uint32_t page) const { return store_.isDamaged(page); }
 
-    /// Begins a frame. If `waiting` is Never, makes the newly loaded pages resident. Frames that wait for pages do not
-    /// load the coarser ancestors of their pages, until the first frame with Waiting::Never. If `needsAllAbove`, the
-    /// ancestors are always loaded.
+    /// Begins a frame. If `waiting` is Never, makes the newly loaded pages available for drawing. Frames that wait for
+    /// pages do not load the coarser ancestors of their pages, until the first frame with Waiting::Never. If
+    /// `needsAllAbove`, the ancestors are always loaded.
     void admitLoaded(Waiting waiting, bool needsAllAbove = false);
 
-    /// Requests the pages that the cut `cut` of `query` needs. Waits for the pages unless `waiting` is Never. The first
-    /// volume of `query` must be the view pyramid of the image.
+    /// Requests the pages that the clusters in `cut` need, and waits for them unless `waiting` is Never. `cut` must be
+    /// the result of `query`, whose first volume must be the view pyramid of the image.
     lod::DemandOutcome serve(const lod::CutQuery& query, const lod::Cut& cut, Waiting waiting);
 
-    /// Returns the pages that the cut `cut` of `query` needs. If `cut.wanted` is not empty, the result may contain more
-    /// pages than necessary.
+    /// Returns the pages that the clusters in `cut` need. `cut` must be the result of `query`. If `cut.wanted` is not
+    /// empty, the result may contain more pages than necessary.
     std::vector<std::uint32_t> pagesOf(const lod::CutQuery& query, const lod::Cut& cut) const;
 
-    /// Returns the sum of the memory of the tables and of the decoded `pages`.
+    /// Returns the memory of the tables plus the memory of the decoded `pages`.
     Bytes bytesWith(std::span<const std::uint32_t> pages) const;
 
     /// Returns the memory of the ray-tracing trees of all `pages`.
@@ -67,26 +69,27 @@ public:
     /// Returns the memory limit for tables and pages. With `holdsPictures`, the limit also includes images.
     Bytes memory() const { return memory_; }
 
-    /// Reserves `bytes` of the memory limit for other data than pages. The pages of the last frame that waited for its
-    /// pages stay resident.
+    /// Reserves `bytes` of the memory limit for other data than pages. Pages may be evicted, except the pages of the
+    /// last frame that waited for its pages.
     void reserve(Bytes bytes) {
         store_.reserve({bytes.count + picture_.count});
         reserved_ = bytes;
     }
 
     /// Reserves `bytes` of the memory limit for an image, in addition to `reserve`. With `holdsPictures`, a third of
-    /// the remaining memory is also reserved for the temporary memory of drawing, and later calls never reduce the
-    /// reservation. Throws Error with the required memory if the image and the pinned pages do not fit together.
+    /// the remaining memory is also reserved for temporary data of drawing, and later calls never reduce the
+    /// reservation. Throws Error with the required memory if the image and the never-evicted pages do not fit together.
     void reservePicture(Bytes bytes);
 
     /// Returns true if the memory limit includes the images.
     bool holdsPictures() const { return holdsPictures_; }
 
-    /// If `areKept`, reserves memory for one ray-tracing tree per page, within the memory limit. Otherwise deletes all
-    /// trees and releases their memory. Throws Error if the trees and the pinned pages do not fit together.
+    /// Switches ray-tracing trees on or off. If `areKept`, reserves memory for one tree per page, within the memory
+    /// limit. Otherwise deletes all trees and releases their memory. Throws Error if the trees and the never-evicted
+    /// pages do not fit together.
     void keepRayTrees(bool areKept);
 
-    /// Returns the ray-tracing trees of the resident pages. Requires keepRayTrees(true). When a page is evicted, its
+    /// Returns the ray-tracing trees of the pages in memory. Requires keepRayTrees(true). When a page is evicted, its
     /// tree is deleted.
     raytrace::KeptTrees& rayTrees() {
         GNOMON_CHECK(rayTrees_);
@@ -115,7 +118,7 @@ private:
     std::optional<lod::DetailView> before_; // view of the previous frame
 };
 
-/// Returns `demands` with new priorities, computed from the boxes of their pages (rows of `pages`). With a limited
+/// Returns the page requests `demands` with new priorities, computed from the bounding boxes in `pages`. With a limited
 /// budget, the most urgent pages are then loaded first. Pages out of view come last, unless shadows need them. The
 /// previous priorities use the bounding sphere of a group, which encloses the spheres of all finer groups. Inside a
 /// model, most spheres therefore contain the eye, and all pages would seem urgent. The function never increases a
@@ -125,7 +128,7 @@ std::vector<hierarchy::PageDemand> rankedByBoxes(
     std::span<const hierarchy::PageDemand> demands,
     std::span<const hierarchy::PageInfo> pages);
 
-/// Returns the view that the camera motion from `before` to `now` reaches after `frames` more frames.
+/// Extrapolates the camera motion from `before` to `now` by `frames` more frames, and returns the view at its end.
 lod::DetailView continued(const lod::DetailView& before, const lod::DetailView& now, double frames);
 
 } // namespace gnomon::frame

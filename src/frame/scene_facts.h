@@ -1,4 +1,4 @@
-// The scene facts that a plan needs, and the conversion of views and volumes to the local space of the hierarchy.
+// Collects the properties of the visible scene that a plan needs, and converts views to the local space of the model.
 #pragma once
 
 #include "lod/cut.h"
@@ -7,12 +7,14 @@
 
 namespace gnomon::frame {
 
-/// Returns `view` with the parameters that the selection of detail needs. `eye` is the eye in local space.
+/// Returns the camera parameters of `view` that the selection of the level of detail needs. `eye` is the eye in local
+/// space.
 lod::DetailView detailView(const plan::View& view, const glm::dvec3& eye);
 
-/// Returns the scene facts that the plan of `view` needs, computed from the first cut of the frame. If `range` (the
-/// result of plan::widestRange) is given, the facts include receivers and casters; `cut` must then have one caster
-/// list, for all casters that can throw a shadow into `range`. `scratch` is temporary memory.
+/// Returns the properties of the scene that the plan of `view` needs, computed from the clusters in `cut`. If `range`
+/// (the result of plan::widestRange) is given, they include receivers and casters. `cut` must then have one caster
+/// list, with all casters that can throw a shadow onto a visible point whose depth is in `range`. `scratch` is
+/// temporary memory.
 plan::SceneFacts sceneFacts(
     const plan::View& view,
     const Box& bounds,
@@ -22,7 +24,7 @@ plan::SceneFacts sceneFacts(
     std::vector<lod::DepthCandidate>& scratch);
 
 /// Returns true if certainly no visible cluster in the image of `cut` faces the light. If the result is false, some
-/// cluster may face it.
+/// cluster may face the light.
 bool isTurnedFromLight(const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut);
 
 } // namespace gnomon::frame

@@ -1,5 +1,5 @@
-// Tests whether two consecutive views belong to one continuous motion. Only then does the plan of the second view use
-// the plan memory of the first view.
+// Tests whether two consecutive views belong to one continuous camera motion. Only then does the second frame take over
+// split depths, map rotation and other hysteresis values from the first frame.
 #pragma once
 
 #include "core/angle.h"
@@ -11,11 +11,11 @@
 
 namespace gnomon::plan {
 
-/// Returns true if there is a camera cut between the views `before` and `now`. The plan of `now` must then not use the
-/// memory of `before`. A camera cut is a change of the projection or of the kind of light. It is also a movement of the
-/// eye, a rotation of the view or of the light, or a zoom above a limit in plan/hysteresis.h. `farthest` is the largest
+/// Returns true if the view jumps from `before` to `now`, so that the second frame must not use hysteresis values of
+/// the first frame. A jump is a change of the projection or of the type of light. It is also a movement of the eye, a
+/// rotation of the view or of the light, or a zoom above a limit in plan/hysteresis.h. `farthest` is the largest
 /// visible depth of `before` in world units, or 0 if nothing was visible. Parallel views use the distance to the target
-/// instead, because it sets the scale of the image.
+/// instead, because this distance sets the scale of the image.
 inline bool isCameraCut(const View& before, double farthest, const View& now) {
     if (before.camera.projection != now.camera.projection) return true;
     if (before.pointLight.has_value() != now.pointLight.has_value()) return true;
@@ -38,9 +38,9 @@ struct RequestedFrame {
     const Quality& quality;
 };
 
-/// Returns true if `now` can be the next frame of the motion of `before`. If camera or light moves, the image size and
-/// the settings that a frame-time target adjusts can also change. A change of any other setting ends the motion. If
-/// neither camera nor light moves, every change ends the motion.
+/// Returns true if `now` can be the next frame of the camera motion that `before` belongs to. If camera or light moves,
+/// the image size and the settings that a frame-time target adjusts can also change. A change of any other setting ends
+/// the motion. If neither camera nor light moves, every change ends the motion.
 inline bool isSameMotion(const RequestedFrame& before, const RequestedFrame& now) {
     View view = before.view;
     view.camera = now.view.camera;

@@ -1,10 +1,9 @@
-// The capabilities of a backend: which optional effects it can draw. Settings, plans, frames, the window and the bench
-// read only this list.
+// Lists the optional effects that a backend can draw. All other code asks only this list, not the type of the backend.
 #pragma once
 
 namespace gnomon::plan {
 
-/// The effects that some backends cannot draw.
+/// The optional effects of a backend. False means that the backend cannot draw the effect.
 struct Capabilities {
     bool exactShadows = false;     // computes the shadow of each visible point exactly
     bool unevenRows = false;       // draws logarithmic maps

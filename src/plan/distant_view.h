@@ -13,19 +13,19 @@ inline constexpr double kDistantSizes = 256;
 /// Visible size at the far end of the model divided by the visible size at its near end, for a distant eye: 1 + 1/255.
 inline constexpr double kDistantGrowth = (kDistantSizes + 0.5) / (kDistantSizes - 0.5);
 
-/// Returns the view that the program plans, culls and draws for the requested `view`. Perspective views and distant
-/// views are returned unchanged.
+/// Returns a perspective view that replaces the orthographic `view` in planning, culling and drawing. A view that is
+/// already perspective is returned unchanged.
 ///
-/// For an orthographic view of a model within `bounds`, the eye moves back along the view direction. The target moves
-/// to the near end of the model. The angle of view is chosen so that the image has its requested size there. The
-/// perspective view therefore contains everything that the orthographic image shows. A pixel covers between 1 and
-/// kDistantGrowth times its requested size. Only the drawing of the image uses parallel lines of sight.
+/// For a model within `bounds`, the eye moves back along the view direction. The target moves to the near end of the
+/// model. The angle of view is chosen so that the image has its requested size there. The perspective view therefore
+/// contains everything that the orthographic image shows. A pixel covers between 1 and kDistantGrowth times its
+/// requested size. Only the drawing of the image uses parallel lines of sight.
 ///
 /// Throws Error if the camera is invalid.
 View distantView(const View& view, const Box& bounds);
 
-/// Returns `quality` with depths for the eye of the view `distant`. The given depths in `quality` are measured from the
-/// eye of the requested view `asked`.
+/// Returns `quality` with its near and far depths converted from the eye of the requested view `asked` to the eye of
+/// the perspective view `distant`.
 Quality distantQuality(const Quality& quality, const View& asked, const View& distant);
 
 } // namespace gnomon::plan

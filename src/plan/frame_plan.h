@@ -1,5 +1,5 @@
-// The plan of a frame: its passes with their volumes, matrices, texels and aliasing bounds, and the reason for each
-// skipped effect. The planning uses no GL, files or clock. A backend draws the plan.
+// A plan describes a frame completely: its shadow maps and passes with volumes, matrices, texels and aliasing bounds,
+// and the reason for each skipped effect. Planning uses no GL, files or clock. A backend draws the plan.
 #pragma once
 
 #include "core/camera.h"
@@ -36,16 +36,18 @@ struct View {
     Camera camera;
     int width = 800; // pixels, at least 1
     int height = 800;
-    glm::dvec3 towardsLight{0.4, 1, 0.3}; // in world space, of any length above 0; drawing uses light() instead
-    glm::dvec3 up{0, 1, 0};               // towards the zenith, of any length above 0
-    std::optional<PointLight> pointLight; // replaces towardsLight, which is then the approximate direction to it
-    double sunAngleRadians = 0;           // angle of the light's disc; 0: the light is a point
-    std::optional<double> eyeMovedBack;   // distance by which distantView moved the eye, in world units
-    std::vector<Plane> sections;          // in world space; a point is visible only on the inner side of all planes
-    bool cutsCasters = true;              // true: the removed side of the sections casts no shadows
+    // direction in world space, of any length above 0; drawing uses light() instead
+    glm::dvec3 towardsLight{0.4, 1, 0.3};
+    glm::dvec3 up{0, 1, 0}; // towards the zenith, of any length above 0
+    // if set, replaces towardsLight, which is then the approximate direction to the point light
+    std::optional<PointLight> pointLight;
+    double sunAngleRadians = 0;         // angle of the light's disc; 0: the light is a point
+    std::optional<double> eyeMovedBack; // distance by which distantView moved the eye, in world units
+    std::vector<Plane> sections;        // in world space; a point is visible only on the inner side of all planes
+    bool cutsCasters = true;            // true: the part that the section planes remove casts no shadows
 
-    /// Returns the light direction for drawing, rounded to integers. All drawing must use this direction, so that it is
-    /// rounded only here.
+    /// Returns the light direction, rounded to integers. All drawing must use this direction, so that rounding occurs
+    /// only here.
     IntegerLight light() const { return roundedLight(towardsLight); }
 
     double aspect() const { return static_cast<double>(width) / height; }
@@ -57,8 +59,8 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-/// The layout of the sample grids of exact shadows: one map or four slices, with or without a warp. The image is the
-/// same for all layouts.
+/// The layout of the grids into which exact shadows sort the visible points: one grid or four slices, with or without a
+/// perspective warp. The image is the same for all layouts.
 enum class CellScheme : std::uint8_t { WarpedMap, Map, WarpedSlices, Slices };
 inline constexpr std::array kCellSchemes = {
     Word<CellScheme>{CellScheme::WarpedMap, "map+w"},
@@ -74,9 +76,9 @@ inline constexpr std::array kChoices = {
     Word<Choice>{Choice::Auto, "auto"},
 };
 
-/// The casters that a map draws.
+/// The casters that a shadow map draws.
 /// - Off: the whole model.
-/// - On: the casters that can throw a shadow into the map's partition.
+/// - On: the casters that can throw a shadow into the region that the map covers.
 /// - Receivers: the casters of On that can change a pixel of the image.
 /// - Auto: On or Receivers.
 enum class CasterCulling : std::uint8_t { Auto, On, Off, Receivers };
@@ -89,11 +91,11 @@ inline constexpr std::array kCasterCullings = {
 
 /// The user's settings, with the names of the command line.
 struct Quality {
-    ShadowMode shadows = ShadowMode::Maps; // chooseShadows replaces Auto
-    // the reason why ShadowMode::Auto selects Maps; nullopt: the backend determines the kind of shadows
+    ShadowMode shadows = ShadowMode::Maps; // chooseShadows replaces ShadowMode::Auto by the chosen type
+    // the reason why ShadowMode::Auto selects Maps; nullopt: the backend determines the type of shadows
     std::optional<ShadowReason> mapsBecause;
     shadow::Warp warp;
-    std::optional<int> zPartitions = 4; // nullopt: auto
+    std::optional<int> zPartitions = 4; // number of depth slices; nullopt: auto
     double splitLambda = 1;
     Choice facePartitions = Choice::Off;
     int shadowTexelsWidth = 2048; // width times height is the total number of texels of all maps, borders included
@@ -102,7 +104,7 @@ struct Quality {
     int filter = 0; // width of the PCF kernel in texels; 0: one lookup without a filter
     CasterCulling cullCasters = CasterCulling::Auto;
     bool stabilize = false;
-    CellScheme cellScheme = CellScheme::WarpedMap; // no option sets it; only a report compares the layouts
+    CellScheme cellScheme = CellScheme::WarpedMap; // no command line option sets it; only a report compares the layouts
     std::optional<double> near;                    // nullopt: auto
     std::optional<double> far;
     std::optional<double> nearFloor; // nullopt: far / 10000
@@ -116,7 +118,7 @@ struct Quality {
     bool operator==(const Quality&) const = default;
 };
 
-/// The properties of the scene in a view that a plan needs. Some are known only after the traversal of the hierarchy.
+/// The properties of the visible scene that a plan needs. Some are known only after the traversal of the hierarchy.
 struct SceneFacts {
     Box bounds; // bounds of the model and its ground, in world space
 
@@ -135,7 +137,7 @@ struct SceneFacts {
         std::uint64_t triangles = 0;
     };
 
-    /// The receivers and casters in the view.
+    /// The receivers in the view, and the casters that can shadow them.
     struct Light {
         std::vector<DepthSpan> lit;       // depths of the visible surfaces that face the light: disjoint and sorted
         bool canBeShadowed = true;        // false: no caster can lie between the light and these surfaces
@@ -151,7 +153,8 @@ struct SceneFacts {
 /// A shadow map and how this frame draws it.
 struct ShadowPass {
     shadow::ShadowMap map;
-    bool clampsDepth = true;              // true: a caster may be nearer to the light than the depth range of the map
+    // true: casters between the light and the depth range of the map are clamped to its near end
+    bool clampsDepth = true;
     std::uint64_t estimatedTriangles = 0; // estimated number of caster triangles in this map
     // true: the texture already contains this map from the previous frame, so it is not drawn again
     bool isReused = false;
@@ -160,54 +163,54 @@ struct ShadowPass {
 /// The plan of a frame: the view, the settings and the passes.
 struct FramePlan {
     View view;
-    Quality quality;      // `shadows` is the drawn kind, never Auto
-    Capabilities backend; // capabilities of the backend that will draw the plan
+    Quality quality;      // `shadows` is the type that is drawn, never Auto
+    Capabilities backend; // capabilities of the backend that draws the plan
     ShadowReason shadowReason = ShadowReason::Requested;
     CameraBasis basis;
     IntegerLight light;               // the light of the view
     glm::dvec3 towardsLight{0, 1, 0}; // the same direction as a unit vector in camera space
-    double near = 0;                  // near end of the depth range in which the aliasing has a bound
+    double near = 0;                  // near end of the depth range in which shadow aliasing has an upper bound
     double far = 0;
     // [near, far], extended to all visible depths; shadows outside [near, far] have no aliasing bound
     DepthSpan shown;
     DepthSource nearFrom = DepthSource::Given;
     DepthSource farFrom = DepthSource::Given;
     double lightAngleRadians = 0;
-    std::vector<double> splits; // depths between the slices, with both ends; empty without maps
+    std::vector<double> splits; // depths that separate the slices, with both ends; empty without shadow maps
     bool hasFaces = false;
-    shadow::PartitionSelector selector; // finds the partition of a point
-    // the pass of each partition; the index is the result of `selector`, or of shadow::cubeFaceOf for a lamp; -1: no
-    // map
+    shadow::PartitionSelector selector; // finds the partition (slice and face) of a point
+    // Index in `passes` of the map of each partition, or -1 if the partition has no map. Partitions are numbered as by
+    // `selector`, or as by shadow::cubeFaceOf for a point light.
     std::vector<int> passOfPartition;
     std::vector<ShadowPass> passes;
-    std::vector<shadow::ShadowMap> sampleGridMaps; // maps whose matrices define the cells of exact shadows
-    shadow::Aliasing aliasingBound;                // max aliasing bound over all passes, per axis
+    std::vector<shadow::ShadowMap> sampleGridMaps; // maps whose projections define the grids of exact shadows
+    shadow::Aliasing aliasingBound;                // max perspective aliasing in [near, far], over all passes, per axis
     double storageFactor = 0;
     CasterCulling casterCulling = CasterCulling::On; // never Auto
-    // false: the aliasing bound of every permitted scheme exceeds quality.maxAliasing
+    // false: no permitted scheme keeps the aliasing below quality.maxAliasing
     bool isBoundKept = true;
-    // Number of texels that keeps the aliasing within quality.maxAliasing; 0: no number suffices. If all permitted
-    // schemes need more texels than the budget, this is the smallest of their numbers.
+    // Total number of shadow map texels with which the aliasing stays within quality.maxAliasing, or 0 if no number
+    // suffices. If all permitted schemes need more texels than the budget, this is the smallest of their numbers.
     std::uint64_t requiredTexels = 0;
     // estimated drawing cost of the maps, in units of a caster triangle: caster triangles + texels / 16
     std::uint64_t cost = 0;
-    Penumbra penumbra; // only used for images that are the mean of several frames
-    SkyLight sky;      // only used for images that are the mean of several frames
+    Penumbra penumbra; // sampling of the sun's disc; only for images that are the mean of several frames
+    SkyLight sky;      // sampling of the sky's light; only for images that are the mean of several frames
     std::vector<SkippedEffect> omitted;
     bool skipsHidden = false; // true: the image pass skips hidden clusters; the image is the same
     int textureWidth = 0;     // size of the depth texture in texels; 0 without maps
     int textureHeight = 0;
 };
 
-/// Converts `depth`, measured from the eye of `plan`, to the depth from the requested eye. The two eyes differ for
-/// orthographic views.
+/// Converts the view depth `depth` from the eye of `plan` to the eye of the requested view. The two eyes differ only
+/// for orthographic views.
 inline double depthFromAskedEye(const FramePlan& plan, double depth) {
     return depth - plan.view.eyeMovedBack.value_or(0);
 }
 
-/// Returns the name of the plan's scheme for the log: "off", "rays", "exact", "none", "map", "zp4" (four slices), "fp"
-/// (face partitions) or "fp+zp4". The suffix "+w" marks warped maps and "+log" logarithmic maps. The scheme of a lamp
-/// is "cube".
+/// Returns the name of the plan's shadow scheme for the log: "off", "rays", "exact", "none", "map", "zp4" (four
+/// slices), "fp" (face partitions) or "fp+zp4". The suffix "+w" marks warped maps and "+log" logarithmic maps. The
+/// scheme of a point light is "cube".
 std::string schemeName(const FramePlan& plan);
 
 } // namespace gnomon::plan

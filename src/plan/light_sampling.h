@@ -1,5 +1,5 @@
-// The number of light directions over which an image is averaged. Images with visible penumbrae sample the sun's disc.
-// Images in which geometry hides a part of the sky sample the sky.
+// Plans the number of light directions over which an image is averaged. Images with visible penumbrae sample the sun's
+// disc. Images in which geometry hides a part of the sky sample the sky.
 #pragma once
 
 #include "core/words.h"
@@ -21,7 +21,7 @@ inline constexpr std::array kSkyModels = {
     Word<SkyModel>{SkyModel::Overcast, "overcast"},
 };
 
-/// The sampling of the sky's light. With 0 directions, geometry does not occlude the light of the sky.
+/// The number of sky directions that light an image. With 0 directions, geometry does not occlude the light of the sky.
 struct SkyLight {
     int directions = 0;
     SkyModel model = SkyModel::Uniform;
@@ -29,13 +29,13 @@ struct SkyLight {
     bool operator==(const SkyLight&) const = default;
 };
 
-/// The penumbrae in the image of a plan.
+/// How an image samples the sun's disc to draw penumbrae.
 struct Penumbra {
     double widestPixels = 0; // upper bound of the penumbra widths in view, in pixels perpendicular to the beam
     double minPixels = 0;    // narrower penumbrae are drawn as if the light were a point
     int directions = 1;      // samples of the light's disc; 1: the light is a point
-    /// The tiles that can contain penumbrae of at least `minPixels`. Null means all tiles. Set only if there is more
-    /// than one direction.
+    /// The image tiles that can contain penumbrae of at least `minPixels`. Null means all tiles. Set only if there is
+    /// more than one light direction.
     std::shared_ptr<const shadow::TileMask> tiles{};
 };
 
@@ -49,19 +49,20 @@ struct PenumbraBound {
 
 struct FramePlan;
 
-/// Sets `plan.penumbra` for penumbrae whose widths are at most `bound`. `plan` must have its view and quality. If the
-/// light is drawn as a point, adds the reason to `plan.omitted`.
+/// Chooses the number of light directions for penumbrae whose widths are at most `bound`, and sets `plan.penumbra`.
+/// `plan` must have its view and quality. If the light is drawn as a point, adds the reason to `plan.omitted`.
 void planPenumbra(FramePlan& plan, const PenumbraBound& bound);
 
-/// Sets `plan.sky`, or adds the reason for its absence to `plan.omitted`. `isAnythingHidden` is true if geometry may
-/// lie between a visible surface and the sky.
+/// Chooses the number of sky directions and sets `plan.sky`. If the sky is not sampled, adds the reason to
+/// `plan.omitted`. `isAnythingHidden` is true if geometry may lie between a visible surface and the sky.
 void planSky(FramePlan& plan, bool isAnythingHidden);
 
-/// Removes penumbrae and sky light from `plan`. Call this function if the image is drawn without the sun.
+/// Removes the sampling of the sun's disc and of the sky from `plan`. Call this function if the image is drawn without
+/// the sun.
 void skipLightSampling(FramePlan& plan);
 
-/// Returns the number of frames that the planned light directions require: each frame of an accumulated image has its
-/// own direction. Returns 1 if one frame suffices.
+/// Returns the number of frames whose mean is the image. Each frame has another light direction of `plan`. Returns 1 if
+/// one frame suffices.
 int lightFrames(const FramePlan& plan);
 
 } // namespace gnomon::plan

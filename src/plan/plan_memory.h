@@ -1,4 +1,4 @@
-// The memory that a plan passes to the plan of the next frame. Plans share no other state.
+// The hysteresis values that a plan passes to the plan of the next frame. Plans share no other state.
 #pragma once
 
 #include "core/depth_span.h"
@@ -12,7 +12,7 @@
 
 namespace gnomon::plan {
 
-/// The ends of the depth range of a frame with visible surfaces, with the state of their hysteresis.
+/// The hysteresis state of the ends of a frame's depth range. It exists only for frames with visible surfaces.
 struct DepthMemory {
     shadow::NearState near;
     // 1 / far for stabilised slices; it has the same hysteresis as near
@@ -21,8 +21,8 @@ struct DepthMemory {
     std::optional<shadow::NearState> inverseShownFar;
 };
 
-/// The recent depths of the visible surfaces that face the light. With this memory, a slice keeps its map while
-/// receivers appear and disappear for a few frames.
+/// The recent view depths of visible surfaces that face the light. With these depths, a slice keeps its shadow map
+/// while receivers appear and disappear for a few frames.
 struct LitMemory {
     // depths during the last complete period of kFramesBeforeMapsGo frames; nullopt before the end of the first period
     std::optional<std::vector<DepthSpan>> before;
@@ -30,7 +30,7 @@ struct LitMemory {
     int frames = 0;               // number of frames of the current period so far
 };
 
-/// The choices that define the scheme of a plan.
+/// The choices that define a shadow scheme: the number of slices, the face partitions and the types of maps.
 struct SchemeChoice {
     int slices = 1;
     bool faces = false;
@@ -39,17 +39,17 @@ struct SchemeChoice {
     bool operator==(const SchemeChoice&) const = default;
 };
 
-/// The memory of the scheme of a frame with maps. A frame in which all slices are empty also has this memory.
+/// The shadow scheme of a frame and its hysteresis state. A frame in which all slices are empty also has a scheme.
 struct SchemeMemory {
     SchemeChoice choice;
     shadow::OrientationState orientation;
     std::uint64_t emptySlices = 0; // bit i: slice i has no map
     std::size_t maps = 0;
     LitMemory lit;
-    int framesDominated = 0; // number of consecutive frames, including this frame, in which another scheme dominates
+    int framesDominated = 0; // number of consecutive frames up to this frame in which another scheme was clearly better
 };
 
-/// The complete memory between plans. It is empty for the first frame.
+/// All hysteresis values that one plan passes to the next plan. They are empty for the first frame.
 struct PlanMemory {
     std::optional<DepthMemory> depth;
     std::optional<SchemeMemory> scheme;

@@ -1,4 +1,4 @@
-// The kinds of shadows, and the reasons for them.
+// The types of shadows, and the reasons for choosing them.
 #pragma once
 
 #include "core/words.h"
@@ -8,8 +8,8 @@
 
 namespace gnomon::plan {
 
-/// The kinds of shadows. Maps looks up shadow maps, Exact tests each visible point with integers, and Rays traces rays.
-/// `chooseShadows` replaces Auto by one of the other kinds.
+/// The types of shadows. Maps looks up shadow maps, Exact tests each visible point with integers, and Rays traces rays.
+/// `chooseShadows` replaces Auto by one of the other types.
 enum class ShadowMode : std::uint8_t { Off, Maps, Exact, Rays, Auto };
 inline constexpr std::array kShadowModes = {
     Word<ShadowMode>{ShadowMode::Off, "off"},
@@ -19,9 +19,9 @@ inline constexpr std::array kShadowModes = {
     Word<ShadowMode>{ShadowMode::Auto, "auto"},
 };
 
-/// The reason for the kind of shadows of a frame.
+/// The reason why a frame has its type of shadows.
 enum class ShadowReason : std::uint8_t {
-    Requested,      // the user requested this kind
+    Requested,      // the user requested this type
     NoSun,          // the shading has no sun, so nothing casts shadows
     MapsRequested,  // an option, an overlay or a validation of shadow maps needs maps
     FrameTime,      // exact shadows take longer than the target frame time of the window

@@ -6,8 +6,9 @@
 
 namespace gnomon::plan {
 
-/// Sets the splits, the passes, the aliasing bound and the texture size of `plan`. The view, quality, light and depth
-/// range of `plan` must be set. `before` is the memory of the previous frame. Returns the memory for the next frame.
+/// Plans the shadow maps of `plan`: sets its splits, passes, aliasing bound and texture size. The view, quality, light
+/// and depth range of `plan` must be set. `before` has the hysteresis values of the previous frame. Returns the
+/// hysteresis values for the next frame.
 SchemeMemory planShadowPasses(FramePlan& plan, const SceneFacts& scene, const std::optional<SchemeMemory>& before);
 
 } // namespace gnomon::plan

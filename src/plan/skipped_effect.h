@@ -1,5 +1,5 @@
-// The effects that a plan skips, and the reasons. Other code compares these values. The code that displays them makes
-// the sentences.
+// Lists the effects that a plan skips, with the reasons as enum values. The code that displays them makes the
+// sentences.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ enum class SkipReason : std::uint8_t {
     OneSliceSuffices,   // one slice is the best scheme for this aliasing bound
     NoCasterBeforeMaps, // no caster is nearer to the light than the depth range of its map
     MapsComeFirst,      // the backend draws the maps before the image
-    MapsAreKept,        // the maps are reused by later frames, which see other receivers
+    MapsAreKept,        // later frames, which see other receivers, reuse the maps
     // there are so few caster triangles per pixel that the receiver masks would cost more than the triangles
     FewCasters,
     BackendDrawsAll,    // the backend also draws hidden clusters
@@ -77,7 +77,7 @@ struct SkippedEffect {
     bool operator==(const SkippedEffect&) const = default;
 };
 
-/// The origin of an end of the depth range.
+/// The origin of the near or far end of a frame's depth range.
 enum class DepthSource : std::uint8_t {
     Given,
     NearestSurface, // the nearest surface in view

@@ -1,4 +1,4 @@
-// Caster volumes: the convex volumes that contain each caster whose shadow can fall into a region.
+// Computes caster volumes: convex volumes that contain each caster whose shadow can fall into a region.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -7,11 +7,12 @@
 
 namespace gnomon::shadow {
 
-/// Returns the exact sweep of `region` towards the light. A point inside this volume can throw a shadow into the
-/// region, and a point outside cannot. Each plane touches a vertex of the region, so no smaller volume is correct.
+/// Returns the volume of all casters whose shadow can fall into `region`: the region swept towards the light. A point
+/// inside this volume can throw a shadow into the region, and a point outside cannot. Each plane touches a vertex of
+/// the region, so no smaller volume is correct.
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame);
 
-/// Returns the convex hull of `corners` and of the point light `light`, all in one space. It contains all casters
+/// Returns the convex hull of `corners` and of the point light `light`, all in one space. The hull contains all casters
 /// between the light and the convex hull of `corners`. If some corners almost coincide, the result can be larger than
 /// the hull, but never smaller.
 ConvexVolume pointCasterVolume(std::span<const glm::dvec3> corners, const glm::dvec3& light);

@@ -20,7 +20,7 @@ struct ImageTiles {
 
     std::size_t count() const { return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()); }
 
-    /// Returns the index of the tile that contains pixel (x, y). y = 0 is the lowest row.
+    /// Returns the index of the tile that contains pixel (x, y). Row y = 0 is the lowest row.
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y / kSide) * static_cast<std::size_t>(columns()) +
                static_cast<std::size_t>(x / kSide);
@@ -36,7 +36,7 @@ struct TileMask {
 
     bool holds(int x, int y) const { return wanted[tiles.at(x, y)]; }
 
-    /// Returns true if a wanted tile contains a pixel with x0 <= x < x1 and y0 <= y < y1. The pixel range must be
+    /// Returns true if a tile of this set contains a pixel with x0 <= x < x1 and y0 <= y < y1. The pixel range must be
     /// within the image and not empty.
     bool holdsAny(int x0, int y0, int x1, int y1) const {
         for (int y = y0 / ImageTiles::kSide; y <= (y1 - 1) / ImageTiles::kSide; ++y)

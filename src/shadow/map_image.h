@@ -1,5 +1,5 @@
-// The parameters of a shadow map lookup, and the computation of its texel position and bias. Both backends use this
-// code. Planning and validation use double precision, and drawing uses single precision.
+// Computes the texel position and the depth bias of a shadow map lookup. Both backends use this code. Planning and
+// validation use double precision, and drawing uses single precision.
 #pragma once
 
 #include "shadow/depth_bias.h"
@@ -11,8 +11,8 @@
 
 namespace gnomon::shadow {
 
-/// The parameters of lookups in one shadow map, for positions in any space with world units. The shaders repeat texelAt
-/// and receiverBias.
+/// The parameters of lookups in one shadow map, for positions in any space with world units. The shaders repeat the
+/// functions texelAt and receiverBias.
 template <typename Number>
 struct MapImage {
     using Vec2 = glm::vec<2, Number, glm::defaultp>;
@@ -20,28 +20,30 @@ struct MapImage {
     using Vec4 = glm::vec<4, Number, glm::defaultp>;
     using Mat4 = glm::mat<4, 4, Number, glm::defaultp>;
 
-    Vec3 origin{0}; // subtracted from each position; 0 unless float precision requires another origin
-    /// The matrix from an offset (position - origin) to clip space, for casters and lookups. The viewport is the map's
-    /// rectangle. x and y in [-w, w] fill the rectangle including its borders. Depth times w is in [0, w], and the
-    /// smallest depth is nearest to the light. w may be 0 or negative behind the centre of the warp, so casters need
-    /// homogeneous clipping. Their depth is clamped per fragment. Clip space is centred on 0, so the matrix has three
-    /// times the float precision of a matrix to texels.
+    Vec3 origin{0}; // origin of the offsets, subtracted from each position; not 0 only if float precision requires it
+    /// The matrix from an offset (position - origin) to clip space, for drawing casters and for lookups. The viewport
+    /// is the map's rectangle in the depth texture. x and y in [-w, w] fill the rectangle including its borders. Depth
+    /// times w is in [0, w], and the smallest depth is nearest to the light. w may be 0 or negative behind the centre
+    /// of the warp, so casters need homogeneous clipping. Their depth is clamped per fragment. Clip space is centred on
+    /// 0, so the matrix has three times the float precision of a matrix to texels.
     Mat4 clipFromOffset{1};
     Vec2 texelScale{1}; // (column, row) in the depth texture = clip.xy / clip.w * texelScale + texelOffset
     Vec2 texelOffset{0};
-    /// Row vectors for the plane (N, -N.(p - origin)) of a receiver at p, to be multiplied by a dot product. byColumn /
-    /// byDepth is the change of the plane's depth per column, and byRow / byDepth the change per row, both without
-    /// sign.
+    /// Row vectors that give the slope of a receiver in the map. They are multiplied with the plane (N, -N.(p -
+    /// origin)) of a receiver at p as dot products. byColumn / byDepth is the change of the plane's depth per column,
+    /// and byRow / byDepth the change per row, both without sign.
     Vec4 byColumn{0};
     Vec4 byRow{0};
     Vec4 byDepth{0};
-    Number unevenX = 0; // change of depth over a texel along x for the slope kUnevenSlope
-    // the same along z at w = 1, to be multiplied by w; the two changes are combined as a vector length
+    Number unevenX = 0; // change of depth over a texel along x, for a surface with the slope kUnevenSlope
+    // change of depth over a texel along z at w = 1, for the slope kUnevenSlope; multiplied by w, and combined with
+    // unevenX as a vector length
     Number unevenZ = 0;
-    Number reach = 0; // the result of reachTexels
-    /// 1 if rows are logarithmic, else 0. With logarithmic rows, the row is ln(clip.w) * texelScale.y + texelOffset.y,
-    /// and clip.y is always -1. byRow is then valid at w = 1 and must be divided by w, and unevenZ does not depend on
-    /// w.
+    // max distance from the lookup point to a texel centre that the filter reads, in texels (reachTexels)
+    Number reach = 0;
+    /// 1 if the rows of the map are logarithmic, else 0. With logarithmic rows, the row is ln(clip.w) * texelScale.y +
+    /// texelOffset.y, and clip.y is always -1. byRow is then valid at w = 1 and must be divided by w, and unevenZ does
+    /// not depend on w.
     Number logRows = 0;
     /// 1 for the map of a point light, else 0. For a point light, the change of depth over a texel for the slope
     /// kUnevenSlope is `unevenX` / w along x and `unevenZ` / w along z, where w is the distance along the axis of the
@@ -61,7 +63,8 @@ struct MapTexel {
     Number w = 1;
 };
 
-/// Returns the texel position of the lookup for `p`. The result is valid only if w > 0.
+/// Returns the position in the depth texture at which point `p` looks up its shadow, and its depth. The result is valid
+/// only if w > 0.
 template <typename Number>
 MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number, glm::defaultp>& p) {
     const auto clip = image.clipFromOffset * typename MapImage<Number>::Vec4(p - image.origin, 1);
@@ -73,9 +76,9 @@ MapTexel<Number> texelAt(const MapImage<Number>& image, const glm::vec<3, Number
         clip.w};
 }
 
-/// Returns the bias to subtract from the depth of a receiver at `p` with flat unit normal `normal`. `cosine` (> 0) is
-/// the cosine between normal and light. The bias is the change of depth over the reach of the filter, for the
-/// receiver's plane and a steeper neighbour (kUnevenSlope), plus the rounding error.
+/// Returns the depth bias for a receiver at `p` with flat unit normal `normal`, to be subtracted from its depth.
+/// `cosine` (> 0) is the cosine between normal and light. The bias is the change of depth over the reach of the filter,
+/// for the receiver's plane and a steeper neighbour (kUnevenSlope), plus the rounding error.
 template <typename Number>
 Number receiverBias(
     const MapImage<Number>& image,
@@ -99,11 +102,11 @@ Number receiverBias(
     return (slope + uneven) * image.reach + static_cast<Number>(kDepthRounding);
 }
 
-/// If the rows of `image` are logarithmic, returns y / w at the centres of `count` texture rows, from `firstRow` on.
-/// Otherwise returns an empty list.
+/// Returns the clip-space positions of `count` texture rows from `firstRow` on: y / w at the row centres. Returns an
+/// empty list if the rows of `image` are evenly spaced.
 std::vector<float> rowPositions(const FloatMapImage& image, int firstRow, int count);
 
-/// Returns the parameters in single precision. Each number is rounded once.
+/// Returns the lookup parameters `image` in single precision. Each number is rounded once.
 FloatMapImage rounded(const DoubleMapImage& image);
 
 } // namespace gnomon::shadow

@@ -1,21 +1,21 @@
-// The near depth of the range with an aliasing bound, quantised into steps. The steps prevent small continuous changes
-// and oscillation between frames.
+// Rounds the near depth of a view to steps, so that it neither changes continuously nor oscillates between frames.
+// Shadow aliasing has an upper bound from this depth on.
 #pragma once
 
 namespace gnomon::shadow {
 
-/// The state of the quantisation, passed from frame to frame.
+/// The rounded near depth of a view, passed from frame to frame.
 struct NearState {
     double near = 0;     // 0 before the first frame
     int framesAbove = 0; // number of consecutive frames that permitted a higher step
 };
 
-/// Returns the highest quantised step not above `depth` (> 0). Steps are powers of 2^(1/4), in world units.
+/// Returns `depth` (> 0) rounded down to a power of 2^(1/4), in world units.
 double quantizeNear(double depth);
 
-/// Returns the near depth of this frame: the highest step not above `minDepth`, but at least `floor`. `minDepth` is the
-/// smallest view depth of the drawn surfaces. The near depth falls at once. It rises only after `framesBeforeRise`
-/// consecutive frames that permit a higher step.
+/// Returns the rounded near depth of this frame: the highest power of 2^(1/4) not above `minDepth`, but at least
+/// `floor`. `minDepth` is the smallest view depth of the drawn surfaces. If a surface comes nearer, the near depth
+/// falls at once. It rises only after `framesBeforeRise` consecutive frames that permit a higher step.
 NearState nextNear(const NearState& previous, double minDepth, double floor, int framesBeforeRise = 15);
 
 } // namespace gnomon::shadow

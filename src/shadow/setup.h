@@ -1,4 +1,4 @@
-// The setup of all shadow maps of a frame. It computes partitions, matrices, texels, caster volumes, depth bias and
+// Sets up all shadow maps of a frame. The setup computes partitions, matrices, texels, caster volumes, depth bias and
 // aliasing bounds from the view, the light and the scheme.
 #pragma once
 
@@ -14,10 +14,11 @@
 
 namespace gnomon::shadow {
 
-/// The view for which shadow maps are set up, in camera space (core/camera.h: left-handed, x right, y up, z along the
-/// view).
+/// The camera and light for which shadow maps are set up, in camera space (core/camera.h: left-handed, x right, y up, z
+/// along the view).
 struct ShadowView {
-    ViewFrustum frustum;              // its near and far are the depth range with an aliasing bound, not the clip range
+    // near and far bound the depths in which aliasing has an upper bound; they do not clip
+    ViewFrustum frustum;
     std::optional<DepthSpan> shown;   // view depths of all receivers, if some of them are outside the frustum
     glm::dvec3 towardsLight{0, 1, 0}; // unit length
     int imageHeight = 800;            // pixels of the viewport
@@ -25,7 +26,7 @@ struct ShadowView {
     std::vector<VisibleSlab> seen;    // visible slabs, sorted by depth; empty: surfaces can be anywhere
 };
 
-/// The settings of the shadow maps.
+/// The user's settings of the shadow maps.
 struct ShadowOptions {
     Scheme scheme; // NearFace::Omit would leave a hole, so it is treated as Stretch
     // true: maps of whole slices are rotated for the smallest S; false: the plain orientation
@@ -39,39 +40,39 @@ struct ShadowOptions {
     std::uint64_t emptySlices = 0;  // bit i: slice i has no visible receiver and needs no map
 };
 
-/// All shadow maps of a frame, and the selector that assigns each point to one of them.
+/// All shadow maps of a frame, and the rule that assigns each point to one of them.
 struct ShadowMapSetup {
     static constexpr std::size_t kNoMap = static_cast<std::size_t>(-1);
 
     std::vector<ShadowMap> maps;
     PartitionSelector selector;
-    /// The index in `maps` for each result of partitionIndex, or kNoMap for an empty slice.
+    /// The index in `maps` for each partition (result of partitionIndex), or kNoMap for a slice without receivers.
     std::vector<std::size_t> mapOfPartition;
     int textureWidth = 0;
     int textureHeight = 0;
-    OrientationState orientation;     // for the next frame
-    std::vector<TexelDemand> demands; // one per map; requiredTexels uses them
+    OrientationState orientation;     // rotation of the maps about the light, for the next frame
+    std::vector<TexelDemand> demands; // texels for an aliasing of 1, one entry per map; requiredTexels uses them
 
-    /// Returns the index of the map for a lookup at `p` (camera space), or kNoMap.
+    /// Returns the index of the shadow map that point `p` (camera space) looks up, or kNoMap.
     std::size_t mapOf(const glm::dvec3& p) const { return mapOfPartition[partitionIndex(selector, p)]; }
 
     /// Returns the max aliasing bound over all maps, per axis.
     AliasingBound worst() const;
 };
 
-/// Returns the shadow maps of `view` with `options`. This is a pure function. `previous` is the orientation of the
-/// previous frame; it keeps the orientation continuous between frames. Throws gnomon::Error for an invalid frustum, for
-/// a light vector without unit length, or if the texel budget is too small for the maps.
+/// Returns the shadow maps of `view` with `options`. This is a pure function. `previous` contains the rotation of the
+/// maps about the light in the previous frame, so that the rotation changes continuously. Throws gnomon::Error for an
+/// invalid frustum, for a light vector without unit length, or if the texel budget is too small for the maps.
 ShadowMapSetup shadowMapSetup(
     const ShadowView& view,
     const ShadowOptions& options,
     const std::optional<OrientationState>& previous = std::nullopt);
 
-/// Returns the limits for the distribution of texels over the maps, from `options`.
+/// Returns the limits in `options` for the distribution of texels over the maps.
 TexelLimits limitsOf(const ShadowOptions& options);
 
-/// Returns the number of texels that the maps of `setup` require for an aliasing bound of `aliasing`. Returns 0 if no
-/// number suffices or if the setup has no maps.
+/// Returns the number of texels that the maps of `setup` require for a max perspective aliasing of `aliasing`. Returns
+/// 0 if no number suffices or if the setup has no maps.
 std::uint64_t requiredTexels(const ShadowMapSetup& setup, const ShadowOptions& options, double aliasing);
 
 } // namespace gnomon::shadow

@@ -8,8 +8,8 @@ namespace gnomon::plan {
 /// Returns the position of the point light of `view` in camera space. Requires that `view` has a point light.
 glm::dvec3 lampInCamera(const View& view);
 
-/// Adds shadow maps to `plan` for the faces of a cube around the point light: one map per face with visible surfaces.
-/// The depth range and basis of `plan` must be set, and its view must have a point light.
+/// Adds one shadow map to `plan` per face of a cube around the point light, for each face with visible surfaces. The
+/// depth range and camera axes of `plan` must be set, and its view must have a point light.
 void planLampPasses(FramePlan& plan, const SceneFacts& scene);
 
 } // namespace gnomon::plan

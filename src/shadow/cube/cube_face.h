@@ -18,8 +18,8 @@ inline constexpr std::array kCubeFaces = {
 /// shadow lookups.
 std::size_t cubeFaceOf(const glm::dvec3& offset);
 
-/// Returns the axes of face `index` in world space: y towards the light, z along the t axis of the map, x along its s
-/// axis.
+/// Returns the axes of the map of cube face `index`, in world space: y towards the light, z along the t axis of the
+/// map, x along its s axis.
 LightFrame cubeFaceAxes(std::size_t index);
 
 /// The projection from camera space to (s, t, depth). Let q be the vector from the light to a point, and w = -q.y the
@@ -35,11 +35,11 @@ struct CubeFaceProjection {
     double near = 1; // distance along the axis of the face
     double far = 2;
 
-    /// Returns the derivative of depth by w, multiplied by w^2.
+    /// Returns the derivative of the map's depth by w (distance along the face's axis), multiplied by w^2.
     double depthSlope() const { return far * near / (far - near); }
 };
 
-/// Returns the matrix whose product with (p, 1) is (s w, t w, depth w, w).
+/// Returns the projection of `face` as a matrix. Its product with (p, 1) is (s w, t w, depth w, w).
 glm::dmat4 textureFromCamera(const CubeFaceProjection& face);
 
 } // namespace gnomon::shadow

@@ -1,4 +1,4 @@
-// The closed forms of Lloyd et al. 2006, sections 4.1 to 4.3, for one shadow map and a light directly overhead.
+// The closed formulas of Lloyd et al. 2006, sections 4.1 to 4.3, for one shadow map and a light directly overhead.
 #pragma once
 
 #include "shadow/fit/view_frustum.h"
@@ -25,32 +25,36 @@ struct Resolution {
 // In the functions below, `nPrime` (n' in Lloyd et al. 2006) is the distance from the warp's centre of projection to
 // the near plane. Infinity means an unwarped, orthogonal map. Depths are in world units.
 
-/// Returns n'_LSPSM = n + sqrt(f n), which minimises M_z (Wimmer et al. 2004; their paper prints z in place of n).
+/// Returns n'_LSPSM = n + sqrt(f n), the distance of the warp's centre that minimises M_z (Wimmer et al. 2004; their
+/// paper prints z in place of n).
 double nPrimeLspsm(const ViewFrustum& frustum);
 
-/// Returns m_x and m_z at view depth `depth` (Eqs 7 and 8), for n' >= near.
+/// Returns the perspective aliasing m_x and m_z at view depth `depth` (Eqs 7 and 8), for n' >= near.
 Aliasing aliasingOverhead(const ViewFrustum& frustum, double nPrime, double depth, const Resolution& resolution);
 
-/// Returns M_x and M_z over the whole frustum (Eqs 9 and 10), for n' >= near at unit resolutions.
+/// Returns M_x and M_z, the max perspective aliasing over the whole frustum (Eqs 9 and 10), for n' >= near at unit
+/// resolutions.
 Aliasing worstAliasingOverhead(const ViewFrustum& frustum, double nPrime);
 
-/// Returns the storage factor S = M_x M_z (Eq 12, with a branch that the paper omits). S is constant for near <= n' <=
-/// n'_LSPSM and larger outside this range. For n' < near, S grows because the map must contain both the near edge and
-/// the far edge.
+/// Returns the storage factor S = M_x M_z: the texels per pixel that an aliasing of 1 requires (Eq 12, with a branch
+/// that the paper omits). S is constant for near <= n' <= n'_LSPSM and larger outside this range. For n' < near, S
+/// grows because the map must contain both the near edge and the far edge.
 double storageFactorOverhead(const ViewFrustum& frustum, double nPrime);
 
-/// Returns n' for the parameter eta in [-1, 1] (Eq 11): -1 is orthogonal, 0 is n'_LSPSM, 1 is n' = near.
+/// Returns the distance n' of the warp's centre for the parameter eta in [-1, 1] (Eq 11): -1 gives an orthogonal map, 0
+/// gives n'_LSPSM, and 1 gives n' = near.
 double nPrimeOfEta(const ViewFrustum& frustum, double eta);
 
-/// Returns eta for n' >= near: the inverse of nPrimeOfEta (appendix B, corrected).
+/// Returns the parameter eta for the distance `nPrime` >= near of the warp's centre: the inverse of nPrimeOfEta
+/// (appendix B, corrected).
 double etaOfNPrime(const ViewFrustum& frustum, double nPrime);
 
-/// Returns the n' of a trapezoidal shadow map. It maps the depth `focus` behind the near plane to t = `fraction`,
-/// usually 0.8. Returns infinity if focus >= fraction (far - near).
+/// Returns the distance n' of the warp's centre for a trapezoidal shadow map. This map moves the depth `focus` behind
+/// the near plane to t = `fraction`, usually 0.8. Returns infinity if focus >= fraction (far - near).
 double nPrimeTsm(const ViewFrustum& frustum, double focus, double fraction);
 
-/// The critical resolutions, for which M_x = M_z = 1, and the resolutions in the same proportion for a given texel
-/// budget (Eqs 13 and 14).
+/// The map resolutions for which the aliasing is 1 (M_x = M_z = 1), and the resolutions in the same proportion for a
+/// given texel budget (Eqs 13 and 14).
 struct BudgetOverhead {
     double criticalS = 0;
     double criticalT = 0;
@@ -59,8 +63,8 @@ struct BudgetOverhead {
     Aliasing worst; // aliasing at the resolutions `s` and `t`
 };
 
-/// Returns the resolutions of Eqs 13 and 14 for a budget of `texels` and an image of `imagePixels` per side. n' must be
-/// at least near.
+/// Returns the map resolutions of Eqs 13 and 14 for a budget of `texels` and an image of `imagePixels` per side. n'
+/// must be at least near.
 BudgetOverhead budgetOverhead(const ViewFrustum& frustum, double nPrime, double texels, double imagePixels);
 
 } // namespace gnomon::shadow

@@ -1,5 +1,5 @@
-// The view frustum whose depth range has an aliasing bound, in left-handed camera space: eye at 0, x right, y up, z
-// along the view.
+// The view frustum for whose depth range shadow aliasing has an upper bound, in left-handed camera space: eye at 0, x
+// right, y up, z along the view.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,17 +21,17 @@ struct ViewFrustum {
     bool operator==(const ViewFrustum&) const = default;
 };
 
-/// Returns the tangent of half the vertical angle. tanHalfX returns the tangent of half the horizontal angle.
+/// tanHalfY and tanHalfX return the tangents of half the vertical and half the horizontal angle of view.
 double tanHalfY(const ViewFrustum& frustum);
 double tanHalfX(const ViewFrustum& frustum);
 
 /// Returns the part of `frustum` between the depths `near` and `far`.
 ViewFrustum slice(const ViewFrustum& frustum, double near, double far);
 
-/// Returns the eight corners. Bit 0 of the index selects +x, bit 1 selects +y, bit 2 selects far.
+/// Returns the eight corners of `frustum`. Bit 0 of the index selects +x, bit 1 selects +y, bit 2 selects far.
 std::array<glm::dvec3, 8> corners(const ViewFrustum& frustum);
 
-/// Returns the width of a pixel's image beam at view depth `depth`, in world units: w_i = 2 tan(theta) depth /
+/// Returns the width that one pixel covers at view depth `depth`, in world units: w_i = 2 tan(theta) depth /
 /// heightPixels (Lloyd et al. 2006, Eq 2, without the paper's extra 1/n). The width is the same on both axes because
 /// pixels are square.
 double imageBeamWidth(const ViewFrustum& frustum, double depth, double heightPixels);

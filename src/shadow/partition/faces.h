@@ -10,14 +10,16 @@
 
 namespace gnomon::shadow {
 
-/// A face of a slice, a whole slice without face partitions, or a face of the cube around a point light.
+/// The part of a depth slice that one shadow map covers: the whole slice, the part at one face of the frustum, or a
+/// face of the cube around a point light.
 enum class Face : std::uint8_t { Whole, Top, Bottom, Left, Right, Near, PlusX, MinusX, PlusY, MinusY, PlusZ, MinusZ };
 
 /// Returns the name of a face: "whole", "top", "bottom", "left", "right" or "near", or "+x", "-x", "+y", "-y", "+z" or
 /// "-z" for a cube face.
 const char* name(Face face);
 
-/// The rule for the z axis of a face's map. The rules use the face's two side edges, projected along the light.
+/// The rule for the z axis of the shadow map of a frustum face. The rules use the face's two side edges, projected
+/// along the light.
 enum class Bisector : std::uint8_t {
     Normalized, // the bisector of the unit edge directions, which is correct
     Literal,    // e0' + e1' as the paper prints it; the longer edge has more influence
@@ -27,25 +29,25 @@ enum class Bisector : std::uint8_t {
     NearEdge,
 };
 
-/// Returns the outward unit normal of a side face or of the near face.
+/// Returns the outward unit normal of a side face or of the near face of `frustum`.
 glm::dvec3 outwardNormal(const ViewFrustum& frustum, Face face);
 
-/// Returns the side faces that need maps, in the order top, bottom, left, right. On each light ray, these faces contain
-/// the narrowest image beam. If the light is behind the viewer (L.v <= 0), these are the faces towards the light,
-/// otherwise the faces away from the light. A face is omitted if the sine of its angle to the light is at most
-/// `grazing`.
+/// Returns the side faces of the frustum that need shadow maps, in the order top, bottom, left, right. On each light
+/// ray, these faces contain the point where a pixel is narrowest. If the light is behind the viewer (L.v <= 0), these
+/// are the faces towards the light, otherwise the faces away from the light. A face is omitted if the sine of its angle
+/// to the light is at most `grazing`.
 std::vector<Face> sideFaces(const ViewFrustum& frustum, const glm::dvec3& towardsLight, double grazing = 1e-12);
 
 /// Returns the four corners of a side face of `slice` (near, near, far, far), or of its near face.
 std::array<FitVertex, 4> faceVertices(const ViewFrustum& slice, Face face);
 
-/// Returns the light frame for the map of `face`. z follows the bisector of the face's side edges. The near face has
-/// the plain orientation. With Bisector::NearEdge, z is perpendicular to the near edge and points away from the eye.
-/// The frame of the near face then has a lean, so that the face is a rectangle in (x, z).
+/// Returns the light-space axes for the shadow map of `face`. z follows the bisector of the face's side edges. The near
+/// face has the plain orientation. With Bisector::NearEdge, z is perpendicular to the near edge and points away from
+/// the eye. The axes of the near face are then sheared (lean), so that the face is a rectangle in (x, z).
 LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector);
 
-/// Fits the map of a face to the four corners of the face. Seen along the light, these corners cover the whole
-/// partition of the face.
+/// Computes the light-space region that the shadow map of `face` covers, from the four corners of the face. Seen along
+/// the light, these corners cover the whole part of the view that uses this map.
 LightFit fitFace(const ViewFrustum& slice, const glm::dvec3& towardsLight, Face face, Bisector bisector);
 
 } // namespace gnomon::shadow

@@ -1,5 +1,5 @@
-// The convex regions of the partitions, with vertices and planes, and the rule that assigns each point to exactly one
-// partition. The rule selects a partition directly, without multiplying masks.
+// Divides the view into convex regions (partitions) with one shadow map each, and assigns each point to exactly one of
+// them. The partition is selected directly, without multiplying masks.
 #pragma once
 
 #include "core/camera.h"
@@ -13,12 +13,13 @@
 
 namespace gnomon::shadow {
 
-/// The planes that select a side face for a point. The light direction is parallel to each of these planes.
+/// The planes that decide whether a point belongs to the partition of one side face. The light direction is parallel to
+/// each of these planes.
 struct FaceSelector {
     Face face = Face::Top;
-    /// Normals of the two planes through the eye that separate the face from its neighbours. A point p belongs to the
-    /// face only if dot(first, p) >= 0 and dot(second, p) >= 0. The `first` of a neighbour is the negative `second` of
-    /// this face. If there is no neighbour, the normal is 0, and the test passes for all points.
+    /// Normals of the two planes through the eye that separate the face's partition from its neighbours. A point p
+    /// belongs to the partition only if dot(first, p) >= 0 and dot(second, p) >= 0. The `first` of a neighbour is the
+    /// negative `second` of this face. If there is no neighbour, the normal is 0, and the test passes for all points.
     glm::dvec3 first{0};
     glm::dvec3 second{0};
     /// The test for the near face, if the near face has its own maps: p belongs to the near face if dot(edge, p) <
@@ -29,12 +30,13 @@ struct FaceSelector {
     bool operator==(const FaceSelector&) const = default;
 };
 
-/// The rule that assigns a point in camera space to a partition. The shaders repeat `partitionIndex` exactly.
+/// The rule that assigns a point in camera space to a partition, and thus to a shadow map. The shaders repeat
+/// `partitionIndex` exactly.
 struct PartitionSelector {
     // slice i has depths splits[i] <= z < splits[i + 1]; the first and last slice have no outer limit
     std::vector<double> splits;
     std::vector<FaceSelector> faces; // in cyclic order; empty: each partition is a whole slice
-    bool ownNear = false;            // true: the near face has its own partitions
+    bool ownNear = false;            // true: the near face of each slice has its own map
 
     std::size_t facesPerSlice() const { return faces.empty() ? 1 : faces.size() + (ownNear ? 1 : 0); }
 
@@ -53,9 +55,9 @@ enum class FaceMaps : std::uint8_t {
 /// Min sine of the angle between light and face for which a map with even rows works in single precision.
 inline constexpr double kGrazing = 1e-3;
 
-/// Returns the selector for `splits` and for the faces that have maps. If the sine of a face's angle to the light is
-/// below `grazing`, the neighbouring faces cover the face. For the near square, this limit is kGrazing. Each point
-/// therefore has a partition.
+/// Returns the rule that assigns points to partitions, for the depths `splits` and the faces that have maps. If the
+/// sine of a face's angle to the light is below `grazing`, the neighbouring faces cover this face. For the near square,
+/// this limit is kGrazing. Each point therefore has a partition.
 PartitionSelector partitionSelector(
     const ViewFrustum& frustum,
     const glm::dvec3& towardsLight,
@@ -63,9 +65,9 @@ PartitionSelector partitionSelector(
     FaceMaps faceMaps,
     double grazing = kGrazing);
 
-/// Returns the index of the partition that contains `p`: slice * facesPerSlice + face. The splits determine the slice.
-/// The face is the first face whose two tests pass; the last side face needs no test. The near face has the last index,
-/// and its test comes last.
+/// Returns the index of the partition (and thus the shadow map) that contains `p`: slice * facesPerSlice + face. The
+/// splits determine the slice. The face is the first face whose two tests pass; the last side face needs no test. The
+/// near face has the last index, and its test comes last.
 std::size_t partitionIndex(const PartitionSelector& selector, const glm::dvec3& p);
 
 /// A visible slab: the box of all visible surfaces between two depths.
@@ -74,18 +76,18 @@ struct VisibleSlab {
     Box box; // world axes, relative to the eye
 };
 
-/// The region of one partition, in camera space: a closed convex polyhedron.
+/// The part of the view that one shadow map covers (a partition), in camera space: a closed convex polyhedron.
 struct Region {
     std::size_t slice = 0;
     Face face = Face::Whole;
-    ViewFrustum frustum; // the slice, for which the map has an aliasing bound
+    ViewFrustum frustum; // the slice, in which shadow aliasing has an upper bound
     ViewFrustum covered; // the slice; the first and last slice are extended to receivers outside the frustum
     /// The vertices within the slice, followed by the vertices of the extended part (kind WithoutBound).
     std::vector<FitVertex> vertices;
     ConvexVolume volume; // planes of the covered region; each touches a vertex
 };
 
-/// Returns the region of partition `index`, in the numbering of partitionIndex. `shown` contains the view depths of all
+/// Returns the region of partition `index`, numbered as by partitionIndex. `shown` contains the view depths of all
 /// receivers. If some of these depths are outside the frustum, the first and the last slice are extended to them.
 Region partitionRegion(
     const ViewFrustum& frustum,
@@ -93,8 +95,8 @@ Region partitionRegion(
     std::size_t index,
     const std::optional<DepthSpan>& shown = std::nullopt);
 
-/// Returns points whose convex hull contains the intersection of the visible slabs `seen` with `region`. `basis` gives
-/// the axes of camera space. Returns an empty list if the intersection is empty.
+/// Returns points whose convex hull contains the part of `region` inside the visible slabs `seen` (boxes of visible
+/// surfaces). `basis` gives the axes of camera space. Returns an empty list if this part is empty.
 std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const VisibleSlab> seen, const CameraBasis& basis);
 
 } // namespace gnomon::shadow

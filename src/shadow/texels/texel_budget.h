@@ -1,4 +1,4 @@
-// The distribution of a texel budget over the maps of a frame, so that the max error of all maps is equal.
+// Distributes a texel budget over the shadow maps of a frame, so that the max aliasing of all maps is equal.
 #pragma once
 
 #include "shadow/texels/packing.h"
@@ -8,14 +8,15 @@
 
 namespace gnomon::shadow {
 
-/// The texels along s and t at which the aliasing of a map is 1: the critical resolution (Lloyd et al. 2006, section
-/// 4.2). It is M_x and M_z at unit map resolutions, times the image height in pixels, times the filter width in texels.
+/// The numbers of texels along s and t at which the aliasing of a shadow map is 1: the critical resolution (Lloyd et
+/// al. 2006, section 4.2). The critical resolution is M_x and M_z at unit map resolutions, times the image height in
+/// pixels, times the filter width in texels.
 struct TexelDemand {
     double s = 0;
     double t = 0;
 };
 
-/// The limits of the distribution.
+/// The limits for the distribution of texels over shadow maps.
 struct TexelLimits {
     std::uint64_t texels = 4194304; // total of all maps, borders included
     int gutter = 1;                 // border on each side of a map, in texels
@@ -25,14 +26,14 @@ struct TexelLimits {
     bool mayTranspose = true;       // true: the packing may transpose maps
 };
 
-/// The rectangles of all maps in one texture.
+/// The rectangles of all shadow maps in one texture.
 struct TexelLayout {
     Packing packing; // rectangles including borders; the area of the texture is within the budget
     int gutter = 1;
     int margin = 0;
     bool equalSquares = false; // true: all maps have squares of equal size, because no other layout was better
 
-    /// Returns the number of texels of map `i` along s, without borders. texelsT returns the number along t.
+    /// texelsS and texelsT return the number of texels of map `i` along s and along t, without borders.
     int texelsS(std::size_t i) const {
         const TexelRectangle& r = packing.rectangles[i];
         return (r.transposed ? r.height : r.width) - 2 * gutter;
@@ -44,18 +45,18 @@ struct TexelLayout {
     }
 };
 
-/// Returns the error of one map in `layout`: its demand divided by its texels without the margin. The error is the max
-/// over s and t.
+/// Returns the aliasing of one map in `layout`: the texels that it needs for an aliasing of 1, divided by its texels
+/// without the margin. The result is the max over s and t.
 double mapError(const TexelLayout& layout, std::size_t map, const TexelDemand& demand);
 
-/// Distributes the texel budget so that mapError is equal for all maps, except for rounding to whole texels. The error
-/// is as small as the budget permits (Lloyd et al. 2006, Eqs 13 and 14, for any number of maps). If the packing of
-/// different rectangles wastes too much area, all maps receive equal squares. The texture may have any shape. Throws
-/// gnomon::Error if the budget is too small for all maps at their min size.
+/// Distributes the texel budget over the maps so that their aliasing (mapError) is equal, except for rounding to whole
+/// texels, and as small as the budget permits (Lloyd et al. 2006, Eqs 13 and 14, for any number of maps). If the
+/// packing of different rectangles wastes too much area, all maps receive equal squares. The texture may have any
+/// shape. Throws gnomon::Error if the budget is too small for all maps at their min size.
 TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits& limits);
 
-/// Returns the number of texels with which splitTexels achieves an error of at most `aliasing` (> 0). The number
-/// includes borders and packing losses. Returns 0 if the max side of the texture makes this error impossible. The
+/// Returns the number of texels with which splitTexels achieves an aliasing of at most `aliasing` (> 0). The number
+/// includes borders and packing losses. Returns 0 if the max side of the texture makes this aliasing impossible. The
 /// function ignores limits.texels.
 std::uint64_t requiredTexels(std::span<const TexelDemand> demands, double aliasing, const TexelLimits& limits);
 

@@ -1,6 +1,6 @@
-// The rotation of a shadow map about the light direction. In the plain orientation (lightFrame), the map spins when the
-// light becomes almost parallel to the view. The rotation in this file minimises the storage factor and has a limited
-// angular speed.
+// Chooses the rotation of a shadow map about the light direction. In the plain orientation (lightFrame), the map spins
+// when the light becomes almost parallel to the view. The chosen rotation minimises the storage factor and has a
+// limited angular speed.
 #pragma once
 
 #include "shadow/fit/light_fit.h"
@@ -10,7 +10,8 @@
 
 namespace gnomon::shadow {
 
-/// The state from the previous frame: the light direction and the t axis of the map, both in camera space.
+/// The orientation of a shadow map in the previous frame: the light direction and the t axis of the map, both in camera
+/// space.
 struct OrientationState {
     glm::dvec3 towardsLight{0, 1, 0};
     glm::dvec3 zAxis{0, 0, 1};
@@ -20,14 +21,14 @@ struct OrientationState {
 /// `carried` does not count. If the light moves by more than 6 degrees, any orientation is permitted.
 constexpr double kOrientationRate = 30;
 
-/// Returns the t axis of `state`, rotated by the smallest rotation that moves the light direction of `state` to
-/// `towardsLight`.
+/// Returns the t axis of the previous frame's map, rotated with the light: by the smallest rotation that moves the
+/// previous light direction to `towardsLight`.
 glm::dvec3 carried(const OrientationState& state, const glm::dvec3& towardsLight);
 
-/// Returns the light frame for `slice` and `warp` whose rotation about the light minimises the storage factor S. S is
-/// never larger than in the plain orientation. With a previous state, the rotation follows its current local minimum of
-/// S until another minimum is 5% lower. It changes by at most kOrientationRate. Where the warp vanishes, the frame
-/// becomes aligned with the camera, because S is then smallest.
+/// Returns the light-space axes for the shadow map of `slice` whose rotation about the light minimises the storage
+/// factor S for `warp`. S is never larger than in the plain orientation. With a previous state, the rotation follows
+/// its current local minimum of S until another minimum is 5% lower. The rotation changes by at most kOrientationRate.
+/// Where the warp vanishes, the map becomes aligned with the camera, because S is then smallest.
 LightFrame chosenFrame(
     const ViewFrustum& slice,
     const glm::dvec3& towardsLight,

@@ -1,4 +1,5 @@
-// Converts a shadow map to the input of the error rule: volumes and texels in the model's local space.
+// Converts a shadow map to the input of the error rule, which selects the level of detail: volumes and texel sizes in
+// the model's local space.
 #pragma once
 
 #include "lod/error_rule.h"
@@ -6,7 +7,8 @@
 
 namespace gnomon::lod {
 
-/// Returns the detail that the casters of `map` require. `map` must be in the camera space of `view`.
+/// Returns the volumes and texel sizes that determine the level of detail of the casters of `map`. `map` must be in the
+/// camera space of `view`.
 lod::CasterDetail casterDetail(const lod::DetailView& view, const shadow::ShadowMap& map);
 
 } // namespace gnomon::lod

@@ -1,5 +1,5 @@
-// The LOD cut of a view: it selects the groups to refine, as far as their pages are resident. It also lists the missing
-// pages that would add detail.
+// Selects the clusters of a view at the required level of detail (a cut), as far as their pages are in memory. Also
+// lists the missing pages that would add detail.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -20,7 +20,7 @@ struct ClusterRange {
     auto operator<=>(const ClusterRange&) const = default;
 };
 
-/// The drawn clusters whose boxes intersect one volume.
+/// The list of drawn clusters whose boxes intersect one volume, such as the view pyramid.
 struct DrawList {
     std::vector<ClusterRange> ranges; // each cluster at most once
     std::uint64_t clusters = 0;
@@ -28,19 +28,20 @@ struct DrawList {
     bool operator==(const DrawList&) const = default;
 };
 
-/// The draw lists of a cut.
+/// The lists of drawn clusters of a cut: for the image, the casters and the sections.
 struct DrawLists {
     DrawList image;
-    std::vector<DrawList> casters;  // one per shadow pass, or a single list with the casters of rays or exact shadows
-    std::vector<DrawList> sections; // one per section plane: the clusters near it
+    // one list per shadow map, or a single list with the casters of rays or exact shadows
+    std::vector<DrawList> casters;
+    std::vector<DrawList> sections; // one list per section plane: the clusters near the plane
     bool operator==(const DrawLists&) const = default;
 
     /// Returns all draw lists in the order of the query's volumes.
     std::vector<const DrawList*> all() const;
 };
 
-/// The bounding volume trees over a model's pages, one tree per level. In a tree over mixed levels, the error test
-/// would skip few nodes.
+/// The bounding volume trees over a model's pages, one tree per level of detail. In a tree over mixed levels, the error
+/// test would skip few nodes.
 class PageTrees {
 public:
     /// Builds the trees from the page table. This takes milliseconds for tens of thousands of pages.
@@ -49,7 +50,7 @@ public:
     struct PageItem {
         std::uint32_t page = 0;
         Sphere bounds;
-        double error = 0; // max error of its groups
+        double error = 0; // max stored error of the groups in the page
         bool holdsRoot = false;
     };
 
@@ -68,74 +69,76 @@ private:
     hierarchy::Grid grid_;
 };
 
-/// The input for computing a cut. The spans must outlive the call.
+/// The input for selecting the clusters of a view (a cut). The spans must outlive the call.
 struct CutQuery {
     const PageTrees* trees = nullptr;
     hierarchy::ResidentPages resident;
     const ErrorRule* rule = nullptr;
-    double errorPixels = 1; // groups whose error in pixels exceeds this limit are refined
-    // Volumes in local space, fewer than lod::kMaxVolumes: first the volume of the image, then the volumes of the
-    // casters, then the volumes of the sections.
+    double errorPixels = 1; // groups of clusters whose error in pixels exceeds this limit are refined
+    // Convex volumes in local space, fewer than lod::kMaxVolumes: first the view pyramid of the image, then the volumes
+    // of the casters, then the volumes of the section planes.
     std::span<const ConvexVolume> volumes;
     const hierarchy::BlockedGroups* blocked = nullptr; // groups that must not be refined; null: none
-    /// The page table, if the caller draws the cut only when it wants no pages. The cut then does not need the pages
-    /// whose groups it certainly refines (`isSkippable`). Otherwise empty.
+    /// The page table, or empty. Set it only if the caller draws the cut only when no pages are missing. Pages whose
+    /// groups the cut certainly refines (`isSkippable`) then need not be in memory.
     std::span<const hierarchy::PageInfo> passable = {};
-    std::size_t sectionVolumes = 0; // number of section volumes at the end of `volumes`
+    std::size_t sectionVolumes = 0; // number of section planes' volumes at the end of `volumes`
 };
 
-/// A cut: one draw list per volume, and the cost. If the resident pages are ancestor-complete, the cut draws exactly
-/// one cluster along each chain of refinement that intersects a volume. `used` and `wanted` together are the pages with
-/// a group whose error exceeds `errorPixels`, as far as the resident pages tell. They depend neither on volumes nor on
-/// earlier frames, so each cut of the same view wants the same pages.
+/// The selected clusters of a view: one list of drawn clusters per volume, and the cost of the selection. If all
+/// coarser pages above each page in memory are also in memory, exactly one cluster is drawn along each chain of
+/// refinement that intersects a volume. `used` and `wanted` together are the pages with a group whose error exceeds
+/// `errorPixels`, as far as the pages in memory tell. They depend neither on volumes nor on earlier frames, so each cut
+/// of the same view wants the same pages.
 struct Cut {
     DrawLists lists;
-    // resident pages into which the cut refines; each page once, sorted by id
+    // pages in memory whose clusters refine a coarser group of the cut; each page once, sorted by id
     std::vector<hierarchy::PageDemand> used;
-    // missing pages into which the cut would refine; each page once, sorted by id
+    // missing pages that would refine a group of the cut; each page once, sorted by id
     std::vector<hierarchy::PageDemand> wanted;
-    // skippable pages that are not resident and whose groups the cut refines, sorted by id
+    // missing pages that are not needed, because the cut certainly refines all their groups (`isSkippable`); sorted by
+    // id
     std::vector<std::uint32_t> passed;
-    double errorPixels = 0;         // error limit of the cut, in pixels
-    double achievedErrorPixels = 0; // max screen-space error of the image, in pixels
+    double errorPixels = 0;         // error limit of the selected clusters, in pixels
+    double achievedErrorPixels = 0; // max screen-space error of the drawn image, in pixels
     std::uint64_t groupsTested = 0;
     // drawn clusters that the traversal tested against caster volumes, once per volume
     std::uint64_t clustersTested = 0;
 };
 
-/// A resident page that the traversal reached, and its relation to the query's volumes. A page without a volume is
-/// visited only for the pages that refine it.
+/// A page in memory that the traversal of the bounding volume trees reached, and the volumes that its box intersects. A
+/// page whose box intersects no volume is visited only because of the finer pages that refine it.
 struct PageVisit {
     std::uint32_t page = 0;
     lod::VolumeMask mask;
     bool holdsRoot = false;
 };
 
-/// Returns the resident pages that may contain a group to refine. Adds the root pages that are not resident to
-/// `missingRoots`.
+/// Returns the pages in memory that may contain a group of clusters to refine. Adds the root pages that are not in
+/// memory to `missingRoots`.
 std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint32_t>& missingRoots);
 
-/// The part of a cut that some of the visited pages contribute. Threads can compute the parts of different pages in
+/// The clusters of a cut that belong to some of the visited pages. Threads can compute the parts of different pages in
 /// parallel.
 class CutPart {
 public:
     explicit CutPart(const CutQuery& query);
 
-    /// Adds the drawn clusters of one page.
+    /// Adds the drawn clusters of the visited page to this part of the cut.
     void add(const PageVisit& visit);
 
-    /// Combines the parts, in this order, to one cut.
+    /// Combines the parts `parts`, in this order, to one cut.
     static Cut joined(
         const CutQuery& query, std::span<const CutPart> parts, std::span<const std::uint32_t> missingRoots);
 
 private:
-    /// The result of the error rule for a refinement of the current page.
+    /// Whether one refinement of the current page is needed, and its error in pixels.
     struct RefinementState {
         double viewPixels = 0;
         bool isRefined = false;
     };
 
-    /// A plane of a volume that intersects the current box.
+    /// A plane of a convex volume that intersects the current box.
     struct CutPlane {
         glm::dvec3 normal{0};
         double offset = 0;
@@ -180,29 +183,29 @@ private:
 };
 
 /// Returns the pages that a cut of `query` would use or want, without computing the cut. Prefetching needs this list.
-/// The result does not depend on the volumes.
+/// The volumes of `query` have no influence on the list.
 std::vector<hierarchy::PageDemand> demand(const CutQuery& query);
 
-/// Returns the prefetch set of `cut`: the finer pages that the cut may want after its wanted pages are loaded. The page
-/// table determines the set. The set contains all such pages, each once, sorted by id. It includes all levels, so that
-/// pages need not be loaded level after level. If the cut wants no pages, the set is empty.
+/// Returns the finer pages that `cut` may want after its wanted pages are loaded, so that they can be prefetched. The
+/// result contains each page once, sorted by id. It includes all levels of detail, so that pages need not be loaded
+/// level after level. The page table determines the result. If the cut wants no pages, the result is empty.
 std::vector<hierarchy::PageDemand> findPrefetchSet(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages);
 
-/// Returns true if `page` is skippable: the page table proves that a cut of `query` refines all groups of the page, and
-/// thus draws none of its clusters. A page with root groups is never skippable.
+/// Returns true if the page table proves that a cut of `query` refines all groups of `page`, and thus draws none of its
+/// clusters. The page then need not be in memory. The result is false for a page with root groups.
 bool isSkippable(const CutQuery& query, std::uint32_t page);
 
-/// Replaces the skippable pages in `cut` by the pages that refine them. These become wanted pages, or used pages if
-/// they are resident.
+/// Replaces the unneeded pages in `cut.passed` by the pages that refine them. The refining pages become wanted pages,
+/// or used pages if they are in memory.
 void replacePassed(const CutQuery& query, Cut& cut);
 
-/// Returns the cut of `query`, computed on one thread. lod::cutFrame computes the same cut on all cores.
+/// Selects the clusters for `query` on one thread. lod::cutFrame computes the same result on all cores.
 Cut cut(const CutQuery& query);
 
-/// Returns the smallest error limit in pixels, not below the limit of the query, for which the clusters of the first
-/// volume have at most `maxTriangles` triangles. If no limit achieves this, returns the limit above which only root
-/// groups are refined. The cap on triangles thus increases the error of all clusters equally.
+/// Returns the smallest error limit in pixels, not below the limit of the query, for which the clusters of the image
+/// have at most `maxTriangles` triangles. If no limit achieves this, returns the limit above which only root groups are
+/// refined. The cap on triangles thus increases the error of all clusters equally.
 double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles);
 
 } // namespace gnomon::lod

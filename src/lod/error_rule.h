@@ -1,4 +1,5 @@
-// The error rule: the error in pixels that refining a group would remove, on the screen or at the edge of a shadow.
+// Computes the error in pixels that refining a group of clusters would remove, on the screen or at the edge of a
+// shadow. This error rule selects the level of detail.
 #pragma once
 
 #include "core/camera.h"
@@ -16,11 +17,12 @@ namespace gnomon::lod {
 struct DetailView {
     glm::dvec3 eye{0};
     CameraBasis basis;
-    /// Tangents of half the horizontal and half the vertical angle, both above 0.
+    /// Tangents of half the horizontal and half the vertical angle of view, both above 0.
     double tanHalfX = 0.5773502691896257;
     double tanHalfY = 0.5773502691896257;
     double heightPixels = 800;
-    double nearestDepth = 1e-6; // min depth of visible geometry, world units, above 0; smaller depths are clamped to it
+    // min view depth of visible geometry in world units, above 0; smaller depths are clamped to it
+    double nearestDepth = 1e-6;
 
     /// Returns the number of pixels per unit length perpendicular to the view axis, at view depth 1.
     double pixelsPerUnit() const { return heightPixels / (2 * tanHalfY); }
@@ -36,17 +38,17 @@ struct DetailView {
     static constexpr double kEdgeMargin = 1.2;
 };
 
-/// Returns the view pyramid of `view`: the four side planes, and the plane through the eye perpendicular to the view.
+/// Returns the view pyramid of `view`: its four side planes, and the plane through the eye perpendicular to the view.
 ConvexVolume viewPyramid(const DetailView& view);
 
-/// The size of a shadow map's texel as a function of `zeta`, for a perspective warp (w_lx and w_lz in
+/// The size of a shadow map's texel as a function of `zeta`, the distance along the map's t axis (w_lx and w_lz in
 /// docs/shadow_theory.md, without shear). `zeta` is dot(axis, point) - origin, clamped to [0, depth]. If all members
 /// are 0, there are no texels, because rays compute the shadows.
 struct TexelWidth {
-    glm::dvec3 axis{0, 0, 1}; // unit, local space: z axis of the light frame
-    double origin = 0;        // dot(axis, point) at zeta = 0
-    double depth = 0;         // largest zeta, d
-    double kappa = 0;         // kappa of the warp
+    glm::dvec3 axis{0, 0, 1}; // unit vector in local space: z axis of the light's axes
+    double origin = 0;        // dot(axis, point) where zeta is 0
+    double depth = 0;         // largest zeta (d)
+    double kappa = 0;         // strength of the map's perspective warp
     double width = 0;         // W / res_s: width of a texel at zeta = 0
     // d / res_t: length of a texel without a warp; with logarithmic rows, the length at zeta = 0
     double length = 0;
@@ -63,9 +65,10 @@ struct PointReach {
     double farthest = 0;
 };
 
-/// The detail that the casters of one partition require.
+/// The casters of one partition (the part of the view with its own shadow map), with the data that determine their
+/// level of detail.
 struct CasterDetail {
-    ConvexVolume casters;             // volume of all casters of the partition; unit normals, local space
+    ConvexVolume casters;             // volume of all casters of the partition, in local space, with unit normals
     ConvexVolume receivers;           // frustum of the partition, or its part within the model's bounds; local space
     double receiverNear = 1e-6;       // min view depth in `receivers`, above 0
     glm::dvec3 towardsLight{0, 1, 0}; // unit, local space
@@ -73,10 +76,10 @@ struct CasterDetail {
     std::optional<PointReach> point; // the point light, if any; replaces towardsLight
 };
 
-/// The error rule: converts the bounding sphere and the error of a group to pixels. The function is monotone: if one
-/// sphere contains another sphere and has at least the same error, it has at least the same number of pixels. Along
-/// each chain of refinement, pixels therefore never decrease towards the root. The test "refine if pixels > limit" thus
-/// gives a valid cut for each limit.
+/// The error rule: converts the bounding sphere and the error of a group of clusters to pixels. The rule is monotone:
+/// if one sphere contains another sphere and has at least the same error, it has at least the same number of pixels.
+/// Along each chain of refinement, pixels therefore never decrease towards the root. The test "refine if pixels >
+/// limit" thus gives a valid cut for each limit.
 ///
 /// Error in view, if the sphere intersects the view pyramid: let e be a displacement at view depth z, whose direction
 /// from the eye has the angle phi to the view axis. It moves the image by at most e pixelsPerUnit / (z cos phi). This
@@ -91,42 +94,43 @@ struct CasterDetail {
 /// sin a of this value, divided by DetailView::kEdgeMargin.
 class ErrorRule {
 public:
-    /// Creates the rule of a view without shadows.
+    /// Creates the error rule of a view without shadows.
     explicit ErrorRule(const DetailView& view);
 
-    /// Creates the rule of a view and of the casters of its partitions.
+    /// Creates the error rule of a view and of its shadow casters.
     ErrorRule(const DetailView& view, std::vector<CasterDetail> casters);
 
     const DetailView& view() const { return view_; }
 
     std::span<const CasterDetail> casters() const { return casters_; }
 
-    /// Returns the max of viewPixels and casterPixels. Returns 0 if refining would not be visible, and infinity for an
+    /// Returns the error, in pixels, that refining a group with bounding sphere `bounds` and stored error `error` would
+    /// remove: the max of viewPixels and casterPixels. Returns 0 if refining would not be visible, and infinity for an
     /// infinite error (a root group).
     double pixels(const Sphere& bounds, double error) const {
         if (error == std::numeric_limits<double>::infinity()) return error;
         return std::max(viewPixels(bounds, error), casterPixels(bounds, error));
     }
 
-    /// Returns true if the result of `pixels` would exceed `threshold`. This function is faster than `pixels`.
+    /// Returns true if pixels(bounds, error) would exceed `threshold`. This function is faster than `pixels`.
     bool exceeds(const Sphere& bounds, double error, double threshold) const {
         return error == std::numeric_limits<double>::infinity() || viewPixels(bounds, error) > threshold ||
                casterPixels(bounds, error, threshold) > threshold;
     }
 
-    /// Returns the error in view, in pixels.
+    /// Returns the screen-space error, in pixels, of geometry in the sphere `bounds` that is displaced by `error`.
     double viewPixels(const Sphere& bounds, double error) const;
 
-    /// Returns a lower bound of `viewPixels` for all spheres that contain a point of `box` (local space) and have at
-    /// least the error `error`. Returns 0 if `box` is not completely in view.
+    /// Returns a lower bound of the screen-space error `viewPixels` for all spheres that contain a point of `box`
+    /// (local space) and have at least the error `error`. Returns 0 if `box` is not completely in view.
     double minViewPixels(const Box& box, double error) const;
 
     /// Returns an upper bound of the displacement in the image, in pixels, if geometry in `box` (local space) moves by
-    /// `error`. Returns 0 if the geometry is not visible. The bound is at most the size of the image.
+    /// `error`. Returns 0 if the geometry is not visible. The bound is at most the size of the image in pixels.
     double maxViewPixels(const Box& box, double error) const;
 
-    /// Returns the error at shadow edges, in pixels. If this error is at most `floor`, the function may return any
-    /// number up to `floor`, which is faster.
+    /// Returns the displacement of shadow edges, in pixels, if casters in the sphere `bounds` are displaced by `error`.
+    /// If this displacement is at most `floor`, the function may return any number up to `floor`, which is faster.
     double casterPixels(const Sphere& bounds, double error, double floor = 0) const;
 
 private:

@@ -1,4 +1,4 @@
-// A test whether any visible surface faces the light. If no surface does, the frame needs no shadows.
+// Tests whether any visible surface faces the light. If no surface does, the frame needs no shadows.
 #pragma once
 
 #include "lod/cut.h"

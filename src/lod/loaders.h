@@ -22,23 +22,24 @@ struct LoadedPage {
     std::exception_ptr failure = nullptr;
 };
 
-/// Loader threads with a queue of pages. Only the thread that owns this object may call its functions.
+/// Threads that load pages from a queue. Only the thread that owns this object may call its functions.
 class Loaders {
 public:
-    /// Starts `threadCount` threads (at least one). `source` must outlive them.
+    /// Starts `threadCount` loader threads (at least one), which read pages from `source`. `source` must outlive the
+    /// threads.
     Loaders(const PageSource& source, unsigned threadCount);
 
-    /// Empties the queue, waits for pages that are being read, and joins the threads.
+    /// Empties the queue, waits for pages that are being read, and joins the loader threads.
     ~Loaders();
     Loaders(const Loaders&) = delete;
     Loaders& operator=(const Loaders&) = delete;
     Loaders(Loaders&&) = delete;
     Loaders& operator=(Loaders&&) = delete;
 
-    /// Appends `pages` to the queue.
+    /// Appends `pages` to the queue of pages to load.
     void request(std::span<const std::uint32_t> pages);
 
-    /// Empties the queue, and returns the pages whose loading no thread had started.
+    /// Empties the queue, and returns the pages that no thread has started to load.
     std::vector<std::uint32_t> withdraw();
 
     /// Returns the pages that were loaded since the last call. Does not wait.
@@ -54,7 +55,7 @@ private:
     std::mutex mutex_;
     std::condition_variable work_;
     std::condition_variable idle_;
-    std::vector<std::uint32_t> queue_; // the next page is the last element
+    std::vector<std::uint32_t> queue_; // page ids to load; the next page is the last element
     std::vector<LoadedPage> finished_;
     unsigned busy_ = 0;
     bool stop_ = false;

@@ -1,4 +1,4 @@
-// A lower bound of the view depth of visible geometry, valid for each level of detail.
+// Computes a lower bound of the view depth of visible geometry. The bound is valid for each level of detail.
 #pragma once
 
 #include "lod/cut.h"

@@ -1,4 +1,4 @@
-// A test whether geometry can be between the visible surfaces and the sky.
+// Tests whether geometry can be between the visible surfaces and the sky.
 #pragma once
 
 #include "lod/cut.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::lod {
 
-/// Tells whether solids are whole. The back faces of a whole closed solid are hidden from outside. If section planes
-/// may have cut solids open, this is not certain.
+/// Tells whether section planes may have cut closed solids open. Only the back faces of an uncut closed solid are
+/// certainly hidden from outside.
 enum class Solids : std::uint8_t { Whole, MayBeCut };
 
 /// Returns false if certainly no geometry of the model hides a part of the sky from a visible surface. The function

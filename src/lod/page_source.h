@@ -7,7 +7,7 @@
 
 namespace gnomon::lod {
 
-/// A page table, and access to its pages.
+/// A model's page table, and access to its pages.
 class PageSource {
 public:
     PageSource() = default;
@@ -17,7 +17,7 @@ public:
     PageSource(PageSource&&) = delete;
     PageSource& operator=(PageSource&&) = delete;
 
-    /// Returns the name of the source for messages.
+    /// Returns the name of the file or server for messages.
     virtual std::string name() const = 0;
 
     virtual std::span<const hierarchy::PageInfo> pages() const = 0;
@@ -27,7 +27,7 @@ public:
     virtual hierarchy::Page readPage(std::uint32_t page) const = 0;
 };
 
-/// The pages of an open model. The model must outlive this object.
+/// Reads pages from an open model. The model must outlive this object.
 class FilePageSource final : public PageSource {
 public:
     explicit FilePageSource(const hierarchy::ModelFile& model) : model_(&model) {}

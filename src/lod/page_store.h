@@ -1,5 +1,5 @@
-// The page store: decoded pages under a hard byte budget. It first loads the pages that reduce the error most. The
-// resident pages are ancestor-complete at all times, except after an open demand (Demand::isOpen).
+// Stores decoded pages of a model under a hard byte budget. The store first loads the pages that reduce the error most.
+// For each page in memory, all coarser pages above it are also in memory, except after an open demand (Demand::isOpen).
 #pragma once
 
 #include "core/error.h"
@@ -17,23 +17,25 @@
 
 namespace gnomon::lod {
 
-/// A page that the store could not load, because it is damaged or unreadable, or because memory was not available. Cuts
-/// draw the coarser pages above it instead.
+/// A page that could not be loaded, because it is damaged or unreadable, or because memory was not available. The
+/// coarser pages above it are drawn instead.
 struct DamagedPage {
     std::uint32_t page = 0;
     std::string reason;    // one line, with path and byte offset
     bool isUnread = false; // true: the page is not damaged, but could not be read, or memory was not available
-    // true: the store will try to read the page again; the page is the first failure since the last successful read
+    // True: the page store will try to read the page again. The page is the first failure since the last successful
+    // read.
     bool isRetried = false;
 };
 
 struct PageStoreOptions {
-    /// Limit for the memory of decoded pages with their auxiliary bytes, including pages that are being loaded.
+    /// Limit for the memory of decoded pages including their auxiliary data (ray-tracing trees) and the pages that are
+    /// being loaded.
     Bytes budget = gibibytes(1);
     unsigned loaderThreads = 4;
-    /// Called once per page that could not be loaded, on the thread of `admitLoaded` and `load`.
+    /// Called once per page that could not be loaded, on the thread that calls `admitLoaded` or `load`.
     std::function<void(const DamagedPage&)> onDamaged;
-    /// Called when the memory of a page is released, on the thread that owns the store.
+    /// Called when the memory of a page is released, on the thread that owns the page store.
     std::function<void(std::uint32_t page)> onEvicted = {};
     /// If true, a page that cannot be read counts as damaged. Otherwise `admitLoaded` and `load` throw an error.
     bool drawsWithoutUnread = false;
@@ -43,12 +45,12 @@ struct PageStoreOptions {
     std::optional<Milliseconds> unreadPause = std::nullopt;
 };
 
-/// The pages that a cut demands. The store may evict all other pages.
+/// The pages that a frame needs. The page store may evict all other pages.
 struct Demand {
     std::span<const hierarchy::PageDemand> used;
     std::span<const hierarchy::PageDemand> wanted;
-    /// The prefetch set: pages that the cut may want after the wanted pages are loaded. They are loaded by the same
-    /// queue, but receive memory only after the wanted pages.
+    /// The prefetch set: finer pages that the frame may want after the wanted pages are loaded. They are loaded by the
+    /// same queue, but receive memory only after the wanted pages.
     std::span<const hierarchy::PageDemand> prefetchSet = {};
     std::span<const hierarchy::PageDemand> prefetch = {}; // least urgent pages, loaded only if the budget permits
     /// True for an open demand: the caller draws only after all used and wanted pages are resident. The store then does
@@ -56,9 +58,9 @@ struct Demand {
     bool isOpen = false;
 };
 
-/// The result of the last demand.
+/// The state of the page store after it processed a demand.
 struct DemandOutcome {
-    std::uint64_t pagesMissing = 0; // used or wanted pages that are neither resident nor damaged
+    std::uint64_t pagesMissing = 0; // used or wanted pages that are neither in memory nor damaged
     std::uint64_t pagesBlocked = 0; // wanted pages that are damaged
     bool isBudgetBinding = false;   // true: the budget is smaller than the demand
     bool hasChanged = false;        // true: pages were loaded or evicted
@@ -67,7 +69,7 @@ struct DemandOutcome {
 struct StoreStatistics {
     std::uint64_t residentPages = 0;
     Bytes resident;  // memory of decoded pages
-    Bytes committed; // memory of pages that are resident or being loaded, with auxiliary bytes
+    Bytes committed; // memory of pages that are decoded or being loaded, including auxiliary data
     Bytes peak;      // max of `committed` so far
     Bytes read;      // stored bytes of all pages read so far
     std::uint64_t pagesRead = 0;
@@ -75,13 +77,13 @@ struct StoreStatistics {
     std::uint64_t pagesDamaged = 0;
 };
 
-/// Returns the memory of a page after decoding.
+/// Returns the memory of the page `info` after decoding.
 Bytes decodedBytes(const hierarchy::PageInfo& info);
 
-/// The page store. Only the thread that owns it may call it. A frame that does not wait for pages calls `admitLoaded`,
-/// computes a cut, calls `request` and draws. Only `admitLoaded` adds pages, or evicts pages that the last demand used.
-/// The pages of a frame therefore stay resident until the frame is drawn. A frame that waits for pages alternates
-/// between computing a cut and `load`.
+/// Stores the decoded pages of a model under a byte budget. Only the thread that owns the store may call it. A frame
+/// that does not wait for pages calls `admitLoaded`, selects clusters (a cut), calls `request` and draws. Only
+/// `admitLoaded` adds pages, or evicts pages that the last demand used. The pages of a frame therefore stay in memory
+/// until the frame is drawn. A frame that waits for pages alternates between selecting clusters and `load`.
 class PageStore {
 public:
     /// Starts the loader threads, and reads the pages with root groups and their ancestors, up to half the budget.
@@ -97,54 +99,54 @@ public:
 
     hierarchy::ResidentPages resident() const { return table_; }
 
-    /// Returns the groups of resident pages that must not be refined, because a page below them is damaged. The result
+    /// Returns the groups of clusters that must not be refined, because a page below them is damaged. The result
     /// changes only when `resident()` changes.
     const hierarchy::BlockedGroups& blocked() const { return blocked_; }
 
     /// Returns true if `page` could not be read.
     bool isDamaged(std::uint32_t page) const { return entries_[page].state == State::Damaged; }
 
-    /// Makes loaded pages resident. Evicts used pages if other pages of the last demand need their memory more. Never
-    /// waits for the disk. Returns true if pages were added or evicted. Throws Error if a page with a root group is
-    /// damaged.
+    /// Makes loaded pages available for drawing. Evicts used pages if other pages of the last demand need their memory
+    /// more. Never waits for the disk. Returns true if pages were added or evicted. Throws Error if a page with a root
+    /// group is damaged.
     bool admitLoaded();
 
-    /// Requests the most urgent pages of `demand` from the loaders. Evicts pages to make memory available, but not
-    /// pages that `demand` uses. Never waits. Throws Error if the demanded pages with root groups do not fit into the
-    /// budget.
+    /// Requests the most urgent pages of `demand` from the loader threads. Evicts pages to make memory available, but
+    /// not pages that `demand` uses. Never waits. Throws Error if the demanded pages with root groups do not fit into
+    /// the budget.
     DemandOutcome request(const Demand& demand);
 
-    /// Requests the pages of `demand`, waits until all pages that fit into the budget are resident, and evicts all
-    /// others. The resident demanded pages therefore do not depend on earlier demands. The caller alternates between
-    /// computing a cut and `load` until nothing changes.
+    /// Requests the pages of `demand`, waits until all pages that fit into the budget are in memory, and evicts all
+    /// others. The demanded pages in memory therefore do not depend on earlier demands. The caller alternates between
+    /// selecting clusters and `load` until nothing changes.
     DemandOutcome load(const Demand& demand);
 
-    /// Returns true if pages may be resident without their ancestors, because of a `load` with an open demand. A cut is
-    /// then valid only if it wants no pages.
+    /// Returns true if pages may be in memory without their coarser ancestors, because of a `load` with an open demand.
+    /// A cut is then valid only if it wants no pages.
     bool isOpen() const { return isOpen_; }
 
-    /// Makes the resident pages ancestor-complete. Pages that lack an ancestor, or are below a damaged page, are hidden
-    /// until their ancestors are resident. Returns true if such pages existed.
+    /// Hides pages that lack a coarser ancestor in memory, or are below a damaged page, until their ancestors are in
+    /// memory. Returns true if such pages existed.
     bool close();
 
-    /// Reserves `bytes` of the budget for other data than pages. Evicts pages that the last `load` does not need. The
-    /// value replaces the previous reservation; 0 releases it. Throws Error if the reservation and the pinned pages do
-    /// not fit together.
+    /// Reserves `bytes` of the budget for other data than pages, and evicts pages that the last `load` does not need.
+    /// The value replaces the previous reservation; 0 releases it. Throws Error if the reservation and the
+    /// never-evicted pages do not fit together.
     void reserve(Bytes bytes);
 
     /// Returns the memory of the pages that are never evicted.
     Bytes pinned() const { return pinned_; }
 
-    /// Reserves auxiliary bytes for each resident page. `bytes` returns the number for a page; null means none. The
-    /// numbers replace the previous numbers. A page's auxiliary bytes are released with the page. The store evicts
-    /// pages that the last `load` does not need, and from then on counts the auxiliary bytes. Throws Error if the
-    /// pinned pages do not fit.
+    /// Reserves additional memory for each page in memory, for auxiliary data such as ray-tracing trees. `bytes`
+    /// returns the size for a page; null means none. The sizes replace the previous sizes. The additional memory is
+    /// released with the page. The store evicts pages that the last `load` does not need, and from then on counts the
+    /// additional memory. Throws Error if the never-evicted pages do not fit.
     void reserveAuxiliary(const std::function<Bytes(const hierarchy::PageInfo&)>& bytes);
 
     const StoreStatistics& statistics() const { return statistics_; }
 
 private:
-    /// The state of a page.
+    /// The loading state of a page.
     enum class State : std::uint8_t {
         Absent,
         Loading, // in the queue, being read, or decoded before one of its parents
@@ -152,7 +154,7 @@ private:
         Damaged, // could not be read
     };
 
-    /// The reason that prevents the eviction of a page, in increasing strength.
+    /// The reason why a page must not be evicted, weakest first.
     enum class Retention : std::uint8_t {
         None,
         InUse,  // drawn until the next `admitLoaded`
@@ -160,10 +162,10 @@ private:
         Pinned, // never evicted
     };
 
-    /// The certainty with which the current demand needs a page.
+    /// Whether the current demand needs a page, and for what.
     enum class Need : std::uint8_t { None, Prefetch, Certain /* used, wanted, or a parent of such a page */ };
 
-    /// The state of one page that is not in the page table.
+    /// The run-time state of one page.
     struct Entry {
         std::unique_ptr<const hierarchy::Page> content;
         std::vector<std::uint32_t> parents;
@@ -175,7 +177,7 @@ private:
         State state = State::Absent;
         std::optional<Stopwatch> unreadSince{}; // time of the last failed read
         Need need = Need::None;
-        bool isRequested = false; // true: the current demand contains the page itself, not only one of its children
+        bool isRequested = false; // true: the current demand contains the page itself, not only a finer page below it
         Retention retention = Retention::None;
 
         bool isKept() const { return retention >= Retention::Kept; }
@@ -217,8 +219,9 @@ private:
     // resident pages that the current demand may evict; the next page to evict is the last
     std::vector<std::uint32_t> victims_;
     bool areVictimsKnown_ = false;
-    bool isOpen_ = false;             // true: resident pages need not be ancestor-complete
-    bool isUnreadTold_ = false;       // true: onDamaged has reported an unreadable page, and no page was read since
+    bool isOpen_ = false; // true: resident pages need not be ancestor-complete
+    // true: onDamaged has reported an unreadable page, and no page could be read since
+    bool isUnreadTold_ = false;
     std::vector<LoadedPage> waiting_; // pages that were decoded before one of their parents
     hierarchy::BlockedGroups blocked_;
     Bytes pinned_;

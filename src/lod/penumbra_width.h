@@ -1,5 +1,5 @@
-// The max width of penumbrae in a view. The plan uses it to find the tiles in which penumbrae are wide enough to be
-// visible.
+// Computes the max width of penumbrae in a view. The plan uses it to find the image tiles in which penumbrae are wide
+// enough to be visible.
 #pragma once
 
 #include "lod/cut.h"
@@ -18,7 +18,7 @@ struct DiscLight {
 
 /// An image with its tiles and its projection. The image position (x, y), each from -1 to 1, shows all points p with
 /// dot(right, p - eye) = x half.x d and dot(up, p - eye) = y half.y d. Here d is the depth of p in perspective, or 1
-/// for a parallel projection. No point is nearer than `nearest`.
+/// for a parallel projection. No visible point is nearer than `nearest`.
 struct TiledView {
     shadow::ImageTiles tiles;
     glm::dvec2 half{1};
@@ -26,8 +26,9 @@ struct TiledView {
     double nearest = 0;
 };
 
-/// Returns an upper bound of the width of penumbrae per image tile, in pixels perpendicular to the beam. Clusters of
-/// `casters` throw the penumbrae onto clusters of `image`. All lists are draw lists of `query`.
+/// Returns an upper bound of the width of penumbrae per image tile, in pixels perpendicular to the beam. The penumbrae
+/// are thrown by the clusters in `casters` onto the clusters in `image`. All these lists are lists of drawn clusters of
+/// `query`.
 ///
 /// The bound is computed from the distance, along the light, between the box of a caster and the box of a visible
 /// triangle, and from the smallest depth of the triangle. Only triangles count whose visible side the light can reach,

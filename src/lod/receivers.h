@@ -1,4 +1,4 @@
-// Finds receivers, which are triangles of the image's draw list inside a volume, and their depth range.
+// Finds the drawn triangles of an image that are inside a volume, and the range of their view depths.
 #pragma once
 
 #include "core/depth_span.h"
@@ -17,7 +17,7 @@ struct VisibleDepths {
     std::uint64_t clustersMeasured = 0; // clusters whose triangles were tested one by one
 };
 
-/// A drawn cluster, and the range of view depths of its box.
+/// A drawn cluster whose triangles may have the min or max view depth, and the range of view depths of its box.
 struct DepthCandidate {
     double minDepth = 0;
     double maxDepth = 0;
@@ -26,18 +26,18 @@ struct DepthCandidate {
     double margin = 0; // stored error of the refinement, if the refinement is missing
 };
 
-/// Returns the range of view depths of `image`, a draw list of `query`. It uses the boxes of clusters. For clusters
-/// whose box contains the min or the max, it uses the exact triangles. If a refinement is missing, its stored error
-/// widens the range. Returns nothing if no geometry is visible. The function overwrites `scratch`; reuse it between
-/// frames to avoid allocations.
+/// Returns the range of view depths of the drawn clusters in `image`, a list of `query`. The function uses the boxes of
+/// clusters. For clusters whose box contains the min or the max, it uses the exact triangles. If a finer page is
+/// missing, the stored error of its clusters widens the range. Returns nullopt if no geometry is visible. The function
+/// overwrites `scratch`; reuse it between frames to avoid allocations.
 std::optional<VisibleDepths> visibleDepthRange(
     const lod::CutQuery& query, const lod::DrawList& image, std::vector<DepthCandidate>& scratch);
 
-/// Returns the result of the function above, with a temporary `scratch`.
+/// Returns the range of view depths of the drawn clusters in `image`, as the function above, with temporary buffers.
 std::optional<VisibleDepths> visibleDepthRange(const lod::CutQuery& query, const lod::DrawList& image);
 
-/// Returns one entry per element of `volumes` (local space). It is true if a triangle of `image` has a point that is
-/// inside both the volume and the view pyramid.
+/// Returns, for each element of `volumes` (local space), whether a triangle of `image` has a point that is inside both
+/// the volume and the view pyramid.
 std::vector<bool> receivingVolumes(
     const lod::CutQuery& query, const lod::DrawList& image, std::span<const ConvexVolume> volumes);
 

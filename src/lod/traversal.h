@@ -1,4 +1,4 @@
-// Traverses a tree with an error rule and several convex volumes at once.
+// Traverses a bounding volume tree and tests its boxes against an error rule and several convex volumes at once.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -9,37 +9,38 @@
 
 namespace gnomon::lod {
 
-/// Max number of volumes in one traversal. Each volume has one bit of a mask.
+/// Max number of convex volumes in one traversal. Each volume has one bit of a mask.
 constexpr std::size_t kMaxVolumes = 64;
 
-/// The relation of a box to a set of volumes, one bit per volume: the volumes that may intersect the box, and the
-/// volumes that certainly contain it. `inside` is a subset of `touching`. The bits are conservative, as in
-/// gnomon::classify.
+/// The convex volumes that may intersect a box (`touching`) and that certainly contain the box (`inside`), one bit per
+/// volume. `inside` is a subset of `touching`. The bits are conservative, as in gnomon::classify.
 struct VolumeMask {
     std::uint64_t touching = 0;
     std::uint64_t inside = 0;
 
-    /// Returns the volumes against which the parts of the box must still be tested.
+    /// Returns the volumes that may intersect the box without containing it. Smaller boxes inside the box must be
+    /// tested against these volumes.
     std::uint64_t undecided() const { return touching & ~inside; }
 
     bool operator==(const VolumeMask&) const = default;
 };
 
-/// Returns the mask of a box that may intersect each of `count` volumes and that no volume certainly contains.
+/// Returns the mask of a box that may intersect each of `count` volumes, but is certainly inside none.
 VolumeMask undecidedMask(std::size_t count);
 
-/// Returns the mask of the box `part`. The mask of an enclosing box is `mask`, so only its undecided volumes are
-/// tested.
+/// Returns the mask of the box `part`, which is inside a box with the mask `mask`. Only the volumes that are undecided
+/// for the enclosing box are tested.
 VolumeMask narrowed(VolumeMask mask, std::span<const ConvexVolume> volumes, const Box& part);
 
 namespace detail {
 
-/// The planes of the volumes in single precision, with margins that make the tests conservative.
+/// The planes of convex volumes in single precision, with margins that make box tests conservative.
 class PreparedVolumes {
 public:
     PreparedVolumes(std::span<const ConvexVolume> volumes, double reach);
 
-    /// Computes the masks of the eight children of `node` from the mask of the node.
+    /// Tests the boxes of the eight children of `node` against the volumes. `mask` is the mask of the node, and
+    /// `result` receives the masks of the children.
     void classify(const Node& node, VolumeMask mask, std::array<VolumeMask, kWidth>& result) const;
 
 private:
@@ -51,7 +52,7 @@ private:
     };
 
     std::vector<FloatPlane> planes_;
-    std::vector<std::uint32_t> first_; // first plane of each volume, and the end
+    std::vector<std::uint32_t> first_; // index of the first plane of each volume, and the total number of planes
 };
 
 } // namespace detail

@@ -8,7 +8,7 @@
 
 namespace gnomon::lod {
 
-/// Clips triangles to one volume, and reuses its buffers.
+/// Clips triangles to one convex volume, and reuses its buffers.
 class TriangleClipper {
 public:
     explicit TriangleClipper(const ConvexVolume& volume) : volume_(&volume) {}

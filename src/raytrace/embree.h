@@ -12,7 +12,7 @@
 
 namespace gnomon::raytrace {
 
-/// Returns a new device, which the caller releases. Throws Error if Embree returns none.
+/// Returns a new Embree device, which the caller must release. Throws Error if Embree returns none.
 inline RTCDevice newDevice() {
     RTCDevice device = rtcNewDevice(nullptr);
     if (device == nullptr) throw Error("ray tracing: cannot create an Embree device");
@@ -26,7 +26,7 @@ inline void requireNoError(RTCDevice device, const char* what) {
         throw Error(std::string("ray tracing: ") + what + ": Embree error " + std::to_string(error));
 }
 
-/// Returns `ray` in Embree's format.
+/// Converts `ray` to Embree's ray format.
 inline RTCRay embreeRay(const Ray& ray) {
     RTCRay result{};
     result.org_x = ray.origin.x;
@@ -48,7 +48,8 @@ struct TriangleGeometry {
     std::uint32_t* indices = nullptr; // 3 per triangle
 };
 
-/// Returns a new geometry with buffers for the given numbers of vertices and triangles. Throws Error if Embree fails.
+/// Returns a new Embree geometry with buffers for the given numbers of vertices and triangles. Throws Error if Embree
+/// fails.
 inline TriangleGeometry newTriangles(RTCDevice device, std::size_t vertices, std::size_t triangles) {
     TriangleGeometry result{rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)};
     result.positions = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -59,7 +60,7 @@ inline TriangleGeometry newTriangles(RTCDevice device, std::size_t vertices, std
     return result;
 }
 
-/// Commits the filled geometry and attaches it to `scene`.
+/// Commits the Embree geometry `filled`, whose buffers are filled, and attaches it to `scene`.
 inline void attachTriangles(RTCScene scene, const TriangleGeometry& filled) {
     rtcCommitGeometry(filled.geometry);
     rtcAttachGeometry(scene, filled.geometry);

@@ -1,5 +1,5 @@
-// The ground truth of shadows: computes with rays which points are lit, and measures the difference to the shadows of a
-// picture.
+// Computes with rays which visible points are lit (the ground truth), and measures how far the shadows of a picture
+// differ.
 #pragma once
 
 #include "raytrace/scene.h"
@@ -17,11 +17,12 @@ namespace gnomon::raytrace {
 struct SurfacePoint {
     glm::vec3 position{0};
     glm::vec3 normal{0}; // geometric, unit length, towards the eye; zero without a surface
-    /// Max offset of the ray's origin from the surface, in world units, for example the stored error.
+    /// Max offset of the shadow ray's origin from the surface, in world units, for example the stored error of the
+    /// surface.
     float offset = 0;
 };
 
-/// The ground truth of the light at a pixel.
+/// The ground truth of a pixel: whether the light reaches its visible surface.
 enum class Light : std::uint8_t {
     Nothing, // no surface is visible
     Turned,  // the surface faces away from the light, so it is dark without a ray
@@ -43,31 +44,34 @@ struct LightSource {
     }
 };
 
-/// Returns whether the light reaches one point.
+/// Traces a ray from `point` to the light, and returns whether the light reaches the point.
 Light litByRay(const Occluders& scene, const SurfacePoint& point, const LightSource& source);
 
-/// Returns whether the light reaches each point. Runs on all cores.
+/// Traces a ray from each point to the light, and returns whether the light reaches the point. Runs on all cores.
 std::vector<Light> litByRays(const Occluders& scene, std::span<const SurfacePoint> points, const LightSource& source);
 
-/// The difference between the shadows of a picture and the ground truth. Only lit-side pixels count: pixels whose
-/// surface faces the light.
+/// The difference between the shadows of a picture and the ground truth. Only lit-side pixels count, which are pixels
+/// whose surface faces the light.
 struct ShadowComparison {
     std::uint64_t litSidePixels = 0;
     std::uint64_t wrongPixels = 0;
-    std::uint64_t edgePixels = 0;      // edge pixels of both pictures whose distances are in the statistics below
-    std::uint64_t edgePixelsApart = 0; // edge pixels of the ground truth without a distance, because of `apart`
-    double wrongFraction = 0;          // wrong pixels divided by lit-side pixels; 0 without lit-side pixels
-    /// Distance from each shadow edge of either picture to the nearest edge of the other picture.
+    // number of edge pixels, in either picture, whose distances are in the statistics below
+    std::uint64_t edgePixels = 0;
+    // number of edge pixels of the ground truth that were not measured, because `apart` marks them
+    std::uint64_t edgePixelsApart = 0;
+    double wrongFraction = 0; // wrong pixels divided by lit-side pixels; 0 without lit-side pixels
+    /// Median and percentile of the distance from each shadow edge of either picture to the nearest edge of the other
+    /// picture.
     double edgeMedianPixels = 0;
     double edgeP99Pixels = 0;
     double edgeWorstPixels = 0;
     double worstWrongPixels = 0; // max distance of a wrong pixel from an edge of the ground truth
-    /// Per pixel: 0 if correct, else the distance to the nearest edge of the ground truth.
+    /// One value per pixel: 0 if the pixel is correct, else its distance to the nearest edge of the ground truth.
     std::vector<float> wrongDistances;
 };
 
-/// Returns one value per pixel of a picture with `width` columns: 1 for an edge pixel, else 0. An edge pixel is a
-/// lit-side pixel with a lit-side neighbour (of four) whose result is different.
+/// Returns one value per pixel of the ground truth `reference`, which has `width` columns: 1 for an edge pixel of a
+/// shadow, else 0. An edge pixel is a lit-side pixel with a lit-side neighbour (of four) whose result is different.
 std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::size_t width);
 
 /// Compares the shadows of a picture with the ground truth `reference`. Both have `width` columns. `isLit` is the
@@ -75,9 +79,10 @@ std::vector<std::uint8_t> shadowEdges(std::span<const Light> reference, std::siz
 /// lit-side neighbour (of four) whose result is different. Distances are between pixel centres. If the other picture
 /// has no edge, the distance is the diagonal of the picture.
 ///
-/// `apart` has one mark per pixel, or is empty. It marks shadows that the picture may omit. The picture need not show
-/// an edge of the ground truth if a pixel on either side is marked. If a marked dark pixel is lit in the picture, it is
-/// not wrong. If the picture does show such an edge, the distance to this edge is measured like all others.
+/// `apart` marks the pixels whose shadows the picture may omit. It has one mark per pixel, or is empty. The picture
+/// need not show an edge of the ground truth if a pixel on either side is marked. If a marked dark pixel is lit in the
+/// picture, the pixel is not wrong. If the picture does show such an edge, the distance to this edge is measured like
+/// all others.
 ShadowComparison compareShadows(
     std::span<const Light> reference,
     std::span<const std::uint8_t> isLit,

@@ -11,7 +11,7 @@ namespace gnomon::raytrace {
 struct Ray {
     glm::vec3 origin{0};
     glm::vec3 direction{0, 0, 1};
-    float tMin = 0; // min parameter along `direction`
+    float tMin = 0; // min parameter of a hit along `direction`
     float tMax = std::numeric_limits<float>::infinity();
 };
 

@@ -1,4 +1,5 @@
-// A ray-tracing scene of given clusters, relative to the eye, for first hits and occlusion queries.
+// A ray-tracing scene of given clusters, relative to the eye. It finds the first hit of a ray, or tests whether a ray
+// is occluded.
 #pragma once
 
 #include "core/convex_volume.h"
@@ -25,25 +26,25 @@ struct ClusterSpan {
 struct Hit {
     float distance = 0;         // parameter of the hit along the ray's direction
     std::uint32_t span = 0;     // index of the ClusterSpan in the argument of the constructor
-    std::uint32_t cluster = 0;  // index in its page
-    std::uint32_t triangle = 0; // index in its page
+    std::uint32_t cluster = 0;  // index of the cluster in its page
+    std::uint32_t triangle = 0; // index of the triangle in its page
     float u = 0;                // barycentric coordinates: the hit is (1 - u - v) a + u b + v c
     float v = 0;
     glm::vec3 normal{0}; // geometric, unit length, towards the ray's origin
 };
 
-/// Returns the part of `ray` that is on the inner side of all `planes`, or nothing if no part is.
+/// Returns the part of `ray` that is on the inner side of all `planes`, or nullopt if no part is.
 std::optional<Ray> keptPart(Ray ray, std::span<const Plane> planes);
 
-/// Max memory of a scene during its construction, per triangle.
+/// Max memory of a ray-tracing scene during its construction, per triangle.
 inline constexpr Bytes kSceneBytesPerTriangle{83};
 
 /// An Embree scene of one mesh, for rays relative to the eye. Many threads may query it at once.
 class Scene final : public Occluders {
 public:
-    /// Builds a scene from copies of the triangles of `spans`, relative to `eye` (local space). Both sides of triangles
-    /// are hit. This takes about 63 bytes and 0.25 microseconds per triangle. The pages may be evicted afterwards.
-    /// Throws Error if Embree fails.
+    /// Builds a ray-tracing scene from copies of the triangles of `spans`, relative to `eye` (local space). Both sides
+    /// of triangles are hit. This takes about 63 bytes and 0.25 microseconds per triangle. The pages may be evicted
+    /// afterwards. Throws Error if Embree fails.
     Scene(std::span<const ClusterSpan> spans, const hierarchy::Grid& grid, const glm::dvec3& eye);
     ~Scene() override;
     Scene(Scene&& other) noexcept;

@@ -20,7 +20,7 @@ struct MapImage {
     using Vec4 = glm::vec<4, Number, glm::defaultp>;
     using Mat4 = glm::mat<4, 4, Number, glm::defaultp>;
 
-    Vec3 origin{0}; // origin of the offsets, subtracted from each position; not 0 only if float precision requires it
+    Vec3 origin{0}; // subtracted from each position; 0 unless float precision requires another origin
     /// The matrix from an offset (position - origin) to clip space, for drawing casters and for lookups. The viewport
     /// is the map's rectangle in the depth texture. x and y in [-w, w] fill the rectangle including its borders. Depth
     /// times w is in [0, w], and the smallest depth is nearest to the light. w may be 0 or negative behind the centre

@@ -15,20 +15,22 @@ namespace gnomon::validation {
 /// The measurements that the caller requests for a frame.
 struct ValidationOptions {
     bool measuresAliasing = false;
-    bool measuresCrawl = false; // compares with the previous frame, if it also had maps
+    bool measuresCrawl = false; // compares the shadows with the previous frame, if it also had shadow maps
     GroundTruth groundTruth = GroundTruth::None;
-    bool countsWrongPixels = false;  // counts wrong pixels as GroundTruth::Exact does, but independent of `groundTruth`
+    // counts the pixels that differ from exact integer shadows (GroundTruth::Exact), even if `groundTruth` is another
+    // kind
+    bool countsWrongPixels = false;
     bool comparesWithFinest = false; // compares the picture with the finest level of detail with ray-traced shadows
 };
 
-/// The results of the measurements.
+/// The results of measuring the accuracy of a frame.
 struct FrameValidation {
-    std::optional<MeasuredAliasing> aliasing; // only for a frame with maps
-    std::optional<ShadowTruth> truth;         // only for a frame with maps
-    std::optional<Crawl> crawl;               // only if this frame and the previous frame have maps
-    // mean difference to the picture of the finest level, as a fraction of full scale
+    std::optional<MeasuredAliasing> aliasing; // only for a frame with shadow maps
+    std::optional<ShadowTruth> truth;         // only for a frame with shadow maps
+    std::optional<Crawl> crawl;               // only if this frame and the previous frame have shadow maps
+    // mean difference to the picture of the finest level of detail, as a fraction of full scale
     std::optional<double> imageDifference;
-    // fraction of all pixels that differ from the result by integer arithmetic; for any frame with shadows
+    // fraction of all pixels whose shadow differs from the result by integer arithmetic; for any frame with shadows
     std::optional<double> wrongPixelsAll;
 };
 
@@ -43,7 +45,8 @@ struct FrameValidation {
 /// pages for it are damaged.
 FrameValidation validate(frame::Renderer& renderer, const frame::Frame& frame, const ValidationOptions& options);
 
-/// Fills the accuracy columns of `row`. If `proof` lacks a measurement, its column becomes empty.
+/// Fills the accuracy columns of the log row `row` with the measurements in `proof`. If a measurement is missing, its
+/// column becomes empty.
 void setAccuracy(const FrameValidation& proof, telemetry::FrameRow& row);
 
 } // namespace gnomon::validation

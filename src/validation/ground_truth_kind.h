@@ -8,12 +8,12 @@
 
 namespace gnomon::validation {
 
-/// The ground truth (option --oracle) for the shadows of a frame.
+/// The kind of ground truth with which the shadows of a frame are compared (option --oracle).
 enum class GroundTruth : std::uint8_t {
     None,
-    SameDetail, // rays against the clusters that the maps draw, in the caster volume of the whole frustum
+    SameDetail, // rays against the clusters that the shadow maps draw, in the caster volume of the whole frustum
     FullDetail, // rays against the finest level of detail in the same volume
-    Exact,      // integer arithmetic against the clusters of the frame's cut in the same volume
+    Exact,      // integer arithmetic against the frame's selected clusters in the same volume
 };
 
 /// All kinds of ground truth except None.
@@ -23,7 +23,7 @@ inline constexpr std::array kGroundTruths = {
     Word<GroundTruth>{GroundTruth::Exact, "exact"},
 };
 
-/// Returns true if this ground truth requires shadow maps.
+/// Returns true if this kind of ground truth can only be used for frames with shadow maps.
 constexpr bool isOfMaps(GroundTruth groundTruth) {
     return groundTruth == GroundTruth::SameDetail || groundTruth == GroundTruth::FullDetail;
 }

@@ -1,12 +1,13 @@
-// Measurement of the perspective aliasing per pixel, for comparison with the bound of the plan.
+// Measures the perspective aliasing of shadow maps per pixel, for comparison with the upper bound of the plan.
 #pragma once
 
 #include "render/backend.h"
 
 namespace gnomon::validation {
 
-/// The max perspective aliasing over the pixels of a picture: the width of a texel's light beam divided by the width of
-/// the pixel's beam. Both widths are measured at the visible surface point, in the map that the pixel looked up.
+/// The max perspective aliasing over the pixels of a picture: the width of a shadow map texel's light beam divided by
+/// the width of the pixel's beam. Both widths are measured at the visible surface point, in the map that the pixel
+/// looked up.
 struct MeasuredAliasing {
     double x = 0;
     double z = 0;
@@ -20,8 +21,8 @@ struct MeasuredAliasing {
     double worst() const { return x > z ? x : z; }
 };
 
-/// Measures the aliasing in the picture of `frame`, on all cores. `surfaces` are the visible surfaces of this picture.
-/// With a filter, the width of a texel is multiplied by the width of the filter kernel.
+/// Measures the perspective aliasing in the picture of `frame`, on all cores. `surfaces` are the visible surfaces of
+/// this picture. With a filter, the width of a texel is multiplied by the width of the filter kernel.
 MeasuredAliasing measuredAliasing(
     const render::DrawInputs& frame, const render::Raster<render::SurfaceSample>& surfaces);
 

@@ -6,7 +6,7 @@
 
 namespace gnomon::validation {
 
-/// The result of the comparison with ray-traced shadows at a pixel.
+/// The result of comparing a pixel's shadow with the ray-traced shadow.
 enum class ShadowVerdict : std::uint8_t {
     Unasked,     // no surface, or a surface that faces away from the light
     Right,       // equal to the ray-traced result
@@ -19,16 +19,16 @@ enum class ShadowVerdict : std::uint8_t {
 
 /// The comparison of a picture's shadows with ray-traced shadows.
 struct ShadowTruth {
-    raytrace::ShadowComparison shadows; // the comparison over all pixels
-    /// The comparison without details finer than a texel, which a map cannot show. Pixels with the result Missed are
-    /// not wrong. The picture may omit the edges of casters and gaps that are thinner than a texel, and contact
-    /// shadows, whose caster is within 1.5 footprints. If the picture shows such an edge, its position is measured like
-    /// all others. The log columns for wrong pixels and edge distances use this comparison.
+    raytrace::ShadowComparison shadows; // comparison of all pixels
+    /// The comparison without details finer than a shadow map texel, which a map cannot show. Pixels with the result
+    /// Missed are not wrong. The picture may omit the edges of casters and gaps that are thinner than a texel, and
+    /// contact shadows, whose caster is within 1.5 footprints. If the picture shows such an edge, its position is
+    /// measured like all others. The log columns for wrong pixels and edge distances use this comparison.
     raytrace::ShadowComparison answerable;
     std::vector<ShadowVerdict> verdicts; // rows from top to bottom
     std::uint64_t missedPixels = 0;
-    /// Lit-side pixels with N.L above 0.1, where the bias covers the whole slope; and among them the pixels with the
-    /// result FalseShadow or Leak.
+    /// `judgedPixels` counts pixels with N.L above 0.1, where the depth bias covers the whole slope.
+    /// `unexplainedPixels` counts those with the result FalseShadow or Leak.
     std::uint64_t judgedPixels = 0;
     std::uint64_t unexplainedPixels = 0;
 

@@ -1,5 +1,5 @@
-// The footprint of a shadow map texel at a point, by finite differences of the matrix that the shaders use. This code
-// is independent of the functions that plan maps and bound their aliasing.
+// Computes the footprint of a shadow map texel at a point, by finite differences of the matrix that the shaders use.
+// This code is independent of the functions that plan maps and bound their aliasing.
 #pragma once
 
 #include "render/backend.h"
@@ -10,15 +10,15 @@ namespace gnomon::validation {
 /// the rounding error of doubles.
 constexpr double kStepOverPixel = 1e-3;
 
-/// The widths of a texel at a point, perpendicular to the light, in world units. They do not include the slope of the
-/// receiver.
+/// The widths of a shadow map texel at a point, perpendicular to the light, in world units. They do not include the
+/// slope of the receiver.
 struct TexelWidths {
     double x = 0; // along the light frame's x axis
-    double z = 0; // along the light frame's z axis, without shear
+    double z = 0; // width along the z axis of light space, without shear
 };
 
-/// The footprint of a texel at a point, as two displacements perpendicular to the light in camera-relative space,
-/// including shear.
+/// The footprint of a shadow map texel at a point, as two displacements perpendicular to the light in camera-relative
+/// space, including shear.
 struct TexelFootprint {
     glm::dvec3 column{0}; // displacement to the same position in the next column
     glm::dvec3 row{0};
@@ -29,8 +29,8 @@ class TexelProbe {
 public:
     TexelProbe(const render::DrawInputs& frame, const shadow::ShadowMap& map);
 
-    /// Returns the widths of the texel at `p` (camera-relative space). `step` is the step of the finite differences in
-    /// world units. It must be much smaller than a texel.
+    /// Returns the widths of the shadow map texel at `p` (camera-relative space). `step` is the step of the finite
+    /// differences in world units. It must be much smaller than a texel.
     TexelWidths widths(const glm::dvec3& p, double step) const;
 
     TexelFootprint footprint(const glm::dvec3& p, double step) const;

@@ -10,8 +10,8 @@ namespace gnomon::frame {
 
 namespace {
 
-/// Converts a position `place`, in units of 2^-32, to a number in [-1/2, 1/2). Adding an integer to a position does not
-/// change the result.
+/// Converts a coordinate of a sample, in units of 2^-32 of a pixel, to a number in [-1/2, 1/2). Adding a whole pixel
+/// does not change the result.
 double aroundMiddle(std::uint32_t place) {
     return std::ldexp(static_cast<double>(static_cast<std::int32_t>(place)), -32);
 }
@@ -46,7 +46,7 @@ void Accumulation::begin(Renderer& renderer, const Frame& frame, int samples) {
     renderer_ = &renderer;
     frame_ = &frame;
     wanted_ = std::max(samples, plan::lightFrames(plan()));
-    const bool hasSky = plan().sky.directions > 0; // sky light affects all tiles
+    const bool hasSky = plan().sky.directions > 0; // light from the sky changes all image tiles
     whole_ = hasSky ? wanted_ : std::max(samples, plan::minFirstPoints(wanted_));
     const render::DrawInputs drawing = renderer.drawing(frame, frame.options);
     shown_ = render::toneMappingOf(drawing);
@@ -72,7 +72,7 @@ void Accumulation::leaveSkyOut(FrameOptions& options) const {
     options.groundShade = onGround_.sun;
 }
 
-/// Returns the tiles in which frame `sample` is drawn. Null means all tiles.
+/// Returns the image tiles in which frame `sample` of the mean is drawn. Null means all tiles.
 const std::shared_ptr<const shadow::TileMask>& Accumulation::tilesOf(int sample) const {
     return sample < whole_ ? frame_->options.tiles : plan().penumbra.tiles;
 }
@@ -95,8 +95,8 @@ void Accumulation::drawSunlit(int sample) {
     }
 }
 
-/// Adds the last drawn image of frame `sample` to the sum. With sky light, also draws the image with the light of sky
-/// sample `sample`, and adds both.
+/// Adds the last drawn image, which is frame `sample`, to the sum of all frames. With sky light, also draws the image
+/// with the light of sky sample `sample`, and adds both images.
 void Accumulation::take(int sample) {
     render::Backend& backend = renderer_->backend();
     if (plan().sky.directions == 0) return sum_.add(backend.light(), tilesOf(sample).get());

@@ -12,8 +12,8 @@ namespace gnomon::frame {
 
 namespace {
 
-/// A line of sight in grid cells, relative to the origin of camera-relative space. Its parameter is the depth from the
-/// eye in world units.
+/// A line of sight through a pixel, in grid cells relative to the origin of camera-relative space. Its parameter is the
+/// depth from the eye in world units.
 struct SightLine {
     glm::dvec3 start{0};
     glm::dvec3 direction{0};
@@ -36,8 +36,8 @@ SightLine sightLine(const render::DrawInputs& drawing, const glm::ivec2& pixel) 
         projection.depth.isParallel ? projection.depth.clip.near : 0};
 }
 
-/// Returns true if the line may intersect a box of grid cells. The test extends the box by one cell on each side, so
-/// that rounding loses no intersection.
+/// Returns true if a line of sight may intersect a box of grid cells. The test extends the box by one cell on each
+/// side, so that rounding loses no intersection.
 bool mayMeet(const SightLine& line, const glm::dvec3& low, const glm::dvec3& high) {
     double near = line.minDepth;
     double far = std::numeric_limits<double>::infinity();
@@ -56,13 +56,14 @@ bool mayMeet(const SightLine& line, const glm::dvec3& low, const glm::dvec3& hig
 
 struct Crossing {
     double depth = 0;
-    glm::dvec3 point{0}; // intersection in cells; `corners` are also in cells, but relative to the start of the line
+    // intersection in grid cells; `corners` are also in cells, but relative to the start of the line
+    glm::dvec3 point{0};
     std::array<glm::dvec3, 3> corners{};
 };
 
-/// Returns the intersection of the line with a triangle, whose corners are relative to the line's start. The function
-/// uses the signed volume of the line and each edge. Two triangles with a common edge compute the same volume with
-/// opposite signs. Therefore no line passes between them.
+/// Returns the intersection of a line of sight with a triangle, whose corners are relative to the line's start. The
+/// function uses the signed volume of the line and each edge. Two triangles with a common edge compute the same volume
+/// with opposite signs. Therefore no line passes between them.
 std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dvec3, 3>& corners) {
     const auto& [a, b, c] = corners;
     const glm::dvec3 volumes(
@@ -79,7 +80,8 @@ std::optional<Crossing> crossing(const SightLine& line, const std::array<glm::dv
     return Crossing{depth, line.start + onTriangle, corners};
 }
 
-/// The first intersection of a line of sight with the drawn clusters. Parts that section planes remove do not count.
+/// Finds the first intersection of a line of sight with the drawn clusters. Parts that section planes remove do not
+/// count.
 class FirstCrossing {
 public:
     FirstCrossing(const SightLine& line, const render::DrawInputs& drawing)
@@ -104,8 +106,8 @@ public:
 
     const std::optional<Crossing>& first() const { return first_; }
 
-    /// Returns the max distance between the intersected cluster and the source, in world units: the stored error, or on
-    /// level 0 the error by rounding to the grid.
+    /// Returns the max distance between the intersected cluster and the source mesh, in world units: the stored error,
+    /// or on level 0 the error by rounding to the grid.
     double error() const { return error_; }
 
     /// Returns the line parameter at which the line enters the region that no section plane removes. Returns nullopt if
@@ -139,7 +141,7 @@ private:
     double error_ = 0;
 };
 
-/// Returns the corner of the intersected triangle that is nearest to the intersection.
+/// Returns the corner of the intersected triangle that is nearest to the intersection, in grid cells.
 glm::dvec3 nearestCorner(const Crossing& crossing, const SightLine& line) {
     const glm::dvec3 point = crossing.point - line.start;
     return line.start +

@@ -15,9 +15,9 @@
 
 #include <utility>
 
-// The steps of a frame are: facts -> decide -> plan -> cut -> draw -> row. Each step uses only the results of the steps
-// before it. `planFrame` makes the choices that need the scene facts. `decideMapReuse` and `decideHeadlight` make the
-// choices that need the history.
+// A frame is computed in these steps: scene facts, choice of the shadows, plan, selection of clusters, drawing, log
+// row. Each step uses only the results of the steps before it. `planFrame` makes the choices that need the scene facts.
+// `decideMapReuse` and `decideHeadlight` make the choices that need the previous frame.
 
 namespace gnomon::frame {
 
@@ -44,19 +44,19 @@ bool isTurnedAway(const plan::SceneFacts& facts) {
     return facts.isTurnedFromLight || (facts.light && facts.light->lit.empty());
 }
 
-/// Returns true if the number of lit pixels of `frame` can determine whether Shading::Auto uses the headlight.
+/// Returns true if counting the lit pixels of `frame` can tell whether Shading::Auto uses the headlight.
 bool canCountLitPixels(const Frame& frame) {
     return !frame.options.observerCamera && frame.facts.visible && frame.facts.visible->anything;
 }
 
-/// Chooses between the sun and the headlight before drawing. The first frame of a motion chooses for the whole motion,
-/// so that the shading does not switch. If neither the history nor the scene facts determine the choice, the function
-/// sets `asksLitPixels`.
+/// Chooses between the sun and the headlight before drawing. The first frame of a camera motion chooses for the whole
+/// motion, so that the shading does not switch. If neither the history nor the scene facts determine the choice, the
+/// function sets `asksLitPixels`.
 void decideHeadlight(Frame& frame) {
     std::optional<bool>& usesHeadlight = frame.history.usesHeadlight;
     usesHeadlight = frame.before.usesHeadlight;
     if (frame.plan.quality.look.shading != plan::Shading::Auto) return;
-    if (!usesHeadlight && frame.hasGround) usesHeadlight = false; // only the shadow of the sun makes the ground visible
+    if (!usesHeadlight && frame.hasGround) usesHeadlight = false; // on the ground, only shadows of the sun are visible
     if (!usesHeadlight && canCountLitPixels(frame)) {
         if (isTurnedAway(frame.facts)) usesHeadlight = true;
         frame.asksLitPixels = !usesHeadlight;
@@ -66,8 +66,8 @@ void decideHeadlight(Frame& frame) {
 
 } // namespace
 
-/// Returns the memory that must be reserved for the image: for the complete image, or only for the sums of an
-/// accumulation.
+/// Returns the memory that must be reserved for the image: for the complete image, or only for the sums of an image
+/// that is the mean of several frames.
 Bytes Renderer::picturePart(const plan::View& view, const plan::Quality& quality, const FrameOptions& options) const {
     if (residency_.holdsPictures()) return pictureBytes(view, quality, options);
     if (!options.isAccumulated) return {};
@@ -111,15 +111,15 @@ PreparedFrame Renderer::prepare(
     return frame;
 }
 
-/// Does the work of `prepare` for a given ground, without penumbrae and sky light. It plans and cuts the frame
-/// repeatedly, until the pages of the cut are resident.
+/// Plans the frame and selects its clusters repeatedly, until all their pages are in memory. The ground of the frame is
+/// given. The result has no penumbrae and no sky light yet.
 PreparedFrame Renderer::prepareShadows(const Asked& asked) {
     const plan::ShadowMode shadows = plan::chooseShadows(asked.quality, capabilities()).mode;
     residency_.keepRayTrees(shadows == plan::ShadowMode::Rays);
-    // time of all rounds except the cut of the last round; only waiting for pages causes it
+    // total time except the last selection of clusters, in milliseconds; it is caused by waiting for pages
     double streamMs = 0;
-    // With a cap on the number of triangles, the cut searches its error limit among all resident clusters. It therefore
-    // needs the ancestors of the pages.
+    // With a cap on the number of triangles, the error limit is searched among all clusters in memory. The search
+    // therefore needs the coarser ancestors of the pages.
     addTime(streamMs, [&] { residency_.admitLoaded(asked.waiting, asked.quality.maxTriangles.has_value()); });
     for (;;) {
         const Stopwatch round;
@@ -133,8 +133,8 @@ PreparedFrame Renderer::prepareShadows(const Asked& asked) {
     }
 }
 
-/// Returns the frame for the pages that are resident now: its facts, its plan and its cut. `shadows` is the kind of
-/// shadows, not Auto.
+/// Computes the scene facts, the plan and the selected clusters of a frame from the pages that are in memory now.
+/// `shadows` is the type of shadows, not Auto.
 PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     const hierarchy::ModelSummary& model = model_->summary();
     plan::Quality decided = asked.quality;
@@ -146,8 +146,8 @@ PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     frame.hasGround = asked.ground != nullptr;
     frame.errorPixels = decided.errorPixels;
     double factsPixels = 0;
-    // The loop repeats only if the casters increase the error limit under a cap on triangles. The facts must then come
-    // from the new cut, because it is drawn.
+    // The loop repeats only if the casters increase the error limit because of a cap on triangles. The scene facts must
+    // then be computed again from the new selection of clusters, because this selection is drawn.
     do {
         addTime(frame.selectMs, [&] {
             cutImage(frame, {asked.view, asked.margin}, decided, range, residency_, model.grid);
@@ -165,7 +165,7 @@ PreparedFrame Renderer::planned(const Asked& asked, plan::ShadowMode shadows) {
     return frame;
 }
 
-/// Computes the scene facts of `frame` and its visible ground from the first cut.
+/// Computes the scene facts and the visible ground of `frame` from the first selection of clusters.
 void Renderer::findFacts(
     PreparedFrame& frame, const Asked& asked, plan::ShadowMode shadows, const std::optional<DepthSpan>& range) {
     const hierarchy::ModelSummary& model = model_->summary();
@@ -202,9 +202,9 @@ render::DrawStatistics Renderer::draw(
     return statistics;
 }
 
-/// Draws `frame`. If the number of lit pixels has to choose the light, and the sun reaches almost no pixel, draws the
-/// image again with the headlight. With exact shadows, the number is known before the shading, so the image is drawn
-/// only once.
+/// Draws `frame` with the sun or the headlight. If the number of lit pixels must decide, and the sun reaches almost no
+/// pixel, draws the image again with the headlight. With exact shadows, this number is known before the shading, so the
+/// image is drawn only once.
 render::DrawStatistics Renderer::drawInLight(Frame& frame) {
     if (frame.usesHeadlight) plan::skipLightSampling(frame.plan);
     render::DrawStatistics drawn = draw(frame, frame.options, frame.before.maps);
@@ -219,7 +219,7 @@ render::DrawStatistics Renderer::drawInLight(Frame& frame) {
     plan::skipLightSampling(frame.plan);
     if (drawn.isHeadlit) return drawn;
     if (frame.hasOneCasterList()) return draw(frame, frame.options);
-    // Only the image is drawn again, because the headlight needs no maps.
+    // Only the image is drawn again, because the headlight needs no shadow maps.
     const Milliseconds first = drawn.image.time;
     drawn.image = backend_->drawImage(drawing(frame, frame.options));
     drawn.image.time.count += first.count;

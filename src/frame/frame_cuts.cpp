@@ -35,7 +35,8 @@ std::vector<Plane> localSections(const plan::View& view, const glm::dvec3& origi
     return planes;
 }
 
-/// Clips `volume` by the section planes.
+/// Removes the part of `volume` outside the section planes of `view`. `volume` is in local space, whose origin is
+/// `origin` in world space.
 void clipBySections(const plan::View& view, const glm::dvec3& origin, ConvexVolume& volume) {
     for (const Plane& plane : localSections(view, origin))
         volume.planes.push_back(plane);
@@ -109,7 +110,7 @@ void cutPartitions(PreparedFrame& frame, const Residency& residency) {
     std::vector<lod::CasterDetail> casters;
     for (const plan::ShadowPass& pass : frame.plan.passes) {
         if (!seen.pointLight) casters.push_back(lod::casterDetail(view, pass.map));
-        // Without culling, every map draws the whole model at the detail that the maps require.
+        // Without caster culling, every shadow map draws the whole model at the level of detail that the map requires.
         const bool isCulled = frame.plan.quality.cullCasters != plan::CasterCulling::Off;
         frame.volumes.push_back(isCulled ? lod::localVolume(pass.map.casterVolume, view) : ConvexVolume{});
     }

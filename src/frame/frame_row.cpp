@@ -27,7 +27,7 @@ void setCulled(const render::CulledCasters& culled, telemetry::FrameRow& row) {
     row.castersKept = toCount(culled.clustersKept);
 }
 
-/// Sets the statistics of the shadow passes: numbers of drawn maps, triangles and tested casters.
+/// Writes the statistics of the shadow passes to `row`: numbers of drawn maps, triangles and tested casters.
 void setCasters(const PreparedFrame& frame, const render::DrawStatistics& drawn, telemetry::FrameRow& row) {
     const plan::FramePlan& plan = frame.plan;
     row.shadowMapsDrawn = 0;
@@ -47,7 +47,7 @@ void setCasters(const PreparedFrame& frame, const render::DrawStatistics& drawn,
     if (drawn.culled) setCulled(*drawn.culled, row);
 }
 
-/// Returns the name of the caster culling that the drawn maps used.
+/// Returns the name of the caster culling with which the shadow maps were drawn.
 std::string_view cullingOf(const plan::FramePlan& plan, const render::DrawStatistics& drawn) {
     const bool isWhole = !drawn.culled && plan.casterCulling == plan::CasterCulling::Receivers;
     return wordOf(plan::kCasterCullings, isWhole ? plan::CasterCulling::On : plan.casterCulling);

@@ -15,14 +15,14 @@ namespace gnomon::frame {
 namespace {
 
 constexpr double kMaxShadow = 16;  // max length of a shadow on the ground, in diagonals of the model
-constexpr double kMinLight = 1e-4; // min sine of the light's elevation
+constexpr double kMinLight = 1e-4; // below this sine of the light's elevation, there is no ground shadow
 // Distance up to which the ground shows occluded sky light, in heights of the model. Beyond it, even a wide wall hides
 // less than 0.4% of the sky.
 constexpr double kSkyReach = 8;
 
 using Polygon = std::vector<glm::dvec3>;
 
-/// Returns the min of dot(up, p) over the page boxes of the model: the height of its lowest point.
+/// Returns the min of dot(up, p) over the page boxes of the model: the height of the model's lowest point.
 double lowestPoint(const ModelExtent& model, const glm::dvec3& up) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const hierarchy::PageInfo& page : model.pages) {
@@ -95,8 +95,8 @@ std::array<glm::dvec3, 8> cornersOf(const Box& bounds) {
     return corners;
 }
 
-/// Adds the corners of the shadow that the model's box throws onto the plane dot(up, p) = `height`. The shadow has a
-/// max length of kMaxShadow diagonals.
+/// Adds the corners of the shadow that the bounding box `bounds` throws onto the plane dot(up, p) = `height`. The
+/// length of the shadow is limited to kMaxShadow diagonals of the box.
 void addShadow(
     const Box& bounds, const glm::dvec3& up, double height, const glm::dvec3& towardsLight, Polygon& points) {
     const double longest = kMaxShadow * glm::length(bounds.extent());
@@ -111,8 +111,8 @@ void addShadow(
     }
 }
 
-/// Adds points around the box at a distance of kSkyReach times the height of each corner. Also adds the corners of the
-/// box's shadow for the whole disc of the sun.
+/// Adds points on the ground around the box `bounds`, at a distance of kSkyReach times the height of each corner. Also
+/// adds the corners of the box's shadow for the whole disc of the sun.
 void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up, double height, Polygon& points) {
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(up);
     const double aslant = std::sqrt(0.5);
@@ -130,7 +130,8 @@ void addSkyReach(const plan::View& view, const Box& bounds, const glm::dvec3& up
     }
 }
 
-/// Returns the convex hull of points in the plane perpendicular to `up`, clipped to the range of the grid.
+/// Returns the convex hull of points in the plane perpendicular to `up`, clipped to the coordinate range of the model's
+/// grid.
 Polygon outlineOf(const ModelExtent& model, const glm::dvec3& up, Polygon points) {
     const Box& bounds = model.bounds;
     // The clipping limits the differences of grid coordinates to 32 bits.
@@ -146,8 +147,8 @@ Polygon outlineOf(const ModelExtent& model, const glm::dvec3& up, Polygon points
     return clipped(hullOf(std::move(points), up), within);
 }
 
-/// Returns the polygon as a page with a fan of triangles on the grid, below the plane. The corners are shifted down by
-/// one grid step and then rounded down, so that rounding never lifts them above the plane.
+/// Converts the ground polygon to a page with a fan of triangles on the model's grid, below the ground plane. The
+/// corners are shifted down by one grid step and then rounded down, so that rounding never lifts them above the plane.
 hierarchy::Page pageOf(const Polygon& outline, const hierarchy::Grid& grid, const glm::dvec3& up) {
     hierarchy::Page page;
     hierarchy::Cluster cluster;

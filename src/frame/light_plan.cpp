@@ -15,7 +15,7 @@ namespace gnomon::frame {
 namespace {
 
 /// Returns an upper bound of the widths of penumbrae on the ground, in pixels. The bound assumes that the longest
-/// shadow is at the smallest visible depth.
+/// shadow on the ground is at the smallest visible depth.
 double onGround(const PreparedFrame& frame, const lod::DiscLight& light) {
     if (!frame.ground || !frame.facts.visible) return 0;
     const lod::DetailView& view = frame.rule->view();
@@ -50,8 +50,8 @@ void planLightSampling(PreparedFrame& frame, const Residency& residency) {
         const std::vector<double> byTile = lod::penumbraWidths(query, image, frame.cut.lists.casters, light, seen);
         plan::PenumbraBound bound{*std::max_element(byTile.begin(), byTile.end()), seen.tiles, byTile};
         bound.widest = std::max(bound.widest, onGround(frame, light));
-        // The bounds per tile include only clusters. The penumbrae on the ground and on section caps need a bound for
-        // the whole image.
+        // The bounds per image tile include only clusters. The penumbrae on the ground and on section caps need a bound
+        // for the whole image.
         if (frame.ground || !plan.view.sections.empty()) bound.byTile = {};
         plan::planPenumbra(plan, bound);
     }

@@ -11,10 +11,10 @@ namespace gnomon::frame {
 
 namespace {
 
-// bytes per pixel: colour and coverage
+// bytes per pixel of the finished image: colour and coverage
 constexpr std::uint64_t kFinished = sizeof(render::Rgb) + sizeof(std::uint8_t);
 
-/// The memory of an image while it is drawn, in bytes.
+/// The memory that an image needs while it is drawn, in bytes.
 struct Demand {
     std::uint64_t perPixel = 0;
     // independent of the image size: the depth texture and its masks, or the cells of exact shadows

@@ -29,7 +29,7 @@ shadow::Region wholeRegion(const plan::FramePlan& plan, const plan::SceneFacts& 
     return shadow::partitionRegion(frustum, selector, 0);
 }
 
-/// Returns the corners of the view frustum between two depths, in camera space.
+/// Returns the corners of the part of the view frustum between the depths `near` and `far`, in camera space.
 std::vector<glm::dvec3> cornersBetween(const plan::View& view, double near, double far) {
     std::vector<glm::dvec3> corners;
     for (const double depth : {near, far})
@@ -44,7 +44,8 @@ glm::dvec3 pointInCamera(const plan::FramePlan& plan) {
     return toCamera(plan.basis, plan.view.pointLight->at - plan.view.camera.eye);
 }
 
-/// Returns the required detail of the casters between a point light and the visible points between two depths.
+/// Returns the level of detail that the casters between a point light and the visible points at depths from `near` to
+/// `far` require.
 lod::CasterDetail slabDetail(const PreparedFrame& frame, double near, double far) {
     const plan::FramePlan& plan = frame.plan;
     const std::vector<glm::dvec3> corners = cornersBetween(plan.view, near, far);
@@ -74,7 +75,7 @@ ConvexVolume rayCasterVolume(const PreparedFrame& frame) {
 lod::CasterDetail rayCasterDetail(const PreparedFrame& frame) {
     const plan::FramePlan& plan = frame.plan;
     const shadow::Region region = wholeRegion(plan, frame.facts);
-    lod::CasterDetail detail; // default texel size: rays have no texels
+    lod::CasterDetail detail; // the default texel size is 0, because rays have no texels
     detail.casters = rayCasterVolume(frame);
     detail.receivers = lod::localVolume(region.volume, frame.rule->view());
     detail.receiverNear = region.frustum.near;

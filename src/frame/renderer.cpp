@@ -44,7 +44,7 @@ bool Renderer::isNegligible(std::uint64_t litPixels, const plan::View& view) {
 }
 
 std::uint64_t Renderer::minLitPixels(const plan::View& view) {
-    constexpr double kNegligible = 0.005; // share of the pixels
+    constexpr double kNegligible = 0.005; // fraction of the pixels
     return static_cast<std::uint64_t>(std::ceil(kNegligible * view.width * view.height));
 }
 
@@ -65,8 +65,8 @@ render::DrawInputs Renderer::drawing(const PreparedFrame& frame, const FrameOpti
     drawing.pages = [resident = residency_.resident()](std::uint32_t page) -> const hierarchy::Page& {
         return *resident[page];
     };
-    // Reversed float depth has the same precision for any near plane. The min near depth is only for triangles that
-    // cross a near plane close to the eye.
+    // Reversed float depth has the same precision for any near plane. The min near depth is needed only for triangles
+    // that cross a near plane close to the eye.
     const plan::SceneFacts::Visible visible = frame.facts.visible.value_or(plan::SceneFacts::Visible{});
     const double minNear = std::max(1e-7 * visible.farthest, 1e-3 * summary.grid.step());
     drawing.clipNear = std::max(visible.anything ? visible.nearest * 0.99 : 0.0, minNear);

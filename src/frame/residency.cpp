@@ -13,16 +13,16 @@ namespace gnomon::frame {
 
 namespace {
 
-constexpr Milliseconds kUnreadPause{2000}; // pause before a failed read from a server is repeated
+constexpr Milliseconds kUnreadPause{2000}; // pause before a page that a server failed to deliver is requested again
 
-/// Number of frames that prefetching looks ahead: a third of a second at 30 frames per second. The loading of a page
-/// with all its ancestors takes less time.
+/// Number of frames for which prefetching extrapolates the camera motion: a third of a second at 30 frames per second.
+/// The loading of a page with all its ancestors takes less time.
 constexpr double kFramesAhead = 10;
 
 constexpr Bytes kProgram = mebibytes(64); // memory of the process before it opens a model
 
-/// Returns the memory for tables, pages and images, without the program itself. Throws Error if the model cannot be
-/// drawn, or if the memory is too small for the tables of the model.
+/// Returns the memory limit for tables, pages and images, without the memory of the program itself. Throws Error if the
+/// model cannot be drawn, or if the memory is too small for the tables of the model.
 Bytes memoryWithoutProgram(const hierarchy::ModelFile& model, const ResidencyOptions& options) {
     if (const auto fault = hierarchy::drawingFault(model.pages(), model.summary().grid))
         throw Error(model.path(), *fault);
@@ -46,8 +46,8 @@ bool hasMoved(const lod::DetailView& a, const lod::DetailView& b) {
 } // namespace
 
 Bytes tableBytes(const hierarchy::ModelFile& model) {
-    // Memory per page: the row of the page table, links to children and parents, the entry of the page store, and the
-    // item and node of the tree.
+    // The memory of a page's data in tables consists of its row in the page table, links to children and parents, the
+    // entry in the page store, and the item and node in the tree.
     constexpr std::uint64_t kBytesPerPage = sizeof(hierarchy::PageInfo) + 320;
     constexpr std::uint64_t kBytesPerLink = 8;
     std::uint64_t links = 0;
@@ -96,8 +96,8 @@ void Residency::reservePicture(Bytes bytes) {
              "at least " + readableBytes({required.count + kProgram.count}),
              readableBytes({memory_.count + kProgram.count})});
     const Bytes reserved{bytes.count + working};
-    // A smaller image does not reduce the reservation. Otherwise pages would fill the memory, and the next large image
-    // would have to evict them.
+    // A smaller image does not reduce the memory reservation. Otherwise pages would fill the memory, and the next large
+    // image would have to evict them.
     if (reserved == picture_ || (holdsPictures_ && reserved < picture_)) return;
     store_.reserve({reserved.count + reserved_.count});
     picture_ = reserved;
@@ -110,8 +110,8 @@ void Residency::keepRayTrees(bool areKept) {
 }
 
 void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
-    // If frames do not wait for pages, they draw the coarser ancestors until finer pages are loaded. They therefore
-    // need the ancestors.
+    // Frames that do not wait for pages draw coarser ancestors until finer pages are loaded. From the first such frame
+    // on, the ancestors are therefore needed.
     hasNotWaited_ = hasNotWaited_ || waiting == Waiting::Never;
     isOpen_ = !hasNotWaited_ && !needsAllAbove;
     if (waiting == Waiting::Never) store_.admitLoaded();
@@ -122,8 +122,8 @@ lod::DemandOutcome Residency::serve(const lod::CutQuery& query, const lod::Cut& 
     // over a network, and reads a sixth fewer bytes.
     if (waiting == Waiting::UntilComplete) {
         lod::DemandOutcome outcome = store_.load({.used = cut.used, .wanted = cut.wanted, .isOpen = isOpen_});
-        // If the store requires ancestor-complete pages in one round of a frame, the following rounds require them too.
-        // Otherwise the frame could alternate between both modes without end.
+        // If the page store loads the coarser ancestors of all pages in one round of a frame, the following rounds must
+        // do the same. Otherwise the frame could alternate between both modes without end.
         if (std::exchange(isOpen_, store_.isOpen()) != isOpen_) outcome.hasChanged = true;
         return outcome;
     }
@@ -178,7 +178,8 @@ std::vector<hierarchy::PageDemand> rankedByBoxes(
     const lod::CutQuery& query,
     std::span<const hierarchy::PageDemand> demands,
     std::span<const hierarchy::PageInfo> pages) {
-    constexpr double kOutOfView = 1e-15; // lower priority than all pages in view, but higher than prefetched pages
+    // priority of pages out of view: lower than all pages in view, but higher than prefetched pages
+    constexpr double kOutOfView = 1e-15;
     std::vector<hierarchy::PageDemand> result(demands.begin(), demands.end());
     for (hierarchy::PageDemand& demand : result) {
         const hierarchy::PageInfo& info = pages[demand.page];

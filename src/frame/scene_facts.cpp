@@ -12,7 +12,7 @@ namespace gnomon::frame {
 
 namespace {
 
-/// Returns the receivers and casters of the image whose depths are in `seen`.
+/// Returns the receivers and the casters of the view at depths in `seen`.
 plan::SceneFacts::Light lightFacts(
     const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut, const DepthSpan& seen) {
     const lod::DetailView& detail = query.rule->view();
@@ -25,7 +25,8 @@ plan::SceneFacts::Light lightFacts(
         light.casters.push_back({{block.box.min - detail.eye, block.box.max - detail.eye}, block.triangles});
     }
     light.seen = lod::visibleSlabs(query, cut.lists.image, seen);
-    if (view.pointLight) { // lit sides are computed only for directional lights, so all visible depths count as lit
+    // which surfaces face the light is computed only for directional lights, so all visible depths count as lit
+    if (view.pointLight) {
         light.lit = {seen};
         return light;
     }
@@ -62,7 +63,7 @@ plan::SceneFacts sceneFacts(
     const std::optional<lod::VisibleDepths> seen = lod::visibleDepthRange(query, cut.lists.image, scratch);
     if (!seen || !(seen->span.far > 0)) return facts;
     facts.visible = {seen->span.near, seen->span.far, true};
-    // `range` begins at the min near depth. Smaller depths are clamped to it.
+    // `range` begins at the smallest permitted near depth. Smaller view depths are clamped to it.
     if (range)
         facts.light = lightFacts(
             view, query, cut, {std::max(seen->span.near, range->near), std::max(seen->span.far, range->near)});
@@ -70,7 +71,7 @@ plan::SceneFacts sceneFacts(
 }
 
 bool isTurnedFromLight(const plan::View& view, const lod::CutQuery& query, const lod::Cut& cut) {
-    if (view.pointLight) return false; // lit sides are computed only for directional lights
+    if (view.pointLight) return false; // this is computed only for directional lights
     return !lod::mayFaceLight(query, cut.lists.image, view.light().unit());
 }
 

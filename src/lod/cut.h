@@ -44,7 +44,7 @@ struct DrawLists {
 /// test would skip few nodes.
 class PageTrees {
 public:
-    /// Builds the trees from the page table. This takes milliseconds for tens of thousands of pages.
+    /// Builds the bounding volume trees from the page table. This takes milliseconds for tens of thousands of pages.
     PageTrees(std::span<const hierarchy::PageInfo> pages, const hierarchy::Grid& grid);
 
     struct PageItem {

@@ -11,7 +11,7 @@ namespace gnomon::plan {
 
 namespace {
 
-constexpr double kDefaultFloorRatio = 1e4; // default far / nearFloor
+constexpr double kDefaultFloorRatio = 1e4; // default ratio of the far depth to the smallest permitted near depth
 
 /// Returns the range of view depths of the part of `bounds` in front of the eye. If no part is in front of the eye, the
 /// result has `anything` = false.
@@ -28,8 +28,8 @@ SceneFacts::Visible depthsOfBounds(const View& view, const Box& bounds) {
     return result;
 }
 
-/// Sets the far end of `range`. For stabilised slices, far is quantised like near, but in the opposite direction: it
-/// rises at once, and falls only after several frames.
+/// Sets the far end of `range`. For stabilised slices, far is rounded to steps like near, but in the opposite
+/// direction: far rises at once, and falls only after several frames.
 void setFar(
     DepthRange& range, const Quality& quality, double farthest, const std::optional<shadow::NearState>& inverseBefore) {
     range.depths.far = quality.far.value_or(farthest);
@@ -42,8 +42,8 @@ void setFar(
     if (quality.stabilize) range.memory->inverseFar = inverse;
 }
 
-/// Sets the near end of `range` to the quantised step at or below the depth of the nearest surface. Near is at least
-/// the floor, and the hysteresis can keep it at the value of the previous frame.
+/// Sets the near end of `range` to the highest step (power of 2^(1/4)) at or below the depth of the nearest surface.
+/// Near is at least the permitted minimum, and the hysteresis can keep near at the value of the previous frame.
 void setNear(
     DepthRange& range,
     const Quality& quality,
@@ -57,7 +57,7 @@ void setNear(
     if (range.memory->near.framesAbove > 0) range.nearFrom = DepthSource::Held;
 }
 
-/// Extends a range whose ends are equal to a ratio far / near of kMinRatio. A surface perpendicular to the view
+/// Extends a depth range whose ends are equal to a ratio far / near of kMinRatio. A surface perpendicular to the view
 /// direction has such a range. Throws Error if the given ends are not a valid range.
 void separate(DepthSpan& depths, const Quality& quality) {
     constexpr double kMinRatio = 1 + 1e-3;
@@ -98,7 +98,7 @@ double shownEnd(double end, double depth, double floor, std::optional<shadow::Ne
     return end;
 }
 
-/// Sets `range.shown`: the range `range.depths`, extended to all visible surfaces.
+/// Sets `range.shown`, which is the range `range.depths` extended to all visible surfaces.
 void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::optional<DepthMemory>& memory) {
     DepthMemory& now = *range.memory;
     if (memory) now.shownNear = memory->shownNear;
@@ -109,9 +109,9 @@ void setShown(DepthRange& range, const SceneFacts::Visible& visible, const std::
         shownEnd(range.depths.near, visible.nearest, range.shown.far / kDefaultFloorRatio, now.shownNear);
 }
 
-/// Sets the range of a parallel view to the visible depths. Its aliasing does not depend on depth, so the range needs
-/// no hysteresis. With stabilised slices, the range contains all depths of the model instead, so that the texels
-/// preserve their size.
+/// Sets the depth range of a parallel view to the visible depths. Shadow aliasing does not depend on depth in such a
+/// view, so the range needs no hysteresis. With stabilised slices, the range contains all depths of the model instead,
+/// so that the texels preserve their size.
 void setParallelRange(DepthRange& range, const View& view, const Quality& quality, const SceneFacts::Visible& visible) {
     constexpr double kMinRatio = 1 + 1e-5;
     const double nearest = glm::length(view.camera.target - view.camera.eye); // depth of the near end of the model

@@ -10,15 +10,15 @@ namespace gnomon::plan {
 
 namespace {
 
-/// Returns the reason why the image shows no penumbrae and no sky light, or nullopt if it can show them.
+/// Returns the reason why the image can show no penumbrae and no sky light, or nullopt if it can show them.
 std::optional<SkipReason> reasonForNoSoftness(const Quality& quality) {
     if (hasNoSun(quality.look.shading)) return SkipReason::NoSun;
     if (quality.shadows == ShadowMode::Off) return SkipReason::NoShadows;
     return std::nullopt;
 }
 
-/// Returns the mask of the tiles whose penumbrae can be at least `minWidth` pixels wide. Returns null if the mask would
-/// contain all tiles of the image.
+/// Returns the mask of the image tiles whose penumbrae can be at least `minWidth` pixels wide. Returns null if the mask
+/// would contain all tiles of the image.
 std::shared_ptr<const shadow::TileMask> softTiles(const PenumbraBound& bound, double minWidth) {
     shadow::TileMask mask{bound.tiles, {}};
     for (const double width : bound.byTile)

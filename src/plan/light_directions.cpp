@@ -13,8 +13,8 @@ namespace {
 
 using UnitTurn = std::complex<double>;
 
-/// Returns the rotation by `times` golden angles; a golden angle is pi (3 - sqrt 5). The function uses only products,
-/// so the result does not depend on the cosine of a math library.
+/// Returns the rotation by `times` golden angles, as a unit complex number. A golden angle is pi (3 - sqrt 5). The
+/// function uses only products, so the result does not depend on the cosine of a math library.
 UnitTurn goldenTurn(int times) {
     UnitTurn power(-0.7373688780783197, 0.6754902942615238);
     UnitTurn turn(1, 0);
@@ -25,8 +25,8 @@ UnitTurn goldenTurn(int times) {
     return turn;
 }
 
-/// Returns the new position of item `i` in a reordered list of `count` items. Consecutive items of the new order are
-/// about 0.618 of the list apart (golden section). Item 0 stays first.
+/// Returns the new position of item `i` if a list of `count` items is reordered such that consecutive items are about
+/// 0.618 of the list apart (golden section). Item 0 stays first.
 int spreadPlace(int i, int count) {
     constexpr double kGolden = 0.61803398874989485;
     auto stride = std::max(static_cast<std::int64_t>(std::llround(kGolden * count)), std::int64_t{1});

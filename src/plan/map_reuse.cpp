@@ -27,8 +27,8 @@ bool isSameCamera(const FramePlan& a, const FramePlan& b) {
            a.basis.view == b.basis.view;
 }
 
-/// Returns true if the texels of the maps `a` and `b` cover the same points of the world. Stabilised maps are compared
-/// by their place in the world, and may have different cameras. All other maps need the same camera.
+/// Returns true if the texels of the shadow maps `a` and `b` cover the same points of the world. Stabilised maps are
+/// compared by their place in the world, and may have different cameras. All other maps need the same camera.
 bool isSamePlace(
     const FramePlan& now, const FramePlan& before, const shadow::ShadowMap& a, const shadow::ShadowMap& b) {
     if (a.shift != b.shift) return false;

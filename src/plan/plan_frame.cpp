@@ -61,8 +61,8 @@ shadow::ViewFrustum frustumOf(const View& view, const DepthSpan& range) {
     return {range.near, range.far, view.camera.fovYRadians / 2, view.aspect()};
 }
 
-/// Removes the warp and the face partitions from the settings for a parallel view. All its pixels have the same size,
-/// so maps without warp and without face partitions are optimal.
+/// Removes the perspective warp and the face partitions from the settings for a parallel view. All pixels of such a
+/// view have the same size, so maps without warp and without face partitions are optimal.
 void unwarp(Quality& quality) {
     quality.warp.rule = shadow::WarpRule::None;
     quality.facePartitions = Choice::Off;

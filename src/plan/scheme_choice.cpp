@@ -15,7 +15,7 @@ std::uint64_t budgetOf(const Quality& quality) {
            static_cast<std::uint64_t>(quality.shadowTexelsHeight);
 }
 
-/// Rounds `texels` up to a step of 2^(1/4), so that the size of the texture does not change in every frame.
+/// Rounds `texels` up to a power of 2^(1/4), so that the size of the texture does not change in every frame.
 std::uint64_t quantizeTexels(std::uint64_t texels) {
     return static_cast<std::uint64_t>(std::ceil(std::exp2(std::ceil(std::log2(static_cast<double>(texels)) * 4) / 4)));
 }
@@ -55,7 +55,7 @@ shadow::ShadowMapSetup setupOf(const SchemeContext& context, const shadow::Shado
     return shadow::shadowMapSetup(context.view, options, orientation);
 }
 
-/// Computes the maps of `candidate`, its numbers of caster triangles and its cost, all from candidate.options.
+/// Computes the shadow maps of `candidate`, its numbers of caster triangles and its cost, all from candidate.options.
 void completeCandidate(const SchemeContext& context, SchemeCandidate& candidate) {
     candidate.setup = setupOf(context, candidate.options);
     candidate.casterTriangles.clear();
@@ -78,15 +78,16 @@ std::uint64_t casterSum(const SchemeCandidate& candidate) {
     return sum;
 }
 
-/// Returns true if face partitions lower the aliasing bound enough. The comparison uses equal cost: the maps with faces
-/// receive fewer texels, to compensate for their additional caster triangles. `gain` is set to the fraction by which
-/// the faces lower the bound.
+/// Returns true if face partitions lower the aliasing bound enough to be used. The comparison uses equal cost: the maps
+/// with faces receive fewer texels, to compensate for their additional caster triangles. `gain` is set to the fraction
+/// by which the faces lower the bound.
 bool areFacesWorthIt(
     const SchemeContext& context, const SchemeCandidate& whole, const SchemeCandidate& faces, double& gain) {
     const std::uint64_t extra = casterSum(faces) - std::min(casterSum(faces), casterSum(whole));
     const std::uint64_t budget = budgetOf(context.quality);
     gain = 0;
-    if (extra * kTexelsPerTriangle * 2 > budget) return false; // half the texels increase the aliasing 1.4 times
+    // with half the texels, the aliasing is 1.4 times as large
+    if (extra * kTexelsPerTriangle * 2 > budget) return false;
     SchemeCandidate atSameCost;
     atSameCost.options = faces.options;
     atSameCost.options.texels = budget - extra * kTexelsPerTriangle;
@@ -113,18 +114,18 @@ std::uint64_t lesserTexels(std::uint64_t a, std::uint64_t b) {
     return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
 }
 
-/// Returns true if `best` is clearly better than `before`, by the factor kCheaper in cost or kLower in aliasing. Either
-/// both schemes or neither must stay within the max aliasing.
+/// Returns true if the shadow scheme `best` is clearly better than `before`, by the factor kCheaper in cost or kLower
+/// in aliasing. Either both schemes or neither must stay within the max aliasing.
 bool dominates(const SchemeCandidate& best, const SchemeCandidate& before) {
     if (best.isWithinMaxAliasing) return static_cast<double>(before.cost) * kCheaper > static_cast<double>(best.cost);
     return before.aliasingBound() * kLower > best.aliasingBound();
 }
 
-/// Returns the scheme of the previous frame, evaluated for this frame, if hysteresis keeps it in use although `best` is
-/// better.
+/// Returns the shadow scheme of the previous frame, evaluated for this frame, if the hysteresis keeps it in use
+/// although `best` is better.
 std::optional<SchemeCandidate> held(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
-    // A slice that needs a map again changes the image anyway, so the scheme can change in the same frame.
+    // If a slice needs a map again, the image changes anyway, so the scheme can change in the same frame.
     if (!context.before || context.receivers.haveArrived) return std::nullopt;
     const SchemeChoice& before = context.before->choice;
     const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const SchemeCandidate& a) {
@@ -137,8 +138,8 @@ std::optional<SchemeCandidate> held(
     return result;
 }
 
-/// Returns the candidate whose number of maps is closest to that of the previous frame. Candidates that `best`
-/// dominates are excluded. A change of scheme thus changes as few maps as possible.
+/// Returns the shadow scheme whose number of maps is closest to that of the previous frame, so that as few maps as
+/// possible change. Schemes that `best` dominates are excluded.
 SchemeCandidate nearestInMaps(
     const SchemeContext& context, const std::vector<SchemeCandidate>& candidates, const SchemeCandidate& best) {
     if (!context.before) return best;
@@ -163,9 +164,10 @@ std::vector<SchemeCandidate> candidatesOf(const SchemeContext& context, const st
     return candidates;
 }
 
-/// Returns one candidate per choice. If all candidates exceed the max aliasing, the function evaluates them again
-/// without the memory of earlier receivers. Slices without a receiver in this frame then have no map, so the other maps
-/// receive more texels. The function returns these second candidates if one of them stays within the max aliasing.
+/// Evaluates the shadow scheme of each choice. If all of them exceed the max aliasing, the function evaluates them
+/// again without the receivers of earlier frames. Slices without a receiver in this frame then have no map, so the
+/// other maps receive more texels. The function returns these second results if one of them stays within the max
+/// aliasing.
 std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const auto isWithinMaxAliasing = [](const SchemeCandidate& candidate) { return candidate.isWithinMaxAliasing; };
     std::vector<SchemeCandidate> candidates = candidatesOf(context, choices);
@@ -180,7 +182,7 @@ std::vector<SchemeCandidate> bestCandidates(const SchemeContext& context, const 
     return std::any_of(bare.begin(), bare.end(), isWithinMaxAliasing) ? bare : candidates;
 }
 
-/// Returns the best candidate, or the scheme of the previous frame if hysteresis keeps it in use.
+/// Returns the best shadow scheme of `choices`, or the scheme of the previous frame if the hysteresis keeps it in use.
 SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeChoice>& choices) {
     const std::vector<SchemeCandidate> candidates = bestCandidates(context, choices);
     const auto best = std::min_element(candidates.begin(), candidates.end(), isBetter);
@@ -193,15 +195,15 @@ SchemeCandidate bestOf(const SchemeContext& context, const std::vector<SchemeCho
     return chosen;
 }
 
-/// Returns `chosen`, or the same scheme without rotation about the light if the rotation lowers the aliasing bound too
-/// little.
+/// Returns the shadow scheme `chosen`. If the rotation of its maps about the light lowers the aliasing bound too
+/// little, returns the same scheme without rotation.
 SchemeCandidate inWorthwhileOrientation(
     const SchemeContext& context, SchemeCandidate chosen, std::vector<SkippedEffect>& omitted) {
     SchemeChoice plainChoice = chosen.choice;
     plainChoice.lightRoll = false;
     SchemeCandidate plain = evaluate(context, plainChoice);
-    // Without `before`, the rotation is complete at once, so the comparison uses its full gain. In the drawn frames,
-    // the speed limit distributes the rotation over several frames.
+    // Without the previous frame, the rotation of the maps is complete at once, so the comparison uses its full gain.
+    // In the drawn frames, the speed limit distributes the rotation over several frames.
     SchemeContext afresh = context;
     afresh.before.reset();
     SchemeCandidate rolled = plain;
@@ -224,7 +226,7 @@ SchemeCandidate inWorthwhileOrientation(
 
 std::uint64_t trianglesIn(
     const ConvexVolume& volume, const CameraBasis& basis, std::span<const SceneFacts::CasterBlock> blocks) {
-    ConvexVolume aroundEye; // planes in world axes relative to the eye, like the boxes of the blocks
+    ConvexVolume aroundEye; // planes in world axes relative to the eye, like the boxes of the caster blocks
     for (const Plane& plane : volume.planes)
         aroundEye.planes.push_back({toWorld(basis, plane.normal), plane.offset});
     std::uint64_t triangles = 0;

@@ -9,11 +9,12 @@ namespace gnomon::plan {
 
 namespace {
 
-/// Returns true if a caster in the map of `pass` can be nearer to the light than the depth range of this map.
+/// Returns true if a caster in the shadow map of `pass` can be nearer to the light than the depth range of this map.
 bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const SceneFacts& scene) {
     if (!scene.light) return true;
     const glm::dmat4 rows = glm::transpose(pass.map.lightClipFromCamera());
-    const glm::dvec3 normal(rows[2]); // row of depth times w; w is above 0 for all possible casters
+    // row of the projection matrix that gives depth times w; w is above 0 for all possible casters
+    const glm::dvec3 normal(rows[2]);
     const double length = glm::length(normal);
     ConvexVolume before = pass.map.casterVolume;
     before.planes.push_back({-normal / length, -rows[2].w / length});
@@ -28,13 +29,13 @@ SkipReason warpReason(const FramePlan& plan) {
     return SkipReason::NoGain;
 }
 
-/// Returns the reason why the maps have evenly spaced rows although the setting of the warp is `auto`.
+/// Returns the reason why shadow maps have evenly spaced rows although the setting of the warp is `auto`.
 SkipReason rowsReason(const FramePlan& plan) {
     if (!plan.backend.unevenRows) return SkipReason::BackendHasEvenRows;
     return plan.quality.zPartitions ? SkipReason::SlicesGiven : SkipReason::BetterWithout;
 }
 
-/// Adds the reason for each skipped effect to plan.omitted, unless it already contains the effect.
+/// Adds the reason for each effect that the plan skips to plan.omitted, unless it already contains the effect.
 void explainSkipped(FramePlan& plan, std::uint64_t emptySlices) {
     std::vector<SkippedEffect>& omitted = plan.omitted;
     const Quality& quality = plan.quality;

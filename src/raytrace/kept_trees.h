@@ -12,13 +12,13 @@
 
 namespace gnomon::raytrace {
 
-/// A range of adjacent clusters of a resident page.
+/// A range of adjacent clusters of a page in memory.
 struct PageClusters {
     std::uint32_t page = 0; // page id
     ClusterSpan span;
 };
 
-/// A triangle of a resident page, identified by the index of its cluster in the page and its own index in the cluster.
+/// A triangle of a page in memory, identified by the index of its cluster in the page and its own index in the cluster.
 struct PageTriangle {
     std::uint32_t page = 0;
     std::uint32_t cluster = 0;

@@ -56,15 +56,15 @@ std::vector<Seen> seenAlong(const LightFrame& frame, std::span<const glm::dvec3>
     return seen;
 }
 
-/// One side of the sweep of a region towards the light: the half-plane normalX x + normalZ z + offset >= 0 in light
-/// space.
+/// One side plane of the volume that a region sweeps towards the light: the half-space normalX x + normalZ z + offset
+/// >= 0 in light space.
 struct SweepSide {
     double normalX = 0;
     double normalZ = 0;
     double offset = 0;
 };
 
-/// Returns the side through the hull edge from `a` to `b`, moved outwards until it contains all points of `all`.
+/// Returns the side plane through the hull edge from `a` to `b`, moved outwards until it contains all points of `all`.
 /// Rounding errors in the hull therefore cut off no point.
 SweepSide sideOver(const Seen& a, const Seen& b, const std::vector<Seen>& all) {
     const double length = std::hypot(b.x - a.x, b.z - a.z);
@@ -85,8 +85,8 @@ struct Sweep {
 
 Sweep sweepOf(std::span<const glm::dvec3> points, const LightFrame& frame) {
     const std::vector<Seen> seen = seenAlong(frame, points);
-    // extent of the projected points; it scales tolerances, because a near square can be far smaller than its depth
-    // range
+    // extent of the projected points; tolerances are relative to it, because a near square can be far smaller than its
+    // depth range
     double size = 0;
     for (const Seen& point : seen)
         size = std::max(size, std::hypot(point.x - seen.front().x, point.z - seen.front().z));
@@ -106,8 +106,9 @@ Plane planeOf(const SweepSide& side, const LightFrame& frame) {
     return {normal / length, side.offset / length};
 }
 
-/// Returns the corners of `outline`, each moved by `growS` and `growT` in map coordinates. Returns nothing if a corner
-/// moves across the vanishing line. The convex hull of the result contains the moved outline (see lightPlanePoint).
+/// Returns the corners of `outline`, each moved outwards by `growS` and `growT` in map coordinates. Returns nullopt if
+/// a corner moves across the vanishing line of the warp. The convex hull of the result contains the moved outline (see
+/// lightPlanePoint).
 std::optional<std::vector<Seen>> grown(
     std::span<const Seen> outline, const WarpedMap& map, double growS, double growT) {
     std::vector<Seen> corners;
@@ -129,8 +130,8 @@ std::optional<std::vector<Seen>> grown(
 
 ConvexVolume casterVolume(const Region& region, const LightFrame& frame) {
     ConvexVolume volume;
-    // Planes that face away from the light bound the sweep from below, so they stay. Planes that face the light do not
-    // bound it. The sides of the hull replace all other planes.
+    // Planes of the region that face away from the light bound the swept volume from below, so they are preserved.
+    // Planes that face the light do not bound it. The sides of the hull replace all other planes.
     for (const Plane& plane : region.volume.planes)
         if (glm::dot(plane.normal, frame.y) > 1e-12) volume.planes.push_back(plane);
     for (const SweepSide& side : sweepOf(positionsOf(region), frame).sides)
@@ -149,8 +150,8 @@ Plane touchingPlane(std::span<const glm::dvec3> points, const glm::dvec3& normal
     return {normal, -minDistance - glm::dot(normal, origin)};
 }
 
-/// Adds the plane through the three points with indices `three` to `volume`, in each orientation that has all points on
-/// its inner side.
+/// Adds the plane through the three points with indices `three` to `volume`, if all points are on its inner side. Both
+/// orientations of the plane are tested.
 void addFace(
     std::span<const glm::dvec3> points, const std::array<std::size_t, 3>& three, double size, ConvexVolume& volume) {
     const glm::dvec3& a = points[three[0]];

@@ -10,7 +10,8 @@ namespace gnomon::shadow {
 double quantizeNear(double depth) {
     GNOMON_CHECK_OP(depth, >, 0.0);
     const double step = std::exp2(std::floor(std::log2(depth) * 4) / 4);
-    // Rounding can move the logarithm of a step below or above the step. A depth equal to a step must give this step.
+    // Because of rounding, the logarithm of a depth that is equal to a step can be slightly too small or too large.
+    // Such a depth must give this step.
     const double above = step * std::exp2(0.25);
     return above <= depth * (1 + 1e-12) ? std::min(above, depth) : std::min(step, depth);
 }

@@ -12,22 +12,22 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// Returns the max kappa for which the matrix in floats achieves the aliasing bound with an error of at most 0.1%. The
-/// derivatives of the matrix are differences of numbers that are kappa d times larger. Only two warps exceed this
-/// limit: a TSM with its focus at the near side, and a PSM of a larger depth ratio.
+/// Returns the max warp strength kappa for which float matrices achieve the aliasing bound with an error of at most
+/// 0.1%. The derivatives of the matrix are differences of numbers that are kappa d times larger. Only two warps exceed
+/// this limit: a TSM with its focus at the near side, and a PSM of a larger depth ratio.
 double maxKappaOf(const LightFit& fit) {
-    // Logarithmic rows are computed relative to the vanishing line, so they lose less precision.
+    // Logarithmic rows are computed relative to the vanishing line of the warp, so they lose less precision.
     const double kMaxWarp = fit.rows == RowSpacing::Logarithmic ? 1e6 : 1e4; // max kappa d
     return fit.length > 0 ? kMaxWarp / fit.length : std::numeric_limits<double>::infinity();
 }
 
-/// A map before the distribution of the texel budget.
+/// A shadow map before the distribution of the texel budget.
 struct UnsizedMap {
     Region region;
     LightFit fit;
     double kappa = 0;
-    Aliasing unit;      // M_x and M_z at unit resolutions, without a filter
-    double sheared = 0; // M_t at unit resolutions, without a filter
+    Aliasing unit;      // max perspective aliasing M_x and M_z at unit resolutions, without a filter
+    double sheared = 0; // max sheared aliasing M_t at unit resolutions, without a filter
 };
 
 double filterWidth(const ShadowOptions& options) {
@@ -40,8 +40,8 @@ bool isThin(const ViewFrustum& frustum) {
     return frustum.depthRatio() < 1.1 || frustum.halfFovYRadians < kDegree;
 }
 
-/// Returns the slice that determines the orientation of all slices: the slice with the largest depth ratio. The
-/// orientation has the largest effect on this slice. All other slices are similar to it or have smaller ratios.
+/// Returns the slice that determines the orientation of the maps of all slices: the slice with the largest depth ratio.
+/// The orientation has the largest effect on this slice. All other slices are similar to it or have smaller ratios.
 ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& splits) {
     std::size_t leading = 0;
     for (std::size_t i = 0; i + 1 < splits.size(); ++i)
@@ -49,8 +49,8 @@ ViewFrustum leadingSlice(const ViewFrustum& frustum, const std::vector<double>& 
     return slice(frustum, splits[leading], splits[leading + 1]);
 }
 
-/// Returns the light frame for the map of a face. The z axis of a near square's frame follows one of the square's
-/// edges, or both.
+/// Returns the light-space axes for the shadow map of `region`. For a near square, the z axis follows one of the
+/// square's edges, or both.
 LightFrame frameOf(const Region& region, const glm::dvec3& towardsLight, const Scheme& scheme) {
     const Bisector bisector = bisectorOf(scheme);
     if (region.face == Face::Near && bisector != Bisector::NearEdge)
@@ -74,8 +74,8 @@ UnsizedMap unsizedMap(
         unsized.kappa = 0;
     unsized.unit = worstAliasing(unsized.fit, unsized.kappa);
     unsized.sheared = worstShearedAliasing(unsized.fit, unsized.kappa);
-    // If the light grazes a face, its texels are sheared, and are far longer than their extent along the t axis. The
-    // sheared length therefore determines the number of texels in t.
+    // If the light grazes a face of the frustum, the texels of its map are sheared, and are far longer than their
+    // extent along the t axis. The sheared length therefore determines the number of texels in t.
     if (unsized.fit.rows == RowSpacing::Logarithmic) unsized.unit.z = unsized.sheared;
     unsized.region = std::move(region);
     return unsized;
@@ -96,7 +96,8 @@ StablePlace placeOf(
     const ShadowView& view, const ShadowOptions& options, const UnsizedMap& unsized, int texelsS, int texelsT) {
     const int texels = std::min(texelsS, texelsT);
     const double texel = stableExtent(unsized.region.covered) / (texels - 1);
-    // This bias is for the min cosine, along both axes. It is valid for each orientation.
+    // This depth bias is for the min cosine between normal and light, along both axes. It is valid for each orientation
+    // of the map.
     const double steepest = 1 / kMinCosine + kUnevenSlope;
     const double bias = reachTexels(options.filterTexels) * 2 * steepest * texel;
     return stablePlace(view.anchor, unsized.fit.frame, unsized.region.covered, texels, bias);
@@ -108,7 +109,8 @@ bool isLogFace(const UnsizedMap& unsized) {
 
 WarpedMap regionMap(const ShadowOptions& options, const UnsizedMap& unsized, int texelsS, int texelsT) {
     const Resolution texels{1, static_cast<double>(texelsS), static_cast<double>(texelsT)};
-    // The missed rows count as a wider filter, which reaches this number of rows on each side.
+    // Rounding in a lookup can miss the correct row by `rowsMissed`. The missed rows count as a wider filter, which
+    // reaches this number of rows on each side.
     const double missed =
         isLogFace(unsized) ? 2 * rowsMissed(unsized.region.frustum, unsized.region.face, unsized.fit.frame.y, texelsT)
                            : 0;
@@ -148,8 +150,8 @@ std::vector<glm::dvec3> cornersOf(const Region& region) {
     return corners;
 }
 
-/// Returns the corners of all receivers in the map of `region`. If there are no receivers, returns the corners of the
-/// region.
+/// Returns points whose convex hull contains all receivers in the map of `region`. If there are no receivers, returns
+/// the corners of the region.
 std::vector<glm::dvec3> receiversOf(const ShadowView& view, const Region& region) {
     std::vector<glm::dvec3> corners = seenCorners(region, view.seen, view.anchor.basis);
     return corners.empty() ? cornersOf(region) : corners;
@@ -176,8 +178,8 @@ ShadowMap finished(
         result.warped = regionMap(options, unsized, texelsS, texelsT);
     }
     const double reach = layout.gutter;
-    // A stabilised map is reused while its casters stay the same. The casters must therefore not depend on the visible
-    // slabs.
+    // A stabilised shadow map is reused while its casters stay the same. The casters must therefore not depend on the
+    // visible slabs.
     const std::vector<glm::dvec3> receivers =
         options.stabilized ? cornersOf(unsized.region) : receiversOf(view, unsized.region);
     result.casterVolume = grownCasterVolume(receivers, result.warped, reach / texelsS, reach / texelsT);

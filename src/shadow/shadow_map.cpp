@@ -24,7 +24,7 @@ Resolution ShadowMap::texels() const {
 }
 
 glm::dmat4 ShadowMap::lightClipFromMap() const {
-    // Converts [0, 1] over the map to [-1, 1], scaled to the part of the rectangle inside its borders.
+    // Converts the map coordinates [0, 1] to [-1, 1], scaled to the part of the rectangle inside its borders.
     const TexelRectangle inner = innerRectangle();
     const double scaleX = static_cast<double>(inner.width) / rectangle.width;
     const double scaleY = static_cast<double>(inner.height) / rectangle.height;
@@ -54,8 +54,8 @@ double ShadowMap::rowsPerLog() const {
 
 namespace {
 
-/// Returns `clip` with columns and even rows shifted by the map's shift. The width of the rectangle in clip space is 2
-/// w.
+/// Returns the matrix `clip` with columns and even rows shifted by the map's shift. The width of the map's rectangle in
+/// clip space is 2 w.
 glm::dmat4 shifted(const ShadowMap& map, glm::dmat4 clip) {
     if (map.shift == glm::dvec2(0)) return clip;
     const bool hasEvenRows = map.cubeFace || map.warped.rows == RowSpacing::Even;
@@ -97,8 +97,8 @@ DoubleMapImage mapImage(const ShadowMap& map, const glm::dmat4& unmovedClipFromO
     image.reach += rowsMissed(map.region.frustum, map.region.face, map.warped.frame.y, map.texels().t);
     image.texelScale.y = map.rowsPerLog();
     image.texelOffset.y = r.y + map.shift.y;
-    // A step of `reach` rows towards the near end of the light frame is the longest step, because 1 / w grows by the
-    // factor e^(reach / rowsPerLog).
+    // A step of `reach` rows towards the near end of the map is the longest step, because 1 / w grows by the factor
+    // e^(reach / rowsPerLog).
     const double steps = image.reach / map.rowsPerLog();
     const double longer = std::expm1(steps) / steps;
     image.byRow = offsetFromClip[1] * (longer / map.rowsPerLog());

@@ -24,7 +24,7 @@ struct TexelFootprint {
     glm::dvec3 row{0};
 };
 
-/// Measures the widths and footprints of texels of one map of a frame.
+/// Measures the widths and footprints of the texels of one shadow map.
 class TexelProbe {
 public:
     TexelProbe(const render::DrawInputs& frame, const shadow::ShadowMap& map);

@@ -15,7 +15,7 @@ LightFrame cubeFaceAxes(std::size_t index) {
     LightFrame frame{glm::dvec3(0), glm::dvec3(0), glm::dvec3(0)};
     frame.y[axis] = index % 2 == 0 ? -1 : 1; // from the face towards the light
     frame.z[(axis + 1) % 3] = 1;
-    frame.x = glm::cross(frame.z, frame.y); // x is y cross z, because camera space is left-handed
+    frame.x = glm::cross(frame.z, frame.y); // x is y cross z in left-handed camera space
     return frame;
 }
 

@@ -26,7 +26,7 @@ double minSize(const Interval& values) {
 }
 
 /// Returns the range of the quotients of `values` and distances from `near` to `far`. The range is clamped to [-1, 1],
-/// the tangents of a cube face. If `near` is 0, the quotient has no bound.
+/// the tangents at the edges of a cube face. If `near` is 0, the quotient has no bound.
 Interval tangents(const Interval& values, double near, double far) {
     const auto quotient = [&](double value, double nearer, double farther) {
         const double over = value < 0 ? nearer : farther;
@@ -35,11 +35,11 @@ Interval tangents(const Interval& values, double near, double far) {
     return {quotient(values.min, near, far), quotient(values.max, far, near)};
 }
 
-/// The ranges of the receivers that one cube face sees.
+/// The extents of the receivers that one cube face sees from the light.
 struct FaceReceivers {
-    Interval s{2, -2}; // tangents
+    Interval s{2, -2}; // tangents along s
     Interval t{2, -2};
-    Interval w{std::numeric_limits<double>::infinity(), 0}; // distances along the axis
+    Interval w{std::numeric_limits<double>::infinity(), 0}; // distances along the axis of the face
     // max of w / view depth, for receivers whose view depth is in [near, far]
     double ratio = 0;
     double maxDepthRatio = 0; // max of w / view depth, for receivers outside [near, far]
@@ -47,7 +47,7 @@ struct FaceReceivers {
     bool isAny() const { return w.max > 0; }
 };
 
-/// Returns the bounding box of the view between two depths, in world axes relative to the eye.
+/// Returns the bounding box of the part of the view between two depths, in world axes relative to the eye.
 Box slabBox(const LampView& view, const DepthSpan& depths) {
     Box box;
     for (const glm::dvec3& corner : corners(slice(view.frustum, depths.near, depths.far)))
@@ -59,7 +59,7 @@ Box common(const Box& a, const Box& b) {
     return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
 }
 
-/// Returns the visible slabs of the view. If they are not known, returns slabs that cover the whole view.
+/// Returns the boxes (slabs) of the visible surfaces. If they are not known, returns slabs that cover the whole view.
 std::vector<VisibleSlab> visibleSlabs(const LampView& view) {
     std::vector<VisibleSlab> parts;
     for (VisibleSlab part : view.seen) {
@@ -71,7 +71,7 @@ std::vector<VisibleSlab> visibleSlabs(const LampView& view) {
         if (!box.isEmpty()) parts.push_back({part.depths, box});
     }
     if (!view.seen.empty()) return parts;
-    constexpr double kStep = 1.0442737824274138; // depth ratio of a slab: a sixteenth of an octave
+    constexpr double kStep = 1.0442737824274138; // depth ratio of a slab: 2^(1/16)
     for (double near = view.shown.near; near < view.shown.far; near *= kStep) {
         const DepthSpan depths{near, std::min(near * kStep, view.shown.far)};
         parts.push_back({depths, slabBox(view, depths)});
@@ -89,7 +89,7 @@ void addPart(
     const Interval x = along(axes.x, box);
     const Interval z = along(axes.z, box);
     Interval w = along(-axes.y, box);
-    // extends each face: a point that rounding may assign to either of two faces has a map in both
+    // Extends each face slightly, so that a point that rounding may assign to either of two faces has a map in both.
     constexpr double kSeam = 1 - 1e-6;
     w.min = std::max({w.min, minSize(x) * kSeam, minSize(z) * kSeam});
     if (!(w.max > 0) || w.min > w.max) return;
@@ -103,7 +103,7 @@ void addPart(
         face.ratio = std::max(face.ratio, w.max / std::max(part.depths.near, view.frustum.near));
 }
 
-/// A cube face with receivers, before the distribution of texels.
+/// A cube face with receivers, before it receives texels.
 struct FaceDraft {
     std::size_t index = 0;
     FaceReceivers receivers;
@@ -117,15 +117,15 @@ FaceDraft unsizedMap(const LampView& view, double kernel, std::size_t index, Fac
         range->min -= missing / 2;
         range->max += missing / 2;
     }
-    // A face whose receivers are all outside the depth range with an aliasing bound also receives texels.
+    // A face also receives texels if all its receivers are outside the depth range with an aliasing bound.
     const double ratio = receivers.ratio > 0 ? receivers.ratio : receivers.maxDepthRatio;
     const double pixels = view.imageHeight / (2 * tanHalfY(view.frustum)) * kernel * ratio;
     return {
         index, receivers, {(receivers.s.max - receivers.s.min) * pixels, (receivers.t.max - receivers.t.min) * pixels}};
 }
 
-/// Returns the four side planes of the face's pyramid, in camera space. Each side is moved outwards by `growS` or
-/// `growT`, which are tangents.
+/// Returns the four side planes of the pyramid from the light through `face`, in camera space. Each side is moved
+/// outwards by `growS` or `growT`, which are tangents.
 ConvexVolume pyramid(const CubeFaceProjection& face, double growS, double growT) {
     ConvexVolume volume;
     const auto add = [&](const glm::dvec3& normal) {
@@ -153,9 +153,9 @@ Region regionOf(const LampView& view, const CubeFaceProjection& face, std::size_
     return region;
 }
 
-/// Sets the near and far end of the face's depth range. The range begins so near to the light that the bias never moves
-/// a receiver before the range. The ratio far / near is limited, because floats could not distinguish depths otherwise.
-/// Surfaces nearer to the light than `near` are lit.
+/// Sets the near and far end of the depth range of a cube face's map. The range begins so near to the light that the
+/// depth bias never moves a receiver before the range. The ratio far / near is limited, because floats could not
+/// distinguish depths otherwise. Surfaces nearer to the light than `near` are lit.
 void setDepths(CubeFaceProjection& face, const Interval& w, double texelS, double texelT, double filterTexels) {
     constexpr double kMaxRatio = 1000;
     const double steepest = (texelS + texelT) / kMinCosine + kUnevenSlope * std::hypot(texelS, texelT);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Moves the origin of zeta to the min z of the region. The zeta of each point must be its z before the call.
+/// Moves the origin of the coordinate zeta to the min z of the region. The zeta of each point must be its z before the
+/// call.
 void startZetaAtZero(LightFit& fit) {
     double minZeta = kInfinity;
     double maxZeta = -kInfinity;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr glm::dvec3 kView{0, 0, 1};
 constexpr glm::dvec3 kUp{0, 1, 0};
-constexpr double kParallel = 1e-12; // if |L x v| is smaller, the view direction defines no orientation
+constexpr double kParallel = 1e-12; // max |L x v| for which light and view direction count as parallel
 
 } // namespace
 

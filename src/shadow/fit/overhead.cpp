@@ -65,7 +65,8 @@ double nPrimeOfEta(const ViewFrustum& frustum, double eta) {
 }
 
 double etaOfNPrime(const ViewFrustum& frustum, double nPrime) {
-    // The paper uses differences of M_z, which lose all digits for a depth ratio near 1.
+    // The paper uses differences of M_z, which lose all digits for a depth ratio near 1. This formula avoids the
+    // differences.
     if (std::isinf(nPrime)) return -1;
     const double minOverhead = nPrimeLspsm(frustum);
     if (nPrime > minOverhead) return (minOverhead - nPrime) / (nPrime + (frustum.far - frustum.near));

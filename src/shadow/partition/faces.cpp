@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array<Face, 4> kSides{Face::Top, Face::Bottom, Face::Left, Face::Right};
 
-/// Returns the two near corners of a side face, as indices into shadow::corners. The far corners have these indices
-/// plus 4.
+/// Returns the two near corners of a side face of the frustum, as indices into shadow::corners. The far corners have
+/// these indices plus 4.
 std::array<std::size_t, 2> nearCorners(Face face) {
     switch (face) {
     case Face::Top:
@@ -29,8 +29,8 @@ std::array<std::size_t, 2> nearCorners(Face face) {
     return {};
 }
 
-/// Returns the frame of the near square's map: the near square is a rectangle in it, with rows parallel to the rows of
-/// the image. If the light sees the square edge-on, returns the frame in the plain orientation.
+/// Returns the light-space axes for the map of the near square. The square is a rectangle in these axes, with rows
+/// parallel to the rows of the image. If the light sees the square edge-on, returns the axes in the plain orientation.
 LightFrame squareFrame(const glm::dvec3& towardsLight) {
     const glm::dvec3 guide = glm::cross(glm::dvec3(1, 0, 0), towardsLight);
     if (!(glm::length(guide) > 1e-12)) return lightFrame(towardsLight);
@@ -39,7 +39,8 @@ LightFrame squareFrame(const glm::dvec3& towardsLight) {
     return std::abs(glm::dot(frame.z, up)) > 1e-12 ? leant(frame, up) : frame;
 }
 
-/// Returns the frame of a side face's map whose z is perpendicular to the near edge from `left` to `right`.
+/// Returns the light-space axes for the map of a side face whose z is perpendicular to the near edge from `left` to
+/// `right`.
 LightFrame edgeFrame(const glm::dvec3& towardsLight, const glm::dvec3& left, const glm::dvec3& right) {
     const glm::dvec3 guide = glm::cross(towardsLight, right - left);
     // If the light is parallel to the edge, it sees the whole face as a line.
@@ -135,7 +136,7 @@ LightFrame faceFrame(const ViewFrustum& slice, const glm::dvec3& towardsLight, F
         return bisector == Bisector::Normalized && length > 0 ? flat / length : flat;
     };
     const glm::dvec3 guide = projectedEdge(0) + projectedEdge(1);
-    // The two projected edges are opposite: the light grazes the face, and the face's projection defines no
+    // If the two projected edges are opposite, the light grazes the face, and the projection of the face defines no
     // orientation.
     if (!(glm::length(glm::cross(towardsLight, guide)) > 1e-12 * slice.far)) return lightFrame(towardsLight);
     return lightFrameAlong(towardsLight, guide);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-/// A side face in cyclic order, with the signs of the frustum corner that it shares with the next side face.
+/// A side face of the frustum in cyclic order, with the signs of the corner that it shares with the next side face.
 struct Side {
     Face face;
     double cornerX;
@@ -26,7 +26,7 @@ glm::dvec3 cornerRay(const ViewFrustum& frustum, const Side& side) {
     return {side.cornerX * tanHalfX(frustum), side.cornerY * tanHalfY(frustum), 1};
 }
 
-/// Returns the ray through the middle of a side face at depth 1.
+/// Returns the ray from the eye through the middle of a side face at depth 1.
 glm::dvec3 middleRay(const ViewFrustum& frustum, Face face) {
     const glm::dvec3 normal = outwardNormal(frustum, face);
     const double x = normal.x == 0 ? 0 : std::copysign(tanHalfX(frustum), normal.x);
@@ -46,7 +46,7 @@ void addNearEdge(FaceSelector& selector, const ViewFrustum& frustum, const glm::
     const glm::dvec3 along = horizontal ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 middle = middleRay(frustum, selector.face);
     glm::dvec3 normal = glm::normalize(glm::cross(along, towardsLight));
-    // The face is behind its near edge, further along the ray through its middle.
+    // The face is behind its near edge. The normal must therefore point along the ray through the middle of the face.
     if (glm::dot(normal, middle) < 0) normal = -normal;
     selector.edge = normal;
     selector.edgeOffset = glm::dot(normal, middle);
@@ -62,10 +62,11 @@ Outline imageOutline(const ViewFrustum& frustum) {
     return outline;
 }
 
-/// Returns the part of `outline` with dot(normal, ray) >= 0. If `normal` is zero, returns the whole outline.
+/// Returns the part of the polygon `outline` with dot(normal, ray) >= 0. If `normal` is zero, returns the whole
+/// polygon.
 Outline clipped(const Outline& outline, const glm::dvec3& normal) {
-    // Each corner is tested once. With two tests, rounding could put a corner on the plane inside one of its edges and
-    // outside the other, and the corner would be lost.
+    // Each corner is tested only once. With two tests, rounding could put a corner on the plane inside one of its edges
+    // and outside the other, and the corner would be lost.
     std::vector<double> at;
     for (const glm::dvec3& ray : outline)
         at.push_back(glm::dot(normal, ray));
@@ -85,8 +86,8 @@ Outline clipped(const Outline& outline, const glm::dvec3& normal) {
     return result;
 }
 
-/// Returns the vertices of the slice `part` in the image region `outline`, with side * (dot(edge, p) - offset) >= 0. If
-/// `edge` is zero, returns all vertices.
+/// Returns the vertices of the part of the slice `part` that is in the image polygon `outline` and satisfies side *
+/// (dot(edge, p) - offset) >= 0. If `edge` is zero, this condition is not tested.
 std::vector<FitVertex> sliceVertices(
     const ViewFrustum& part, const Outline& outline, const glm::dvec3& edge, double offset, double side) {
     std::vector<FitVertex> result;
@@ -114,8 +115,7 @@ std::vector<FitVertex> sliceVertices(
     return result;
 }
 
-/// Returns the part of the image that belongs to a face and to none of the faces before it. It is identical to the rule
-/// of partitionIndex.
+/// Returns the part of the image in which partitionIndex selects `face`, as a polygon.
 Outline faceOutline(const ViewFrustum& frustum, const FaceSelector& face) {
     return clipped(clipped(imageOutline(frustum), face.first), face.second);
 }
@@ -131,8 +131,8 @@ void addSlicePlanes(Region& region) {
         addPlane(region.volume, -outwardNormal(region.frustum, side.face), 0);
 }
 
-/// Returns the vertices of the near square's region between the depths of `part`. This region belongs to no side face.
-/// `nearDepth` is the near depth of the slice.
+/// Returns the vertices of the near square's partition between the depths of `part`. This partition belongs to no side
+/// face. `nearDepth` is the near depth of the slice.
 std::vector<FitVertex> nearVertices(const ViewFrustum& part, double nearDepth, const PartitionSelector& all) {
     std::vector<FitVertex> result;
     for (const FaceSelector& face : all.faces) {
@@ -147,7 +147,8 @@ std::vector<FitVertex> nearVertices(const ViewFrustum& part, double nearDepth, c
     return result;
 }
 
-/// Returns the vertices of partition `ordinal` between the depths of `part`. The slice begins at `nearDepth`.
+/// Returns the vertices of partition `ordinal` of a slice, between the depths of `part`. The slice begins at
+/// `nearDepth`.
 std::vector<FitVertex> partitionVertices(
     const ViewFrustum& part, double nearDepth, const PartitionSelector& selector, std::size_t ordinal) {
     if (selector.faces.empty()) return sliceVertices(part, imageOutline(part), glm::dvec3(0), 0, 1);
@@ -156,7 +157,8 @@ std::vector<FitVertex> partitionVertices(
     return sliceVertices(part, faceOutline(part, face), face.edge, face.edgeOffset * nearDepth, 1);
 }
 
-/// Returns `slice`. If it is the first or the last of `count` slices, extends it to the depths `shown`.
+/// Returns the slice `slice`. If it is the first or the last of `count` slices, extends it to the view depths `shown`
+/// of all receivers.
 ViewFrustum coveredBy(ViewFrustum slice, std::size_t index, std::size_t count, const DepthSpan& shown) {
     if (index == 0) slice.near = std::min(slice.near, shown.near);
     if (index + 1 == count) slice.far = std::max(slice.far, shown.far);
@@ -219,14 +221,14 @@ void addClipped(
     points.push_back(a + (b - a) * last);
 }
 
-/// A convex part of a region: its planes, and segments inside it that include all its edges.
+/// A convex part of a region: its planes, and line segments inside it that include all its edges.
 struct Part {
     ConvexVolume volume;
     std::vector<std::array<glm::dvec3, 2>> segments;
 };
 
-/// Returns the whole `region` as a part, with segments between all pairs of its vertices. For a face, the code does not
-/// know which of these segments are edges.
+/// Returns the whole `region`, with segments between all pairs of its vertices. For the region of a face, it is not
+/// known which of these segments are edges.
 Part wholePart(const Region& region) {
     Part part{region.volume, {}};
     for (std::size_t i = 0; i < region.vertices.size(); ++i)
@@ -235,7 +237,7 @@ Part wholePart(const Region& region) {
     return part;
 }
 
-/// Returns the part of `region` between the depths `depths`. For a face, returns the whole region.
+/// Returns the part of `region` between the depths `depths`. For the region of a face, returns the whole region.
 Part partAt(const Region& region, const DepthSpan& depths) {
     if (region.face != Face::Whole) return wholePart(region);
     const double near = std::max(depths.near * (1 - kRounding), region.covered.near);
@@ -253,8 +255,8 @@ Part partAt(const Region& region, const DepthSpan& depths) {
     return part;
 }
 
-/// Returns the visible slabs at the depths of `region`, merged to at most kMaxParts slabs. More slabs would make the
-/// outline of a long region only slightly tighter.
+/// Returns the boxes (slabs) of visible surfaces at the depths of `region`, merged to at most kMaxParts slabs. More
+/// slabs would make the outline of a long region only slightly tighter.
 std::vector<VisibleSlab> fewParts(const Region& region, std::span<const VisibleSlab> seen) {
     constexpr std::size_t kMaxParts = 4;
     std::vector<VisibleSlab> inRegion;
@@ -272,7 +274,7 @@ std::vector<VisibleSlab> fewParts(const Region& region, std::span<const VisibleS
     return result;
 }
 
-/// Adds points to `points` whose convex hull contains the intersection of `box` and `part`.
+/// Adds points to `points` whose convex hull contains the intersection of `box` and `part`, which are both convex.
 void addShared(
     const Part& part, const Box& box, const CameraBasis& basis, double slack, std::vector<glm::dvec3>& points) {
     const std::array<glm::dvec3, 8> corners = cornersOf(box, basis);
@@ -301,7 +303,8 @@ PartitionSelector partitionSelector(
     const auto counts = [&](std::size_t i) {
         return std::find(counting.begin(), counting.end(), kCycle[i % 4].face) != counting.end();
     };
-    // The cyclic order starts after a face without a map, so that adjacent faces in the list are adjacent in the image.
+    // The list of faces starts after a face without a map, so that adjacent faces in the list are adjacent in the
+    // image.
     std::size_t start = 0;
     for (std::size_t i = 0; i < 4; ++i)
         if (!counts(i)) start = i + 1;
@@ -383,7 +386,7 @@ Region partitionRegion(
 std::vector<glm::dvec3> seenCorners(const Region& region, std::span<const VisibleSlab> seen, const CameraBasis& basis) {
     std::vector<glm::dvec3> result;
     for (const VisibleSlab& part : fewParts(region, seen)) {
-        // A ground can be flat, and rounding must not exclude it.
+        // The ground can be a flat box, and rounding must not exclude it.
         const double slack = kRounding * (region.covered.far + glm::length(part.box.extent()));
         addShared(partAt(region, part.depths), part.box, basis, slack, result);
     }

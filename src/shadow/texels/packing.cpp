@@ -8,14 +8,15 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// A step of a skyline packing: from `x` to the next step, the area below `height` is occupied.
+/// A step of the skyline, the upper outline of the packed rectangles: from `x` to the next step, the area below
+/// `height` is occupied.
 struct Step {
     int x;
     int height;
 };
 
-/// Returns the lowest free height for a rectangle of `width` texels whose left side is at step `first`. Returns INT_MAX
-/// if the rectangle would extend beyond `limit`.
+/// Returns the lowest free height for a rectangle of `width` texels whose left side is at step `first` of the skyline.
+/// Returns INT_MAX if the rectangle would extend beyond `limit`.
 int restingHeight(const std::vector<Step>& steps, std::size_t first, int width, int limit) {
     const int right = steps[first].x + width;
     if (right > limit) return std::numeric_limits<int>::max();
@@ -124,8 +125,8 @@ std::vector<std::size_t> orderOf(std::span<const TexelRectangle> rectangles, Pac
     return order;
 }
 
-/// Returns the width of a strip that contains the first `row` rectangles of `order` side by side. The strip is at least
-/// as wide as the widest rectangle.
+/// Returns the width of a texture strip that contains the first `row` rectangles of `order` side by side. The strip is
+/// at least as wide as the widest rectangle.
 int stripWidth(std::span<const TexelRectangle> rectangles, std::span<const std::size_t> order, int row) {
     std::int64_t sum = 0;
     int widest = 0;

@@ -11,9 +11,10 @@ namespace gnomon::shadow {
 
 namespace {
 
-constexpr double kErrorStep = 1.0005; // relative precision of the search for the min error
+constexpr double kErrorStep = 1.0005; // relative precision of the search for the min aliasing
 
-/// Returns the smallest number of texels with `demand` / texels at most `error`, within the limits.
+/// Returns the smallest number of texels, within the limits, for which the aliasing `demand` / texels is at most
+/// `error`.
 int sideFor(double demand, double error, const TexelLimits& limits) {
     const int largest = limits.maxSide - 2 * limits.gutter;
     const double wanted = std::ceil(demand / error * (1 - 1e-12)) + limits.margin;
@@ -33,9 +34,9 @@ std::vector<TexelRectangle> sizesFor(std::span<const TexelDemand> demands, doubl
     return sizes;
 }
 
-/// Returns the error for which the areas of the maps with borders fill the budget exactly, without losses by rounding
-/// and packing. No layout of rectangles has a smaller error. With x = 1 / error, the function solves (sum st) x^2 + 2g
-/// (sum s + t) x + 4 g^2 k = texels for its positive root.
+/// Returns the max aliasing of the maps if their areas with borders fill the texel budget exactly, without losses by
+/// rounding and packing. No layout of rectangles has a smaller aliasing. With x = 1 / aliasing, the function solves
+/// (sum st) x^2 + 2g (sum s + t) x + 4 g^2 k = texels for its positive root.
 double errorOfAreas(std::span<const TexelDemand> demands, const TexelLimits& limits) {
     double square = 0;
     double linear = 0;
@@ -58,7 +59,7 @@ TexelLayout equalSquares(std::size_t count, const TexelLimits& limits) {
     auto side = static_cast<int>(std::sqrt(static_cast<double>(limits.texels) / static_cast<double>(count)));
     side = std::min(side, limits.maxSide);
     const int minOuterSide = limits.minSide + 2 * limits.gutter;
-    // A single row of squares always fits the budget. If the max side of the texture excludes a single row, other
+    // A single row of squares always fits the texel budget. If the max side of the texture excludes a single row, other
     // layouts leave texels unused, so the loop tries smaller squares.
     for (; side >= minOuterSide; side -= std::max(1, side / 64)) {
         const std::vector<TexelRectangle> squares(count, TexelRectangle{0, 0, side, side, false});
@@ -82,7 +83,8 @@ double worstError(const TexelLayout& layout, std::span<const TexelDemand> demand
     return worst;
 }
 
-/// A layout that the search tried, and its area divided by the budget. The layout fits if `excess` is at most 1.
+/// A texture layout that the search tried, and its area divided by the texel budget. The layout fits if `excess` is at
+/// most 1.
 struct Attempt {
     TexelLayout layout;
     double excess = 1.1; // 1.1 if the max side permits no layout
@@ -112,7 +114,7 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
     const double bound = errorOfAreas(demands, limits);
     if (!(bound > 0)) return best;
     PackingStrategy strategy = bestStrategy(sizesFor(demands, bound, limits), limits.maxSide, limits.mayTranspose);
-    // The search starts at the lower bound of the error. First it increases the error in steps that depend on the
+    // The search starts at the lower bound of the aliasing. First it increases the aliasing in steps that depend on the
     // excess area. Then it bisects the last step.
     double tooSmall = 0;
     double sufficient = 0;
@@ -122,8 +124,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
         if (attempt.excess > 1) {
             tooSmall = error;
         } else {
-            // The max side can make the strategy unsuitable that was chosen at the bound. The search then chooses a
-            // strategy again, at an error for which all maps fit.
+            // The packing strategy that was chosen at the lower bound may be unsuitable because of the max side. The
+            // search then chooses a strategy again, at an aliasing for which all maps fit.
             if (sufficient == 0)
                 strategy = bestStrategy(sizesFor(demands, error, limits), limits.maxSide, limits.mayTranspose);
             if (sufficient == 0) tooSmall = bound;
@@ -135,8 +137,8 @@ TexelLayout splitTexels(std::span<const TexelDemand> demands, const TexelLimits&
         const double next = error * std::max(std::sqrt(attempt.excess), kErrorStep);
         error = sufficient > 0 ? (tooSmall + sufficient) / 2 : next;
     }
-    // Unused texels refine one axis of an adjacent map. Its other axis keeps the common error. Maps that snap to texels
-    // must stay square.
+    // Unused texels refine one axis of an adjacent map. The other axis of this map preserves the common aliasing. Maps
+    // that snap to texels must stay square.
     if (!best.equalSquares && limits.margin == 0) growIntoGaps(best.packing, limits.maxSide);
     return best;
 }

@@ -12,11 +12,12 @@ namespace gnomon::shadow {
 namespace {
 
 constexpr double kQuarter = kPi / 2;
-constexpr int kCoarse = 24;            // samples of the rotation over half a revolution
-constexpr double kLowerMinimum = 0.95; // another minimum of S is selected only if it is lower by this factor
+constexpr int kCoarse = 24; // samples of the map's rotation over half a revolution
+// another minimum of S is selected only if it is below this fraction of the current minimum
+constexpr double kLowerMinimum = 0.95;
 
-/// Returns an approximation of S for a map rotated by `radians` from the plain orientation. It is fast to compute and
-/// slightly too large. For the rule Auto, it is the min S of four warps.
+/// Returns an approximation of the storage factor S for a map rotated by `radians` from the plain orientation. The
+/// approximation is fast to compute and slightly too large. For the rule Auto, it is the min S of four warps.
 double roughStorage(const LightFit& plain, const Warp& warp, double radians) {
     const LightFit fit = rolled(plain, radians);
     if (rowsOf(warp.rule) == RowSpacing::Logarithmic) return storageFactor(fit, kappaLog(fit, Search::Rough));
@@ -33,7 +34,8 @@ double exactStorage(const LightFit& plain, const Warp& warp, double radians) {
     return storageFactor(fit, kappaOf(warp, fit));
 }
 
-/// Returns the rotation at a local minimum of S near `start`, within `reach` on both sides.
+/// Returns the rotation of the map at a local minimum of the storage factor S near `start`, within `reach` on both
+/// sides.
 double localMinimum(const LightFit& plain, const Warp& warp, double start, double reach) {
     double best = start;
     double minStorage = roughStorage(plain, warp, start);
@@ -49,14 +51,15 @@ double localMinimum(const LightFit& plain, const Warp& warp, double start, doubl
     return best;
 }
 
-/// Returns the rotation about the light with the smallest S, within a quarter revolution of the plain orientation.
+/// Returns the rotation about the light with the smallest storage factor S, within a quarter revolution of the plain
+/// orientation.
 double bestLightRoll(const LightFit& plain, const Warp& warp) {
     double best = 0;
     double minStorage = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kCoarse; ++i) {
         const double at = kPi * (static_cast<double>(i) / kCoarse - 0.5);
         const double found = roughStorage(plain, warp, at);
-        // Without a warp, all minima are equal. The smaller rotation is then selected, so that rounding has no
+        // Without a warp, all minima of S are equal. The smaller rotation is then selected, so that rounding has no
         // influence.
         if (found < minStorage * (1 - 1e-9) || (found < minStorage * (1 + 1e-9) && std::abs(at) < std::abs(best))) {
             minStorage = std::min(minStorage, found);

@@ -54,13 +54,13 @@ double kappaOfLog(const LightFit& fit, double logGrowth) {
     return fit.length > 0 ? std::expm1(logGrowth) / fit.length : 0.0;
 }
 
-/// Returns S as a function of ln(1 + kappa d), the logarithm of the growth of w over the map.
+/// Returns the storage factor S as a function of ln(1 + kappa d), the logarithm of the growth of w over the map.
 auto storageOfGrowth(const LightFit& fit) {
     return [&fit](double logGrowth) { return storageFactor(fit, kappaOfLog(fit, logGrowth)); };
 }
 
-/// Returns ln(1 + kappa d) with the smallest S, between no warp and kMaxWarp. The search evaluates `steps` equal steps,
-/// and refines the best step by golden-section search between its neighbours.
+/// Returns the ln(1 + kappa d) with the smallest storage factor S, between no warp and kMaxWarp. The search evaluates
+/// `steps` equal steps, and refines the best step by golden-section search between its neighbours.
 double growthOfMinStorage(const LightFit& fit, int steps, double tolerance) {
     const auto storage = storageOfGrowth(fit);
     const double step = std::log1p(kMaxWarp) / steps;
@@ -117,8 +117,8 @@ double kappaMinimax(const LightFit& fit) {
     const double rootLessOne = (fit.slice.far - fit.slice.near) / (fit.slice.near * (root + 1));
     const double nearStops = a > 0 ? (d - 2 * a) / (a * d) : kNever;
     const double farOvertakes = b > root * a ? rootLessOne / (b - root * a) : kNever;
-    // If the map covers far more than its slice, the error of the far side can still fall after it has become larger
-    // than the error of the near side.
+    // If the map covers far more than its slice, the aliasing of the far side can still fall after it has become larger
+    // than the aliasing of the near side.
     const double farStops = b > 0 ? (d - 2 * b) / (b * d) : kNever;
     const double kappa = nearStops < farOvertakes ? nearStops : std::max(farOvertakes, farStops);
     return std::isfinite(kappa) ? std::min(kappa, kMaxWarp / d) : 0.0;
@@ -144,8 +144,8 @@ std::optional<double> kappaAtEye(const LightFit& fit) {
 double kappaLog(const LightFit& fit, Search search) {
     if (!(fit.length > 0)) return 0;
     const double sought = search == Search::Fine ? growthOfMinStorage(fit, 32, 1e-5) : growthOfMinStorage(fit, 10, 0.1);
-    // The smallest S is often at a kink, where two vertices have the same error. The search only approaches a kink. The
-    // code therefore also tests the warp about the eye directly.
+    // The smallest storage factor S is often at a kink, where two vertices have the same aliasing. The search only
+    // approaches a kink. The code therefore also tests the warp about the eye directly.
     const std::optional<double> atEye = kappaAtEye(fit);
     if (atEye && storageFactor(fit, *atEye) <= storageOfGrowth(fit)(sought)) return *atEye;
     return kappaOfLog(fit, sought);

@@ -8,7 +8,8 @@ namespace gnomon::shadow {
 
 namespace {
 
-/// The four linear functions of a map in light space. Each function is dot(row.xyz, light point) + row.w.
+/// The four linear functions from which the projection of a map is computed. Each function is dot(row.xyz, light-space
+/// point) + row.w.
 struct LightRows {
     glm::dvec4 u{0};     // x
     glm::dvec4 zeta{0};  // z - zMin

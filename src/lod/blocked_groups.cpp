@@ -1,4 +1,4 @@
-// Blocked groups: groups that a cut must not refine, because a page below them is damaged.
+// Finds the groups of clusters that must not be refined, because a page below them is damaged.
 #include "lod/page_store.h"
 
 #include <limits>
@@ -15,13 +15,14 @@ bool mayEnclose(const Sphere& outer, const Sphere& inner) {
 
 } // namespace
 
-/// Blocks the groups of `page` above damaged pages. A group may be refined only if each group that contains a part of
-/// its refinement is also refined. The groups in a damaged page are unknown, but the bounds of the page contain them.
-/// Groups outside these bounds are not blocked.
+/// Blocks the refinement of the groups of `page` above damaged pages. A group may be refined only if each group that
+/// contains a part of its refinement is also refined. The groups in a damaged page are unknown, but the bounds of the
+/// page contain them. Groups outside these bounds are not blocked.
 void PageStore::blockGroups(std::uint32_t page) {
     const hierarchy::Page& content = *entries_[page].content;
     const auto block = [&](std::uint32_t group) {
-        if (content.groups[group].error < kNoParent) blocked_.insert({page, group}); // a root group has no parents
+        // a root group has no coarser group above it
+        if (content.groups[group].error < kNoParent) blocked_.insert({page, group});
     };
     for (const std::uint32_t parent : entries_[page].parents) {
         if (entries_[parent].state != State::Damaged) {
@@ -33,7 +34,7 @@ void PageStore::blockGroups(std::uint32_t page) {
     }
 }
 
-/// Calls `block` for each group of `page` that is the refinement of a blocked group of `parent`.
+/// Calls `block` for each group of `page` that refines a blocked group of the page `parent`.
 template <class Block>
 void PageStore::blockBelow(std::uint32_t parent, std::uint32_t page, const Block& block) const {
     const hierarchy::Page& above = *entries_[parent].content;

@@ -15,7 +15,8 @@ namespace {
 using hierarchy::kNone;
 using hierarchy::PageDemand;
 
-/// Merges demands like `unite`. For pages whose ids are so close together that an array over the id range is small.
+/// Merges demands for the same page, like `unite`, with an array over the ids `first` to `last`. This range must be
+/// small.
 void uniteByPlace(std::vector<PageDemand>& demands, std::uint32_t first, std::uint32_t last) {
     constexpr double kNobody = -1;
     std::vector<double> pixels(std::size_t{last} - first + 1, kNobody);
@@ -26,7 +27,8 @@ void uniteByPlace(std::vector<PageDemand>& demands, std::uint32_t first, std::ui
         if (pixels[page - first] != kNobody) demands.push_back({page, pixels[page - first]});
 }
 
-/// Merges the demands: each page occurs once, with its max number of pixels. The result is sorted by page id.
+/// Merges demands for the same page: each page then occurs once, with its max number of pixels. The result is sorted by
+/// page id.
 void unite(std::vector<PageDemand>& demands) {
     if (demands.empty()) return;
     // scanning this number of array elements takes less time than sorting one demand
@@ -44,7 +46,7 @@ void unite(std::vector<PageDemand>& demands) {
     demands.erase(std::unique(demands.begin(), demands.end(), samePage), demands.end());
 }
 
-/// Returns the draw lists of the image, the casters and `sections` section planes, in this order.
+/// Returns the lists of drawn clusters for the image, the casters and `sections` section planes, in this order.
 DrawLists listsByUse(std::vector<DrawList> lists, std::size_t sections) {
     DrawLists result;
     if (lists.empty()) return result;
@@ -91,7 +93,7 @@ PageTrees::PageTrees(std::span<const hierarchy::PageInfo> pages, const hierarchy
 std::vector<PageVisit> visitedPages(const CutQuery& query, std::vector<std::uint32_t>& missingRoots) {
     const std::uint64_t mine = lod::undecidedMask(query.volumes.size()).touching;
     std::vector<ConvexVolume> volumes(query.volumes.begin(), query.volumes.end());
-    volumes.emplace_back(); // all of space, so that only the error rule selects pages
+    volumes.emplace_back(); // a volume without planes is all of space, so only the error rule selects pages
     std::vector<PageVisit> visits;
     const auto matters = [&](const Sphere& bounds, double error) {
         return query.rule->exceeds(bounds, error, query.errorPixels);
@@ -133,16 +135,17 @@ bool CutPart::isBlocked(std::uint32_t page, std::uint32_t group) const {
     return query_->blocked != nullptr && !query_->blocked->empty() && query_->blocked->contains({page, group});
 }
 
-/// Returns the result of isSkippable for a page that is not resident.
+/// Returns true if the missing page `page` is not needed, because the cut certainly refines all its groups.
 bool CutPart::isPassed(std::uint32_t page) {
     if (query_->passable.empty()) return false;
-    if (asked_ != page) isAskedSkippable_ = isSkippable(*query_, page); // adjacent refinements often share a page
+    // adjacent refinements are often in the same page
+    if (asked_ != page) isAskedSkippable_ = isSkippable(*query_, page);
     asked_ = page;
     return isAskedSkippable_;
 }
 
-/// Collects the planes that a page's box may intersect: the planes of all volumes that do not certainly contain the
-/// box.
+/// Collects the planes that the box of a page may intersect: the planes of all volumes that do not certainly contain
+/// the box.
 void CutPart::collectPlanes(lod::VolumeMask mask) {
     pagePlanes_.clear();
     for (std::uint64_t left = mask.undecided(); left != 0; left &= left - 1) {
@@ -152,8 +155,9 @@ void CutPart::collectPlanes(lod::VolumeMask mask) {
     }
 }
 
-/// Returns the volumes of the bit set `touching` that `box` intersects (see gnomon::classify). `planes` are the planes
-/// that intersect a box around `box`. The planes that intersect `box` itself are added to `still`.
+/// Returns the volumes that `box` intersects, as a bit set (see gnomon::classify). Only volumes in the bit set
+/// `touching` are tested. `planes` are the planes that intersect a box around `box`. The planes that intersect `box`
+/// itself are added to `still`.
 std::uint64_t CutPart::narrowed(
     std::uint64_t touching,
     std::span<const CutPlane> planes,
@@ -191,8 +195,8 @@ void CutPart::addGroup(
 }
 
 /// Returns the screen-space error of a drawn cluster, in pixels. The box of the cluster gives a tighter bound than the
-/// sphere of its refinement. If the
-/// refinement is not resident, this sphere can contain the eye, and its bound is then infinite.
+/// sphere of its refinement. If the refinement is not in memory, this sphere can contain the eye, and its bound is then
+/// infinite.
 double CutPart::shownPixels(const hierarchy::Page& page, const hierarchy::Cluster& cluster) const {
     const double pixels = refinements_[cluster.refinement].viewPixels;
     if (!(pixels > query_->errorPixels)) return pixels;
@@ -214,7 +218,7 @@ void CutPart::test(const hierarchy::Page& page) {
         refinements_[i].isRefined = (isResident || isPassed(refinement.group.page)) &&
                                     !isBlocked(refinement.group.page, refinement.group.group);
         std::vector<PageDemand>& demands = isResident ? used_ : wanted_;
-        // adjacent refinements often share a page
+        // adjacent refinements are often in the same page
         if (!demands.empty() && demands.back().page == refinement.group.page) {
             demands.back().pixels = std::max(demands.back().pixels, pixels);
         } else {
@@ -283,13 +287,13 @@ std::vector<PageDemand> demand(const CutQuery& query) {
 
 std::vector<PageDemand> findPrefetchSet(
     const CutQuery& query, const Cut& cut, std::span<const hierarchy::PageInfo> pages) {
-    // Only pages with higher ids refine a page. In this order, all coarser pages of a page are complete before the
-    // page.
+    // Pages are processed by ascending id, because only pages with higher ids refine a page. All coarser pages of a
+    // page are therefore complete before the page.
     std::map<std::uint32_t, double> pixelsOf;
     for (const PageDemand& wanted : cut.wanted)
         pixelsOf[wanted.page] = wanted.pixels;
     std::vector<PageDemand> result;
-    auto known = cut.wanted.begin(); // also sorted by id
+    auto known = cut.wanted.begin(); // next wanted page; sorted by id like `pixelsOf`
     for (; !pixelsOf.empty(); pixelsOf.erase(pixelsOf.begin())) {
         const auto [page, pixels] = *pixelsOf.begin();
         if (known != cut.wanted.end() && known->page == page) {

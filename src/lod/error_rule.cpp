@@ -13,7 +13,7 @@ bool touches(const ConvexVolume& volume, const Sphere& sphere) {
     });
 }
 
-/// A range of the parameter of a ray.
+/// A range of the parameter t of a ray.
 struct Interval {
     double first = 0;
     double last = std::numeric_limits<double>::infinity();
@@ -21,7 +21,8 @@ struct Interval {
     bool isEmpty() const { return first > last; }
 };
 
-/// Returns the part of the ray `origin + t direction`, t >= 0, that is in `volume` enlarged by `margin` on all sides.
+/// Returns the part of the ray `origin + t direction`, t >= 0, that is inside `volume` enlarged by `margin` on all
+/// sides.
 Interval clippedRay(const ConvexVolume& volume, double margin, const glm::dvec3& origin, const glm::dvec3& direction) {
     Interval result;
     for (const Plane& plane : volume.planes) {
@@ -91,8 +92,8 @@ double ErrorRule::viewPixels(const Sphere& bounds, double error) const {
 
 double ErrorRule::minViewPixels(const Box& box, double error) const {
     if (classify(pyramid_, box) != Containment::Inside) return 0;
-    // Each sphere that contains a point of the box extends at least to the farthest point of the box. An angle to the
-    // view axis can only increase the result.
+    // Each sphere that contains a point of the box extends at least to the farthest point of the box. The angle to the
+    // view axis is ignored, because it can only increase the result.
     constexpr double kRoundedUp = 1 - 1e-6; // spheres and the geometry in them are rounded separately
     const glm::dvec3& view = view_.basis.view;
     const double middle = glm::dot(box.center() - view_.eye, view);
@@ -117,7 +118,8 @@ double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor)
     if (casters_.empty() || !(error > 0)) return 0;
     double pixels = floor;
     for (const CasterDetail& caster : casters_) {
-        const bool isBounded = !caster.point; // a point light can magnify the displacement beyond the bound below
+        // a point light can magnify the displacement of the shadow beyond the bound below
+        const bool isBounded = !caster.point;
         if (isBounded && error * edgePixelsPerUnit_ / caster.receiverNear <= pixels) continue;
         pixels = std::max(pixels, oneCasterPixels(caster, bounds, error));
     }
@@ -127,7 +129,8 @@ double ErrorRule::casterPixels(const Sphere& bounds, double error, double floor)
 double ErrorRule::oneCasterPixels(const CasterDetail& caster, const Sphere& bounds, double error) const {
     if (!touches(caster.casters, bounds)) return 0;
     if (caster.point) {
-        constexpr double kNearest = 1e-6; // as a fraction of the distance to the farthest receiver
+        // min distance to the light, as a fraction of the distance to the farthest receiver
+        constexpr double kNearest = 1e-6;
         const double from = glm::length(bounds.center - caster.point->at) - bounds.radius;
         const double growth = std::max(1.0, caster.point->farthest / std::max(from, kNearest * caster.point->farthest));
         return error * growth * edgePixelsPerUnit_ / caster.receiverNear;

@@ -12,8 +12,8 @@
 namespace gnomon::lod {
 namespace {
 
-/// Sine of the angle below which a plane may contain the light direction or the eye. It is far larger than the rounding
-/// errors of a light direction and of the products below.
+/// Sine of the angle below which the plane of a triangle may contain the light direction or the eye. It is far larger
+/// than the rounding errors of a light direction and of the products below.
 constexpr double kGrazing = 1e-6;
 
 /// Returns true if a * b equals c * d exactly. All arguments are integers with absolute values below 2^53.

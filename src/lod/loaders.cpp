@@ -36,7 +36,7 @@ Loaders::Loaders(const PageSource& source, unsigned threadCount) : source_(&sour
         } catch (const std::system_error& error) {
             if (threads_.empty())
                 throw Error("loading of pages", std::string("cannot start a thread: ") + error.what());
-            break; // the system starts no more threads, and fewer threads are sufficient
+            break; // if the system starts no more threads, fewer loader threads are sufficient
         }
     }
 }
@@ -58,7 +58,7 @@ void Loaders::request(std::span<const std::uint32_t> pages) {
         const std::lock_guard lock(mutex_);
         queue_.insert(queue_.begin(), pages.rbegin(), pages.rend());
         finished_.reserve(
-            // Reserves the memory for the results here, because a loader thread cannot report a failed allocation.
+            // Reserves the memory for the loaded pages here, because a loader thread cannot report a failed allocation.
             finished_.size() + busy_ + queue_.size());
     }
     work_.notify_all();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMargin = 0.05;
 
-/// Returns the view pyramid of `view`, widened by kMargin.
+/// Returns the view pyramid of `view`, widened by the fraction kMargin.
 ConvexVolume widenedPyramid(DetailView view) {
     view.tanHalfX *= 1 + kMargin;
     view.tanHalfY *= 1 + kMargin;
@@ -59,7 +59,7 @@ double nearestDepth(const PageTrees& trees, const DetailView& view) {
             else
                 waiting.push_back({depth, node.child[lane]});
         }
-        // The nearest node is visited first.
+        // Sorts the nodes that wait for a visit, so that the nearest node is visited first.
         std::sort(
             waiting.begin() + static_cast<std::ptrdiff_t>(first),
             waiting.end(),

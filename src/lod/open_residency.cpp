@@ -1,4 +1,5 @@
-// Makes the resident pages ancestor-complete after an open demand (Demand::isOpen).
+// Hides pages whose coarser ancestors are not in memory, after an open demand (Demand::isOpen) has loaded pages without
+// ancestors.
 #include "lod/page_store.h"
 
 #include <algorithm>
@@ -9,7 +10,8 @@ bool PageStore::close() {
     if (!isOpen_) return false;
     isOpen_ = false;
     bool hasHidden = false;
-    for (std::uint32_t page = 0; page < entries_.size(); ++page) { // parents have lower ids, so they come first
+    // coarser pages (parents) have lower ids, so they come first
+    for (std::uint32_t page = 0; page < entries_.size(); ++page) {
         const Entry& entry = entries_[page];
         const auto isThere = [this](std::uint32_t parent) { return entries_[parent].state == State::Resident; };
         if (entry.state != State::Resident || std::all_of(entry.parents.begin(), entry.parents.end(), isThere))
@@ -20,7 +22,8 @@ bool PageStore::close() {
     return hasHidden;
 }
 
-/// Makes `page` not resident but keeps its content, as if the page had been decoded before one of its parents.
+/// Makes `page` unavailable for drawing but preserves its content, as if the page had been decoded before one of its
+/// parents.
 void PageStore::hide(std::uint32_t page) {
     Entry& entry = entries_[page];
     entry.state = State::Loading;

@@ -12,7 +12,7 @@ namespace gnomon::lod {
 
 namespace {
 
-/// The plane of a visible triangle. Points with dot(normal, p) > offset are in front of it.
+/// The plane of a visible triangle. Points with dot(normal, p) > offset are in front of the plane.
 struct SeenPlane {
     glm::dvec3 normal{0};
     double offset = 0;
@@ -43,8 +43,8 @@ public:
         }
     }
 
-    /// Returns true if geometry may be in front of a triangle of `range`. If `solids` is Whole and all geometry is in
-    /// front of a triangle, the triangle is a back face. The function then only records it.
+    /// Returns true if geometry may be in front of a triangle of the clusters `range`. If `solids` is Whole and all
+    /// geometry is in front of a triangle, the triangle is a back face of a solid. The function then only records this.
     bool isFound(const lod::ClusterRange& range, Solids solids) {
         const hierarchy::Page& page = *query_->resident[range.page];
         for (std::uint32_t c = range.firstCluster; c < range.firstCluster + range.clusterCount; ++c) {
@@ -77,7 +77,7 @@ private:
         return isAllInView_ && !isAnyBefore(-normal, corners[0]) ? PlaneSide::Before : PlaneSide::Both;
     }
 
-    /// Returns true if geometry is in front of the plane through `point`, on the side of `normal`.
+    /// Returns true if geometry of the model may be in front of the plane through `point`, on the side of `normal`.
     bool isAnyBefore(const glm::dvec3& normal, const glm::dvec3& point) const {
         constexpr double kSteps = 2;
         const SeenPlane plane{normal, glm::dot(normal, point) + kSteps * grid_.step()};
@@ -88,7 +88,7 @@ private:
         return false;
     }
 
-    /// Returns true if each edge belongs to exactly two triangles.
+    /// Returns true if each edge of the drawn mesh belongs to exactly two triangles.
     bool isClosed() const {
         std::vector<std::array<hierarchy::GridPoint, 2>> edges;
         for (const lod::ClusterRange& range : image_->ranges)

@@ -10,7 +10,7 @@
 namespace gnomon::lod {
 namespace {
 
-/// Factor for the urgency of prefetched pages, so that all used and wanted pages are more urgent.
+/// Factor for the urgency of prefetched pages. It is so small that all used and wanted pages are more urgent.
 constexpr double kPrefetchScale = 1e-30;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -108,10 +108,11 @@ DemandOutcome PageStore::load(const Demand& demand) {
     loaders_.wait();
     outcome.hasChanged = takeFinished() || outcome.hasChanged;
     if (outcome.isBudgetBinding) outcome.hasChanged = dropUnkept() || outcome.hasChanged;
-    evictFor({0}); // evicts pages without demand, because the auxiliary bytes of other pages may need their memory
+    // evicts pages that are not demanded, because the auxiliary data of other pages may need their memory
+    evictFor({0});
     countMissing(demand, outcome);
     const bool isIncomplete = statistics_.pagesDamaged > 0 || outcome.pagesMissing > 0;
-    if (isIncomplete && close()) outcome.hasChanged = true; // a cut must be able to draw the ancestors
+    if (isIncomplete && close()) outcome.hasChanged = true; // a cut must be able to draw the coarser ancestors
     return outcome;
 }
 
@@ -155,7 +156,7 @@ void PageStore::raisePriority(std::uint32_t page, double urgency, Need need) {
 }
 
 void PageStore::raiseParents() {
-    // highest id first: parents have lower ids than their children
+    // Pages are processed by descending id, because parents have lower ids than their children.
     std::priority_queue<std::uint32_t> finestFirst(requested_.begin(), requested_.end());
     while (!finestFirst.empty()) {
         const std::uint32_t page = finestFirst.top();
@@ -167,14 +168,14 @@ void PageStore::raiseParents() {
     }
 }
 
-/// Returns the error for a budget that is smaller than the memory `required` for `what`.
+/// Returns the error for a memory budget that is smaller than the memory `required` for `what`.
 Error PageStore::tooSmall(const std::string& what, Bytes required) const {
     const std::string found = readableBytes(options_.budget);
     return {source_->name(), "the page cache is too small for " + what, "at least " + readableBytes(required), found};
 }
 
-/// Selects the requested pages for which the budget has memory, the most urgent first. All used and wanted pages and
-/// their ancestors come before prefetched pages. Parents come before children.
+/// Selects the requested pages for which the memory budget suffices, the most urgent first. All used and wanted pages
+/// and their ancestors come before prefetched pages. Parents come before children.
 void PageStore::chooseKept(DemandOutcome& outcome) {
     Bytes total{pinned_.count + reserved_.count};
     for (const std::uint32_t page : requested_) {
@@ -188,7 +189,7 @@ void PageStore::chooseKept(DemandOutcome& outcome) {
         if (!keep(entries_[page], total)) return;
 }
 
-/// Adds the entry to the kept pages and its bytes to `total`. Returns false if the budget would be exceeded.
+/// Marks a page as kept in the budget, and adds its bytes to `total`. Returns false if the budget would be exceeded.
 bool PageStore::keep(Entry& entry, Bytes& total) const {
     if (entry.isKept() || entry.state == State::Damaged) return true;
     if (total.count + entry.bytes.count > options_.budget.count) return false;
@@ -202,7 +203,8 @@ void PageStore::requestKept() {
     for (const std::uint32_t page : requested_) {
         Entry& entry = entries_[page];
         if (!entry.isKept() || entry.state != State::Absent || isPausing(entry)) continue;
-        if (isOpen_ ? !entry.isRequested : isUnrequested(page)) continue; // parents are more urgent and came before
+        // parents are more urgent and were processed before
+        if (isOpen_ ? !entry.isRequested : isUnrequested(page)) continue;
         if (!evictFor(entry.bytes)) break;
         hold(page);
         requests.push_back(page);
@@ -243,7 +245,7 @@ bool PageStore::evictFor(Bytes bytes) {
             if (entries_[page].state == State::Resident && entries_[page].retention == Retention::None)
                 victims_.push_back(page);
         // After this sort, the next page to evict is the last: the page that was not used for the longest time. A child
-        // was used no later than its parents, so it is evicted before them.
+        // page was used no later than its parents, so it is evicted before them.
         std::sort(victims_.begin(), victims_.end(), [this](std::uint32_t a, std::uint32_t b) {
             const std::uint64_t usedA = entries_[a].lastUsed;
             const std::uint64_t usedB = entries_[b].lastUsed;
@@ -283,8 +285,8 @@ bool PageStore::takeFinished() {
     return statistics_.pagesRead != before;
 }
 
-/// Makes the waiting pages resident whose parents are all available, in one pass over the pages. Returns true if there
-/// was such a page.
+/// Makes decoded pages available for drawing that waited for their parents, if all parents are now available. The
+/// function makes one pass over the pages. Returns true if there was such a page.
 bool PageStore::admitWaiting() {
     bool hasMoved = false;
     std::vector<LoadedPage> still;
@@ -307,7 +309,7 @@ bool PageStore::admitWaiting() {
     return hasMoved;
 }
 
-/// Rejects a page that could not be loaded. If no other page can be drawn in its place, returns the exception to throw.
+/// Handles a page that could not be loaded. If no other page can be drawn in its place, returns the exception to throw.
 std::exception_ptr PageStore::reject(const LoadedPage& loaded) {
     release(loaded.page);
     const bool isUnread = loaded.failure != nullptr;
@@ -347,10 +349,10 @@ void PageStore::admit(LoadedPage loaded) {
     if (statistics_.pagesDamaged > 0 && !isOpen_) blockGroups(loaded.page);
 }
 
-/// Evicts the requested pages for which the budget has no memory. Returns true if a page was evicted.
+/// Evicts the requested pages for which the memory budget does not suffice. Returns true if a page was evicted.
 bool PageStore::dropUnkept() {
     bool hasDropped = false;
-    // least urgent first, so that children are evicted before their parents
+    // The least urgent pages come first, so that children are evicted before their parents.
     for (std::size_t i = requested_.size(); i-- > 0;) {
         const Entry& entry = entries_[requested_[i]];
         if (entry.isKept() || entry.state != State::Resident || entry.heldChildren != 0) continue;

@@ -14,7 +14,8 @@ namespace gnomon::lod {
 
 namespace {
 
-/// A box as seen from the light: a rectangle perpendicular to the light direction, and a range along this direction.
+/// The bounding box of geometry as seen from the light: a rectangle perpendicular to the light direction, and a range
+/// along this direction.
 struct BeamBox {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
@@ -57,7 +58,8 @@ private:
     glm::dvec3 up_{0};
 };
 
-/// Boxes in an implicit binary tree: the children of node i are nodes 2 i + 1 and 2 i + 2.
+/// A bounding box hierarchy over casters, as an implicit binary tree: the children of node i are nodes 2 i + 1 and 2 i
+/// + 2.
 class BeamBoxTree {
 public:
     explicit BeamBoxTree(std::vector<BeamBox> boxes) : boxes_(std::move(boxes)) {
@@ -69,8 +71,8 @@ public:
         build(0, 0, boxes_.size(), leaves);
     }
 
-    /// Returns the max distance, along the light, of a box whose penumbra can fall on `receiver`. Returns `best` if it
-    /// is larger. `slope` is the width of a penumbra per unit of distance.
+    /// Returns the max distance, along the light, between `receiver` and a caster whose penumbra can fall on it.
+    /// Returns `best` if `best` is larger. `slope` is the width of a penumbra per unit of distance.
     double farthestBefore(const BeamBox& receiver, double slope, double best) const {
         if (!boxes_.empty()) visit(0, receiver, slope, best);
         return best;
@@ -131,8 +133,8 @@ struct SeenRectangle {
     }
 };
 
-/// Returns the image rectangle that contains the part of `box` at view depth `depth` or more. If the whole box is at
-/// this depth or more, its corners bound the rectangle. Otherwise the rectangle contains all combinations of offset and
+/// Returns the image rectangle that contains the part of `box` whose view depth is at least `depth`. If the whole box
+/// has such depths, its corners bound the rectangle. Otherwise the rectangle contains all combinations of offset and
 /// depth.
 SeenRectangle seenRectangle(const lod::DetailView& view, const TiledView& seen, const Box& box, double depth) {
     const glm::dvec2 size(seen.tiles.width, seen.tiles.height);
@@ -169,7 +171,7 @@ struct TileBox {
     glm::ivec2 max{0};
 };
 
-/// Returns the tiles that may show a part of `box`. The nearest point of the box has view depth `depth`.
+/// Returns the image tiles that may show a part of `box`. The nearest point of the box has view depth `depth`.
 TileBox tilesOf(const lod::DetailView& view, const TiledView& seen, const Box& box, double depth) {
     constexpr double kTileMargin = 1; // pixels: half a pixel, and a reserve for rounding
     const SeenRectangle rectangle = seenRectangle(view, seen, box, depth);
@@ -183,12 +185,12 @@ TileBox tilesOf(const lod::DetailView& view, const TiledView& seen, const Box& b
         glm::clamp(tileAt(rectangle.max + kTileMargin) + 1, glm::ivec2(0), tiles)};
 }
 
-/// The max penumbra width per tile, in pixels.
+/// The max penumbra width per image tile, in pixels.
 class TileWidths {
 public:
     explicit TileWidths(const shadow::ImageTiles& tiles) : tiles_(tiles), widths_(tiles.count()) {}
 
-    /// Returns the min over the tiles of `box`, or infinity if `box` is empty.
+    /// Returns the min penumbra width over the tiles of `box`, or infinity if `box` is empty.
     double min(const TileBox& box) const {
         double min = std::numeric_limits<double>::infinity();
         forEach(box, [&](std::size_t i) { min = std::min(min, widths_[i]); });
@@ -219,8 +221,8 @@ private:
     std::vector<double> widths_;
 };
 
-/// Computes the bounds of penumbra widths on the visible surfaces. It first tests clusters. If the bound of a cluster
-/// is too coarse, it tests the triangles of the cluster.
+/// Computes upper bounds of penumbra widths on the visible surfaces. The search first tests clusters. If the bound of a
+/// cluster is too coarse, it tests the triangles of the cluster.
 class WidthSearch {
 public:
     WidthSearch(const lod::CutQuery& query, const BeamBoxTree& casters, const DiscLight& light, const TiledView& seen)
@@ -270,7 +272,8 @@ private:
         return {tilesOf(*view_, *seen_, box, depth), space_.boxOf(box), perDistance_ / depth};
     }
 
-    /// Returns true if a penumbra on `box` may be wider than the widths of its tiles in `widths`.
+    /// Returns true if a penumbra on the receiver `box` may be wider than the widths that `widths` stores for its
+    /// tiles.
     bool isWider(const Box& box, const TileWidths& widths) const {
         const Receiver found = receiver(box);
         if (found.perDistance == 0) return false;
@@ -289,7 +292,7 @@ private:
         if (before > known) widths.raise(found.tiles, before * found.perDistance);
     }
 
-    /// Returns true if the side of a triangle that the eye may see can be reached by light from a part of the disc.
+    /// Returns true if light from a part of the sun's disc can reach the side of a triangle that the eye may see.
     bool mayShowLight(const std::array<glm::dvec3, 3>& corners) const {
         constexpr double kGrazing = 1e-6; // rounding error of a sine from these products
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -328,7 +331,7 @@ std::vector<double> penumbraWidths(
         forEachClusterBox(query, list, keep);
     const BeamBoxTree tree(std::move(boxes));
     const WidthSearch search(query, tree, light, seen);
-    // Each thread computes maxima, so the assignment of work to threads does not change the result.
+    // Each thread computes its own max widths, so the assignment of work to threads does not change the result.
     tbb::enumerable_thread_specific<TileWidths> widths(seen.tiles);
     tbb::parallel_for(
         std::size_t{0}, image.ranges.size(), [&](std::size_t i) { search.look(image.ranges[i], widths.local()); });

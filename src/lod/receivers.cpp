@@ -19,7 +19,7 @@ void forEachCluster(const lod::CutQuery& query, const lod::DrawList& list, const
 }
 
 /// Calls `visit(corners)` for the triangles of a cluster, with corners in local space, until `visit` returns true.
-/// Returns true in this case.
+/// Returns true if a call returned true.
 template <class Visit>
 bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::uint32_t cluster, const Visit& visit) {
     const hierarchy::Cluster& c = page.clusters[cluster];
@@ -32,12 +32,13 @@ bool anyTriangle(const hierarchy::Grid& grid, const hierarchy::Page& page, std::
     return false;
 }
 
-/// If the refinement of a cluster is not resident although the cut requires it, returns the stored error of the
-/// refinement. Otherwise returns 0.
+/// Returns the stored error of a cluster's refinement if the refinement should be drawn but is not in memory. Otherwise
+/// returns 0.
 double missingError(const lod::CutQuery& query, const hierarchy::Page& page, std::uint32_t cluster) {
     if (page.clusters[cluster].refinement == hierarchy::kNone) return 0;
     const hierarchy::Refinement& finer = page.refinements[page.clusters[cluster].refinement];
-    if (query.resident[finer.group.page] != nullptr) return 0; // the cut would have drawn the refinement
+    // the refinement is in memory, so the cut would have drawn it if it were required
+    if (query.resident[finer.group.page] != nullptr) return 0;
     return query.rule->exceeds(finer.bounds, finer.drawnError(), query.errorPixels) ? finer.error : 0;
 }
 
@@ -60,14 +61,14 @@ void findCandidates(const lod::CutQuery& query, const lod::DrawList& image, std:
     });
 }
 
-/// Computes the depth range of visible triangles. It tests triangles only if the box of their cluster could extend the
-/// range.
+/// Computes the range of view depths of visible triangles. Triangles are tested only if the box of their cluster could
+/// extend the range.
 class DepthSearch {
 public:
     explicit DepthSearch(const lod::CutQuery& query)
         : query_(&query), pyramid_(lod::viewPyramid(query.rule->view())), clipper_(pyramid_) {}
 
-    /// Extends the depth range by the visible part of one cluster.
+    /// Extends the range of view depths by the visible part of one cluster.
     void measure(const DepthCandidate& candidate, double& minDepth, double& maxDepth) {
         ++measured;
         const lod::DetailView& view = query_->rule->view();
@@ -114,7 +115,7 @@ std::optional<VisibleDepths> visibleDepthRange(
     }
     if (minDepth == kInfinite) return std::nullopt;
     const auto nearer = [](const DepthCandidate& a, const DepthCandidate& b) { return a.maxDepth < b.maxDepth; };
-    std::make_heap(heap.begin(), end, nearer); // the candidates from `end` on have been measured
+    std::make_heap(heap.begin(), end, nearer); // the candidates from `end` on have already been measured
     for (; end != heap.begin() && heap.front().maxDepth > maxDepth; --end) {
         search.measure(heap.front(), minDepth, maxDepth);
         std::pop_heap(heap.begin(), end, nearer);

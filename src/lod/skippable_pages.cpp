@@ -1,4 +1,4 @@
-// Skippable pages: pages that a cut need not read, because it certainly draws none of their clusters.
+// Finds pages that a cut need not read, because it certainly draws none of their clusters.
 #include "lod/cut.h"
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace gnomon::lod {
 bool isSkippable(const CutQuery& query, std::uint32_t page) {
     const hierarchy::PageInfo& info = query.passable[page];
     if (std::isinf(info.maxError)) return false;
-    // The refinements of the page are in its child pages. Casters can only require more detail, so the view alone
-    // suffices.
+    // The clusters that refine a page are in its child pages. Casters can only require more detail, so testing the view
+    // alone is sufficient.
     return !info.children.empty() && std::all_of(info.children.begin(), info.children.end(), [&](std::uint32_t child) {
         const hierarchy::PageInfo& finer = query.passable[child];
         const Box box = query.trees->grid().local(finer.box);
@@ -20,8 +20,8 @@ bool isSkippable(const CutQuery& query, std::uint32_t page) {
 }
 
 void replacePassed(const CutQuery& query, Cut& cut) {
-    // Only pages with higher ids refine a page. In this order, all coarser pages of a page are complete before the
-    // page.
+    // Pages are processed by ascending id, because only pages with higher ids refine a page. All coarser pages of a
+    // page are therefore complete before the page.
     std::map<std::uint32_t, double> pixelsOf;
     for (const hierarchy::PageDemand& wanted : cut.wanted)
         pixelsOf[wanted.page] = wanted.pixels;

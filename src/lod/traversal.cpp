@@ -41,7 +41,7 @@ PreparedVolumes::PreparedVolumes(std::span<const ConvexVolume> volumes, double r
                 prepared.size[a] = std::abs(prepared.normal[a]);
             }
             prepared.offset = static_cast<float>(plane.offset);
-            // The margin covers a dozen rounding errors of terms of at most this size.
+            // The margin covers a dozen rounding errors of summands of at most this size.
             prepared.margin = static_cast<float>(16 * 0x1.0p-24 * (6 * reach + std::abs(plane.offset)));
         }
         first_.push_back(static_cast<std::uint32_t>(planes_.size()));
@@ -59,8 +59,8 @@ void PreparedVolumes::classify(const Node& node, VolumeMask mask, std::array<Vol
         for (std::uint32_t p = first_[bit]; p < first_[bit + 1]; ++p) {
             const FloatPlane& plane = planes_[p];
             for (std::size_t lane = 0; lane < kWidth; ++lane) {
-                // Both values are doubled: twice the distance of the box's centre, and twice the half extent of the
-                // box. This avoids a division by two.
+                // Twice the distance of the box's centre and twice the half extent of the box are computed, which
+                // avoids a division by two.
                 const float middle = plane.normal[0] * (node.max[0][lane] + node.min[0][lane]) +
                                      plane.normal[1] * (node.max[1][lane] + node.min[1][lane]) +
                                      plane.normal[2] * (node.max[2][lane] + node.min[2][lane]) + 2 * plane.offset;

@@ -21,7 +21,7 @@ float roundedUp(double value) {
     return -roundedDown(-value);
 }
 
-/// Returns a sphere that contains two spheres.
+/// Returns a sphere that contains the spheres `a` and `b`.
 Sphere merged(const Sphere& a, const Sphere& b) {
     const glm::dvec3 between = b.center - a.center;
     const double length = glm::length(between);
@@ -31,7 +31,7 @@ Sphere merged(const Sphere& a, const Sphere& b) {
     return {a.center + between * ((radius - a.radius) / length), radius * (1 + 1e-12)};
 }
 
-/// A node of Embree's builder, with either children or an item.
+/// A node during Embree's construction of the tree, with either children or an item.
 struct BuildNode {
     std::vector<BuildNode*> children;
     std::uint32_t item = 0;
@@ -104,8 +104,8 @@ const BuildNode* embreeTree(std::span<const Item> items, BuildContext& context) 
     return root;
 }
 
-/// Converts Embree's tree to the nodes of this project. Children come after their parents, and leaves are numbered from
-/// left to right.
+/// Converts Embree's tree to an array of Node. Children come after their parents, and leaves are numbered from left to
+/// right.
 class Flattener {
 public:
     Flattener(std::span<const Item> items, std::vector<Node>& nodes, std::vector<std::uint32_t>& order)

@@ -7,7 +7,8 @@
 namespace gnomon::lod {
 namespace {
 
-/// The range of error limits for which a cluster is drawn: from `minPixels` (inclusive) to `end` (exclusive).
+/// The range of error limits, in pixels, for which a cluster is drawn: from `minPixels` (inclusive) to `end`
+/// (exclusive).
 struct DrawnAt {
     double minPixels = 0;
     double end = 0;
@@ -21,7 +22,7 @@ std::uint64_t trianglesAt(std::span<const DrawnAt> clusters, double errorPixels)
     return result;
 }
 
-/// The clusters of the first volume that are drawn at any error limit that is at least the limit of the query.
+/// The clusters of the image that are drawn at any error limit that is at least the limit of the query.
 class DrawnClusters {
 public:
     explicit DrawnClusters(const CutQuery& query) : query_(&query), volumes_(query.volumes.first(1)) {}
@@ -70,7 +71,7 @@ private:
 
     const CutQuery* query_;
     std::span<const ConvexVolume> volumes_;
-    // one per refinement of the current page: error limits below this value refine it
+    // One entry per refinement of the current page: error limits below this value refine the cluster.
     std::vector<double> refinedBelow_;
     std::vector<DrawnAt> found_;
 };
@@ -80,7 +81,7 @@ private:
 double cappedErrorPixels(const CutQuery& query, std::uint64_t maxTriangles) {
     const std::vector<DrawnAt> clusters = DrawnClusters(query).all();
     if (trianglesAt(clusters, query.errorPixels) <= maxTriangles) return query.errorPixels;
-    double coarsest = query.errorPixels; // above this error limit, only root groups are refined
+    double coarsest = query.errorPixels; // error limit above which only root groups are refined
     for (const DrawnAt& cluster : clusters)
         coarsest = std::max({coarsest, cluster.minPixels, std::isfinite(cluster.end) ? cluster.end : 0});
     double tooMany = std::max(query.errorPixels, std::numeric_limits<double>::min());

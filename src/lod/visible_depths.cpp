@@ -14,7 +14,7 @@
 namespace gnomon::lod {
 namespace {
 
-/// A depth range divided into steps.
+/// A range of view depths divided into steps.
 class DepthQuantization {
 public:
     explicit DepthQuantization(const DepthSpan& depths) : depths_(depths) {
@@ -43,12 +43,12 @@ private:
     }
 
     DepthSpan depths_;
-    bool isEven_ = false; // true: the range is smaller than a step and is divided evenly
+    bool isEven_ = false; // true: the depth range is smaller than a step and is divided evenly
     std::size_t count_ = 1;
 };
 
-/// Depth steps, with a mark for each step that contains a lit surface. Threads only set marks, so the result does not
-/// depend on their order.
+/// Steps of view depth, with a mark for each step that contains a lit surface. Threads only set marks, so the result
+/// does not depend on their order.
 class DepthSteps {
 public:
     explicit DepthSteps(const DepthSpan& depths) : steps_(depths), marks_(steps_.count()) {}
@@ -134,7 +134,8 @@ private:
         if (glm::dot(normal, towardsLight_) < 0) normal = -normal;
         const bool isLit =
             glm::dot(normal, towardsLight_) > 0 && glm::dot(normal, query_->rule->view().eye - corners[0]) > 0;
-        if (!isLit) return; // the visible side faces away from the light, or is seen or lit edge-on
+        // the visible side faces away from the light, or the triangle is edge-on to the eye or the light
+        if (!isLit) return;
         const auto [nearest, farthest] = std::minmax({depthOf(corners[0]), depthOf(corners[1]), depthOf(corners[2])});
         if (isSettled({nearest, farthest})) return;
         DepthSpan span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -147,8 +148,8 @@ private:
         if (isBefore(corners[0], normal)) canBeShadowed_.store(true, std::memory_order_relaxed);
     }
 
-    /// Returns true if the box of the casters extends above the plane through `point` by more than the snapping error
-    /// of a vertex.
+    /// Returns true if the bounding box of all casters extends above the plane through `point` by more than the error
+    /// of a vertex that is rounded to the grid.
     bool isBefore(const glm::dvec3& point, const glm::dvec3& normal) const {
         if (casters_.isEmpty()) return false;
         const double highest =
@@ -164,7 +165,8 @@ private:
     std::atomic<bool> canBeShadowed_ = false;
 };
 
-/// Returns a box that contains the part of `box` between the depths of `span`. The result can be slightly larger.
+/// Returns a box that contains the part of `box` with view depths in `span`. The result can be slightly larger than
+/// this part.
 Box boxBetween(const lod::DetailView& view, const Box& box, const DepthSpan& span) {
     const glm::dvec3& along = view.basis.view;
     const double eye = glm::dot(along, view.eye);
@@ -193,7 +195,7 @@ Box boxWithMargin(const hierarchy::Grid& grid, const hierarchy::Page& page, cons
     return {box.min - margin, box.max + margin};
 }
 
-/// Cuts `box` at the borders of the depth steps, and adds each part to the box of its step in `boxes`.
+/// Divides `box` at the borders of the depth steps, and adds each part to the box of its step in `boxes`.
 void addParts(
     const lod::DetailView& view,
     const Box& box,
@@ -203,7 +205,7 @@ void addParts(
     const DepthSpan span = depthsOf(view, box);
     const std::size_t first = steps.step(span.near);
     const std::size_t last = steps.step(span.far);
-    // Parts outside the depth range belong to the first or the last step.
+    // Parts outside the depth range are added to the first or the last step.
     for (std::size_t i = first; i <= last; ++i)
         boxes[i].add(
             boxBetween(view, box, {i == first ? span.near : spans[i].near, i == last ? span.far : spans[i].far}));
@@ -234,7 +236,8 @@ std::vector<shadow::VisibleSlab> visibleSlabs(
     std::vector<DepthSpan> spans(steps.count());
     for (std::size_t i = 0; i < spans.size(); ++i)
         spans[i] = steps.span(i);
-    // Each thread computes its own boxes, and their union does not depend on the assignment of work to threads.
+    // Each thread computes its own boxes. The union of these boxes does not depend on the assignment of work to
+    // threads.
     tbb::enumerable_thread_specific<std::vector<Box>> ofThreads(spans.size());
     tbb::parallel_for(std::size_t{0}, image.ranges.size(), [&](std::size_t i) {
         const lod::ClusterRange& range = image.ranges[i];

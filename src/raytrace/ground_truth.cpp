@@ -10,16 +10,16 @@
 namespace gnomon::raytrace {
 namespace {
 
-/// Offset of a ray's origin from the surface, as a fraction of the point's distance from the eye. It is the precision
-/// of floats at this distance.
+/// Offset of a shadow ray's origin from the surface, as a fraction of the point's distance from the eye. The fraction
+/// is the precision of floats at this distance.
 constexpr float kRelativeOffset = 0x1.0p-19F;
 
 bool isLitSide(Light light) {
     return light == Light::Dark || light == Light::Lit;
 }
 
-/// Marks edge pixels: lit-side pixels that have a lit-side neighbour with a different result. Pairs with a pixel marked
-/// in `apart` are skipped.
+/// Marks the edge pixels of a shadow: lit-side pixels that have a lit-side neighbour with a different result. Pairs
+/// with a pixel marked in `apart` are skipped.
 template <class IsLit>
 std::vector<std::uint8_t> edges(
     std::span<const Light> reference, std::size_t width, const IsLit& isLit, std::span<const std::uint8_t> apart = {}) {
@@ -35,12 +35,13 @@ std::vector<std::uint8_t> edges(
     return result;
 }
 
-/// The lower envelope of parabolas over one row or column: d[x] = min over q of (x - q)^2 + f[q].
+/// Computes one row or column of a distance transform from the lower envelope of parabolas: d[x] = min over q of (x -
+/// q)^2 + f[q].
 class Envelope {
 public:
     explicit Envelope(std::size_t length) : apex_(length), from_(length + 1), values_(length) {}
 
-    /// Replaces `count` values, which are `stride` elements apart, by their distance transform.
+    /// Replaces `count` values of a row or column, which are `stride` elements apart, by their distance transform.
     void transform(double* f, std::size_t count, std::size_t stride) {
         for (std::size_t i = 0; i < count; ++i)
             values_[i] = f[i * stride];
@@ -107,7 +108,8 @@ std::vector<float> distanceTransform(std::span<const std::uint8_t> marked, std::
     GNOMON_CHECK(width > 0 && marked.size() % width == 0);
     const std::size_t height = marked.size() / width;
     const double diagonal = std::hypot(static_cast<double>(width), static_cast<double>(height));
-    const double unreached = 4 * diagonal * diagonal; // finite, because the envelope subtracts it from itself
+    // the squared distance of unmarked pixels; finite, because the envelope subtracts it from itself
+    const double unreached = 4 * diagonal * diagonal;
     std::vector<double> squared(marked.size());
     for (std::size_t i = 0; i < marked.size(); ++i)
         squared[i] = marked[i] != 0 ? 0 : unreached;

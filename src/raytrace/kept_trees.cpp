@@ -16,24 +16,24 @@ namespace gnomon::raytrace {
 
 namespace {
 
-/// Max number of clusters in a run. Groups rarely have more clusters.
+/// Max number of clusters with a common ray-tracing tree. Groups rarely have more clusters.
 constexpr std::uint32_t kMaxClusters = 64;
 
 using ClusterBits = std::bitset<kMaxClusters>;
 
-/// A run: adjacent clusters of one group with the same refinement. A cut draws all of them or none, except clusters
-/// outside its volumes.
+/// A range of clusters with a common ray-tracing tree (a run): adjacent clusters of one group with the same refinement.
+/// A cut draws all of them or none, except clusters outside its volumes.
 struct Run {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
-    // min corner of the run's bounding box; it is the origin of the run's scene, whose unit is a grid cell
+    // Min corner of the run's bounding box. It is the origin of the run's Embree scene, whose unit is a grid cell.
     hierarchy::GridPoint corner{};
     RTCScene scene = nullptr;        // ray-tracing tree; null until a frame draws the run
     std::vector<std::uint32_t> ends; // per cluster, the index after its last triangle in the run
     ClusterBits drawn;               // clusters of the run that the current frame draws
 };
 
-/// The runs of a page.
+/// The ranges of clusters of a page that have a common ray-tracing tree each (runs).
 struct PageRuns {
     explicit PageRuns(const hierarchy::Page& page);
     ~PageRuns();
@@ -62,7 +62,7 @@ PageRuns::~PageRuns() {
         if (run.scene != nullptr) rtcReleaseScene(run.scene);
 }
 
-/// A run of which a frame draws at least one cluster.
+/// A range of clusters with a common tree (a run) of which a frame draws at least one cluster.
 struct DrawnRun {
     std::uint32_t page = 0;
     std::uint32_t firstCluster = 0;
@@ -94,7 +94,7 @@ void filterHit(const RTCFilterFunctionNArguments* arguments) {
     if (!isStopped) *arguments->valid = 0;
 }
 
-/// Copies the triangles of `run` into a geometry of `scene`. Positions are relative to the corner of the run.
+/// Copies the triangles of `run` into an Embree geometry of `scene`. Positions are relative to the corner of the run.
 void addTriangles(RTCDevice device, const hierarchy::Page& page, RTCScene scene, Run& run) {
     hierarchy::GridBox box;
     std::uint32_t vertices = 0;
@@ -136,7 +136,8 @@ void build(RTCDevice device, const hierarchy::Page& page, Run& run) {
     run.scene = scene;
 }
 
-/// Attaches the scene of `run` to `scene` as an instance, translated to the run's position relative to `origin`.
+/// Adds the tree of `run` to the top-level scene `scene` as an instance, translated to the run's position relative to
+/// `origin`.
 void attach(RTCDevice device, RTCScene scene, const Run& run, const hierarchy::GridPoint& origin) {
     const auto cells = [](std::uint32_t to, std::uint32_t from) {
         return static_cast<float>(static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from));
@@ -188,7 +189,8 @@ struct KeptTrees::State {
 };
 
 Bytes keptTreeBytes(const hierarchy::PageInfo& page) {
-    // Measured with SSE2 and AVX-512: 88 bytes per triangle and 6,000 bytes per run. The numbers of runs per page vary.
+    // Memory was measured with SSE2 and AVX-512: 88 bytes per triangle and 6,000 bytes per run. The numbers of runs per
+    // page vary.
     constexpr std::uint64_t kBytesPerTriangle = 96;
     constexpr std::uint64_t kBytesPerCluster = 3072;
     constexpr std::uint64_t kBytesPerPage = 16384;
@@ -230,7 +232,8 @@ struct FoundRun {
     Run* run = nullptr;
 };
 
-/// Returns the runs that contain `clusters`, each run once, and marks the drawn clusters of each run.
+/// Returns the runs (ranges with a common tree) that contain `clusters`, each run once. Also marks the drawn clusters
+/// of each run.
 std::vector<FoundRun> foundRuns(
     std::unordered_map<std::uint32_t, PageRuns>& pages, std::span<const PageClusters> clusters) {
     std::vector<FoundRun> found;

@@ -10,7 +10,7 @@
 namespace gnomon::raytrace {
 namespace {
 
-/// Rays per task.
+/// Number of rays per parallel task.
 constexpr std::size_t kRaysPerTask = 1024;
 
 template <class Body>
@@ -25,7 +25,7 @@ void forAllRays(std::size_t count, const Body& body) {
 } // namespace
 
 struct Scene::State {
-    /// The first triangle of a cluster in the scene, and the origin of the cluster.
+    /// The first triangle of a cluster in the Embree scene, and the origin of the cluster.
     struct Origin {
         std::uint32_t firstTriangle = 0;
         std::uint32_t span = 0;
@@ -53,7 +53,7 @@ struct Scene::State {
     std::vector<Origin> origins;
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
-    std::vector<Plane> planes; // planes of `cutBy`; hits outside them do not count
+    std::vector<Plane> planes; // section planes of `cutBy`; hits outside them do not count
     bool cutsOccluders = false;
 };
 

@@ -11,8 +11,8 @@ namespace gnomon::validation {
 
 namespace {
 
-/// About one level of an 8-bit picture. Smaller changes come from rounding, which changes the weights of a filter
-/// kernel.
+/// Min change of a shadow lookup that counts: about one level of an 8-bit picture. Smaller changes come from rounding,
+/// which changes the weights of a filter kernel.
 constexpr float kSeenChange = 1.0F / 128;
 
 bool isInView(const render::DrawInputs& frame, const glm::dvec3& position) {
@@ -52,7 +52,8 @@ public:
     }
 
 private:
-    /// Compares the lookups at the points of the batch, adds the counts to `found`, and empties the batch.
+    /// Compares the shadow lookups of both frames at the points in `points`, adds the counts to `found`, and empties
+    /// `points`.
     void compare(render::PointBatch& points, Crawl& found) const {
         render::PointBatch moved = points;
         const glm::vec3 offset(nowFromBefore_);

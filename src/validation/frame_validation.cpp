@@ -44,18 +44,18 @@ ShadowTruth truthOfFullDetail(frame::Renderer& renderer, const frame::Frame& fra
     const frame::PreparedFrame fine = finest(renderer, frame, plan::ShadowMode::Exact);
     const RayMemory memory(renderer, fine);
     const raytrace::Scene scene = render::rayScene(drawing, listsOf(fine));
-    // The error limit of the cut bounds the distance between the drawn surface and the true surface.
+    // The error limit of the drawn clusters bounds the distance between the drawn surface and the true surface.
     const auto light =
         render::lightByRays(scene, drawing, surfaces, std::max(render::kContactTolerancePixels, frame.errorPixels));
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
-/// Traces shadow rays from the surfaces of `frame` against the clusters that its maps draw. The frame must have been
-/// drawn with its surfaces just before.
+/// Traces shadow rays from the surfaces of `frame` against the clusters that its shadow maps draw. The frame must have
+/// been drawn with its surfaces just before.
 ShadowTruth truthOfSameDetail(
     const frame::Renderer& renderer, const frame::Frame& frame, const render::DrawInputs& drawing) {
     const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
-    // The error rule is the same as for the maps, so the same clusters are selected, only in a larger volume.
+    // The error rule is the same as for the shadow maps, so the same clusters are selected, only in a larger volume.
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
     lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
@@ -67,8 +67,8 @@ ShadowTruth truthOfSameDetail(
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
-/// Returns the fraction of all pixels of `frame` whose lit or dark result differs from the result by integer arithmetic
-/// over all clusters of its cut. The frame must have been drawn with its surfaces just before.
+/// Returns the fraction of all pixels of `frame` whose lit or dark result differs from exact integer shadows of all its
+/// selected clusters. The frame must have been drawn with its surfaces just before.
 double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, render::DrawInputs drawing) {
     const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
@@ -87,8 +87,8 @@ double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, r
     return static_cast<double>(wrong) / static_cast<double>(truth.pixels.size());
 }
 
-/// Draws the frame before `now` again and compares both. A plan does not change if its own view is planned again.
-/// `maps` are the maps of `now`.
+/// Draws the frame before `now` again and compares the shadows of both frames. `maps` are the shadow maps of `now`. The
+/// plan of the earlier frame does not change if its own view is planned again.
 Crawl crawlSince(
     frame::Renderer& renderer,
     const plan::PlannedFrame& before,

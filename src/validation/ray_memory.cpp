@@ -17,7 +17,7 @@ bool isWhole(const frame::PreparedFrame& frame) {
     return frame.cut.wanted.empty() && frame.residency.pagesMissing == 0;
 }
 
-/// Returns the number of triangles that rays can hit in `frame`, whose pages must all be resident.
+/// Returns the number of triangles that rays can hit in `frame`, whose pages must all be in memory.
 std::uint64_t triangleCount(const frame::Renderer& renderer, const frame::PreparedFrame& frame) {
     const hierarchy::ResidentPages resident = renderer.residency().resident();
     std::uint64_t triangles = 0;

@@ -17,14 +17,14 @@ using raytrace::Light;
 constexpr double kMinCosine = 0.1; // min cosine between normal and light for which the bias covers the whole slope
 constexpr double kContactFootprints = 1.5;
 
-/// An offset of a test point from a pixel's surface point, in texels along columns and rows.
+/// An offset of a test point from the surface point of a pixel, in shadow map texels along columns and rows.
 struct Offset {
     double column = 0;
     double row = 0;
     double reach = 0; // max absolute value of both offsets
 };
 
-/// Returns a grid of offsets over the footprint of a texel, sorted by distance, nearest first.
+/// Returns a grid of offsets over the footprint of a shadow map texel, sorted by distance, nearest first.
 std::vector<Offset> neighbourhood() {
     constexpr int kSteps = 6;
     std::vector<Offset> result;
@@ -38,7 +38,7 @@ std::vector<Offset> neighbourhood() {
     return result;
 }
 
-/// Finds the cause of each wrong pixel. It traces additional rays around the pixel.
+/// Finds the cause of each pixel with a wrong shadow, by tracing additional rays around the pixel.
 class Judge {
 public:
     Judge(
@@ -70,8 +70,8 @@ public:
         return unexplained;
     }
 
-    /// Returns true if the shadow or the lit gap at an edge pixel is too fine for the texels of its map. It is too fine
-    /// if it is narrower than a texel, or if it is a contact shadow, whose caster is very near.
+    /// Returns true if the shadow or the lit gap at an edge pixel is too fine for the texels of its shadow map: if it
+    /// is narrower than a texel, or if it is a contact shadow, whose caster is very near.
     bool isTooFine(std::size_t pixel, Light truth) const {
         const render::SurfaceSample& surface = surfaces_->pixels[pixel];
         if (surface.partition() < 0) return false;
@@ -83,10 +83,10 @@ private:
     struct Receiver {
         glm::vec3 position{0};
         glm::vec3 normal{0};
-        glm::vec3 column{0}; // the footprint of a texel on the plane of the receiver, along columns and rows
+        glm::vec3 column{0}; // the footprint of a shadow map texel on the plane of the receiver, along columns and rows
         glm::vec3 row{0};
         glm::vec3 light{0, 1, 0}; // unit direction to the light
-        float offset = 0;         // offset of rays from the surface
+        float offset = 0;         // offset of a shadow ray's origin from the surface
     };
 
     Receiver receiverOf(const render::SurfaceSample& surface) const {
@@ -110,8 +110,8 @@ private:
             static_cast<float>(render::kContactTolerancePixels * pixel)};
     }
 
-    /// Returns the result of a ray from the surface at `offset` from the receiver, on the plane of the receiver.
-    /// Returns Nothing if there is no surface.
+    /// Traces a ray from the surface at `offset` from the receiver, on the plane of the receiver, and returns its
+    /// result. Returns Nothing if there is no surface.
     Light truthAt(const Receiver& receiver, const Offset& offset) const {
         const glm::vec3 moved = receiver.position + static_cast<float>(offset.column) * receiver.column +
                                 static_cast<float>(offset.row) * receiver.row;
@@ -134,14 +134,14 @@ private:
              std::min(static_cast<float>(kContactFootprints) * footprint, source_.distance(from))});
     }
 
-    /// Returns true if a shadow is narrower than a texel along columns or rows, so that there is light on both sides
-    /// less than a texel apart. Also returns true for such a narrow lit gap between dark sides.
+    /// Returns true if the shadow at the receiver is narrower than a texel along columns or rows, so that there is
+    /// light on both sides less than a texel apart. Also returns true for such a narrow lit gap between dark sides.
     bool isThin(const Receiver& receiver, Light truth) const {
         const Light other = truth == Light::Dark ? Light::Lit : Light::Dark;
         constexpr int kSteps = 8;
         for (const bool alongRows : {false, true}) {
             const glm::vec3& side = alongRows ? receiver.row : receiver.column;
-            // per side: the first step whose result is the opposite
+            // For each side, the first step with the opposite result.
             std::array<int, 2> nearest = {kSteps + 1, kSteps + 1};
             for (const int sign : {0, 1})
                 for (int step = 1; step < kSteps; ++step) {
@@ -166,7 +166,8 @@ private:
     std::vector<TexelProbe> probes_;
 };
 
-/// Counts the results in `truth.verdicts`. Pixels whose surface is at a grazing angle to the light are not judged.
+/// Counts the results in `truth.verdicts`. Pixels whose surface is at a grazing angle to the light are
+/// only counted as missed, not as judged or unexplained.
 void countVerdicts(
     const render::Raster<render::SurfaceSample>& surfaces, const raytrace::LightSource& source, ShadowTruth& truth) {
     for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {

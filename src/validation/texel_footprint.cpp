@@ -26,8 +26,8 @@ TexelProbe::Derivatives TexelProbe::derivatives(const glm::dvec3& p, double step
 
 TexelWidths TexelProbe::widths(const glm::dvec3& p, double step) const {
     const Derivatives d = derivatives(p, step);
-    // A step along x changes only s. The derivative byX therefore tells whether s is along columns, or along rows in a
-    // transposed map.
+    // A step along the x axis of light space changes only s. The derivative byX therefore tells whether s is along
+    // columns, or along rows in a transposed map.
     const bool isTransposed = std::abs(d.byX.y) > std::abs(d.byX.x);
     const double t = isTransposed ? d.byZ.x : d.byZ.y;
     return {1 / glm::length(d.byX), 1 / std::abs(t)};

@@ -8,7 +8,7 @@
 
 namespace gnomon::frame {
 
-/// A point on the model's grid, and its max distance to the surface of the source in world units.
+/// A point on the model's grid, and its max distance to the surface of the source mesh in world units.
 struct GridPlace {
     glm::i64vec3 cell{0};
     double within = 0;

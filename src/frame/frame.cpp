@@ -194,7 +194,7 @@ render::DrawStatistics Renderer::draw(
     if (frame.isExact()) return backend_->drawExactly(drawing);
     if (frame.isRayTraced()) return render::drawByRays(*backend_, drawing, residency_.rayTrees());
     render::DrawStatistics statistics = backend_->draw(drawing);
-    // no visible point needs an exact shadow test, but the statistics must exist
+    // No visible point needs an exact shadow test, but the statistics of exact shadows must exist.
     if (frame.plan.quality.shadows == plan::ShadowMode::Exact) statistics.exact.emplace();
     if (!frame.plan.passes.empty())
         maps_ = std::make_shared<const DrawnMaps>(

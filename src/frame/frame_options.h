@@ -1,4 +1,4 @@
-// The options of a frame besides its view and quality.
+// The options for drawing a frame, besides its view and quality settings.
 #pragma once
 
 #include "render/backend.h"
@@ -17,7 +17,7 @@ enum class Waiting : std::uint8_t {
     Never,
 };
 
-/// The options of a frame besides its view and quality.
+/// The options for drawing a frame, besides its view and quality settings.
 struct FrameOptions {
     Waiting waiting = Waiting::UntilComplete;
     render::Overlay overlay = render::Overlay::None;

@@ -28,7 +28,7 @@ Demand demandOf(const plan::View& view, const plan::Quality& quality, const Fram
     constexpr std::uint64_t kMapOfLamp = sizeof(std::int32_t);
     constexpr std::uint64_t kCells = mebibytes(8).count;
     Demand demand;
-    // visibility buffer, image and a copy of the image
+    // The bytes per pixel are for the visibility buffer, the image and a copy of the image.
     demand.perPixel = sizeof(std::uint64_t) + 2 * sizeof(render::Rgb);
     if (options.wantsSurfaces) demand.perPixel += sizeof(render::SurfaceSample);
     if (options.isAccumulated)

@@ -49,8 +49,8 @@ struct PreparedFrame {
                !facts.isTurnedFromLight;
     }
 
-    /// Returns true if shadows are computed without shadow maps. The frame then has a single list of casters instead of
-    /// one list per map. The list contains all casters that can throw a shadow into the view.
+    /// Returns true if rays or exact tests compute the shadows, without shadow maps. The frame then has a single list
+    /// of casters instead of one list per map. The list contains all casters that can throw a shadow into the view.
     bool hasOneCasterList() const { return isRayTraced() || isExact(); }
 };
 

@@ -1,5 +1,4 @@
-// The renderer of a model. It draws the image of a view, and returns statistics for the log and the history for the
-// next frame.
+// Draws the image of a view of a model. Also returns statistics for the log, and the history for the next frame.
 #pragma once
 
 #include "frame/drawn_maps.h"
@@ -40,7 +39,8 @@ public:
     Frame render(
         const plan::View& view, const plan::Quality& quality, const FrameOptions& options, const History& history = {});
 
-    /// Returns the plan of a view without drawing it. The scene facts come from the hierarchy.
+    /// Plans `view` without drawing it, and returns the plan. The function selects clusters and loads their pages as
+    /// for drawing.
     plan::FramePlan plan(const plan::View& view, const plan::Quality& quality);
 
     /// Makes all following plans for the capabilities `backend` instead of those of the renderer's own backend.

@@ -118,8 +118,8 @@ void Residency::admitLoaded(Waiting waiting, bool needsAllAbove) {
 }
 
 lod::DemandOutcome Residency::serve(const lod::CutQuery& query, const lod::Cut& cut, Waiting waiting) {
-    // A frame that waits for its pages loads level after level, without prefetching. It is complete equally early, even
-    // over a network, and reads a sixth fewer bytes.
+    // A frame that waits for its pages loads one level of detail after the other, without prefetching. Such a frame is
+    // complete as early as with prefetching, even over a network, and reads a sixth fewer bytes.
     if (waiting == Waiting::UntilComplete) {
         lod::DemandOutcome outcome = store_.load({.used = cut.used, .wanted = cut.wanted, .isOpen = isOpen_});
         // If the page store loads the coarser ancestors of all pages in one round of a frame, the following rounds must

@@ -304,7 +304,7 @@ std::vector<PageDemand> findPrefetchSet(
         for (const std::uint32_t child : pages[page].children) {
             if (query.resident[child] != nullptr) continue;
             const hierarchy::PageInfo& info = pages[child];
-            // A refinement never has more pixels than the group that it refines.
+            // The error in pixels of a refinement is never larger than that of the group that it refines.
             const double maxPixels = std::min(pixels, query.rule->pixels(info.bounds, info.maxError));
             if (maxPixels > query.errorPixels) pixelsOf[child] = std::max(pixelsOf[child], maxPixels);
         }

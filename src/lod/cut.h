@@ -36,7 +36,7 @@ struct DrawLists {
     std::vector<DrawList> sections; // one list per section plane: the clusters near the plane
     bool operator==(const DrawLists&) const = default;
 
-    /// Returns all draw lists in the order of the query's volumes.
+    /// Returns all lists of drawn clusters, in the order of the query's volumes.
     std::vector<const DrawList*> all() const;
 };
 
@@ -59,7 +59,7 @@ public:
         std::vector<PageItem> items; // in the order of the tree's item indices
     };
 
-    /// Returns the trees of the levels, coarsest first.
+    /// Returns the bounding volume trees, one per level of detail, coarsest first.
     std::span<const Level> levels() const { return levels_; }
 
     const hierarchy::Grid& grid() const { return grid_; }
@@ -92,9 +92,9 @@ struct CutQuery {
 /// of the same view wants the same pages.
 struct Cut {
     DrawLists lists;
-    // pages in memory whose clusters refine a coarser group of the cut; each page once, sorted by id
+    // pages in memory whose finer clusters replace coarser clusters in the cut; each page once, sorted by id
     std::vector<hierarchy::PageDemand> used;
-    // missing pages that would refine a group of the cut; each page once, sorted by id
+    // missing pages whose finer clusters would replace coarser clusters in the cut; each page once, sorted by id
     std::vector<hierarchy::PageDemand> wanted;
     // missing pages that are not needed, because the cut certainly refines all their groups (`isSkippable`); sorted by
     // id

@@ -1,4 +1,4 @@
-// The loader threads, which read and decode the pages of a queue in order of urgency.
+// Loads pages on several threads: reads and decodes the pages of a queue in order of urgency.
 #pragma once
 
 #include "lod/page_source.h"

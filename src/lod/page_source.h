@@ -1,4 +1,4 @@
-// The source from which pages are loaded: a file or a server.
+// Loads the pages of a model from a file or a server.
 #pragma once
 
 #include "hierarchy/model_file.h"

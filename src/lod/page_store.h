@@ -37,7 +37,8 @@ struct PageStoreOptions {
     std::function<void(const DamagedPage&)> onDamaged;
     /// Called when the memory of a page is released, on the thread that owns the page store.
     std::function<void(std::uint32_t page)> onEvicted = {};
-    /// If true, a page that cannot be read counts as damaged. Otherwise `admitLoaded` and `load` throw an error.
+    /// If true, a page that cannot be read counts as damaged. If false, `admitLoaded` and `load` throw an error for
+    /// such a page.
     bool drawsWithoutUnread = false;
     /// If set, a page that cannot be read counts as missing, not as damaged. The store requests the page again, but not
     /// before this pause has passed. `onDamaged` then reports only the first such page until another page has been
@@ -53,8 +54,8 @@ struct Demand {
     /// same queue, but receive memory only after the wanted pages.
     std::span<const hierarchy::PageDemand> prefetchSet = {};
     std::span<const hierarchy::PageDemand> prefetch = {}; // least urgent pages, loaded only if the budget permits
-    /// True for an open demand: the caller draws only after all used and wanted pages are resident. The store then does
-    /// not read their coarser ancestors, but still reserves memory for them. Only for `load`.
+    /// True for an open demand: the caller draws only after all used and wanted pages are in memory. The store then
+    /// does not read their coarser ancestors, but still reserves memory for the ancestors. Only for `load`.
     bool isOpen = false;
 };
 
@@ -216,7 +217,7 @@ private:
     std::vector<const hierarchy::Page*> table_;
     // pages of the current demand, most urgent first, coarser pages before finer pages
     std::vector<std::uint32_t> requested_;
-    // resident pages that the current demand may evict; the next page to evict is the last
+    // pages in memory that the current demand may evict; the next page to evict is the last
     std::vector<std::uint32_t> victims_;
     bool areVictimsKnown_ = false;
     bool isOpen_ = false; // true: resident pages need not be ancestor-complete

@@ -165,7 +165,7 @@ SeenRectangle seenRectangle(const lod::DetailView& view, const TiledView& seen, 
     return rectangle;
 }
 
-/// A rectangle of image tiles, without its upper ends `max`.
+/// A rectangle of image tiles from `min` to `max`, without the tiles at `max`.
 struct TileBox {
     glm::ivec2 min{0};
     glm::ivec2 max{0};

@@ -11,7 +11,7 @@
 
 namespace gnomon::lod {
 
-/// The range of view depths of all drawn geometry in the view pyramid.
+/// The range of view depths of all drawn geometry inside the view pyramid.
 struct VisibleDepths {
     DepthSpan span;                     // near is 0 if drawn geometry crosses the plane through the eye
     std::uint64_t clustersMeasured = 0; // clusters whose triangles were tested one by one

@@ -28,8 +28,8 @@ struct VolumeMask {
 /// Returns the mask of a box that may intersect each of `count` volumes, but is certainly inside none.
 VolumeMask undecidedMask(std::size_t count);
 
-/// Returns the mask of the box `part`, which is inside a box with the mask `mask`. Only the volumes that are undecided
-/// for the enclosing box are tested.
+/// Returns the mask of the box `part`, which is inside a larger box with the mask `mask`. Only the volumes that may
+/// cross the larger box are tested.
 VolumeMask narrowed(VolumeMask mask, std::span<const ConvexVolume> volumes, const Box& part);
 
 namespace detail {

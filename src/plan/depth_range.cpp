@@ -57,8 +57,9 @@ void setNear(
     if (range.memory->near.framesAbove > 0) range.nearFrom = DepthSource::Held;
 }
 
-/// Extends a depth range whose ends are equal to a ratio far / near of kMinRatio. A surface perpendicular to the view
-/// direction has such a range. Throws Error if the given ends are not a valid range.
+/// Widens a depth range whose ends are equal, so that far / near is kMinRatio. The ends are equal if a surface
+/// perpendicular to the view direction is the only visible surface. Throws Error if the given ends are not a valid
+/// range.
 void separate(DepthSpan& depths, const Quality& quality) {
     constexpr double kMinRatio = 1 + 1e-3;
     if (!(depths.near > 0) || !std::isfinite(depths.far))

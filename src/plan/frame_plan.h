@@ -137,7 +137,7 @@ struct SceneFacts {
         std::uint64_t triangles = 0;
     };
 
-    /// The receivers in the view, and the casters that can shadow them.
+    /// The receivers in the view, and the casters that can throw shadows onto them.
     struct Light {
         std::vector<DepthSpan> lit;       // depths of the visible surfaces that face the light: disjoint and sorted
         bool canBeShadowed = true;        // false: no caster can lie between the light and these surfaces

@@ -10,7 +10,7 @@ namespace gnomon::plan {
 
 namespace {
 
-/// Returns the reason why the image can show no penumbrae and no sky light, or nullopt if it can show them.
+/// Returns the reason why the image cannot show penumbrae and sky light, or nullopt if it can show them.
 std::optional<SkipReason> reasonForNoSoftness(const Quality& quality) {
     if (hasNoSun(quality.look.shading)) return SkipReason::NoSun;
     if (quality.shadows == ShadowMode::Off) return SkipReason::NoShadows;

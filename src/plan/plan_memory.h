@@ -15,7 +15,7 @@ namespace gnomon::plan {
 /// The hysteresis state of the ends of a frame's depth range. It exists only for frames with visible surfaces.
 struct DepthMemory {
     shadow::NearState near;
-    // 1 / far for stabilised slices; it has the same hysteresis as near
+    // Inverse of the far depth for stabilised slices. The inverse has the same hysteresis as the near depth.
     std::optional<shadow::NearState> inverseFar;
     std::optional<shadow::NearState> shownNear; // near end of DepthRange::shown; empty unless it is below near
     std::optional<shadow::NearState> inverseShownFar;
@@ -30,7 +30,8 @@ struct LitMemory {
     int frames = 0;               // number of frames of the current period so far
 };
 
-/// The choices that define a shadow scheme: the number of slices, the face partitions and the types of maps.
+/// The choices that define a shadow scheme: the number of slices, the face partitions, and the rotation and row spacing
+/// of the maps.
 struct SchemeChoice {
     int slices = 1;
     bool faces = false;

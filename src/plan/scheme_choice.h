@@ -63,7 +63,7 @@ std::vector<SchemeChoice> openChoices(const SchemeContext& context);
 /// bound is better, but face partitions and logarithmic rows must each lower the bound by the factor kWorthwhile.
 bool isBetter(const SchemeCandidate& a, const SchemeCandidate& b);
 
-/// Returns the receivers of the context's frame, combined with the receivers of recent frames.
+/// Returns the receivers of the frame in `context`, combined with the receivers of recent frames.
 Receivers receiversOf(const SchemeContext& context);
 
 /// Returns the best shadow scheme for the view. For each effect that the scheme skips, adds the reason to `omitted`.

@@ -13,7 +13,7 @@ namespace {
 bool reachesBefore(const ShadowPass& pass, const CameraBasis& basis, const SceneFacts& scene) {
     if (!scene.light) return true;
     const glm::dmat4 rows = glm::transpose(pass.map.lightClipFromCamera());
-    // row of the projection matrix that gives depth times w; w is above 0 for all possible casters
+    // The row of the projection matrix for depth times w. For all possible casters, w is above 0.
     const glm::dvec3 normal(rows[2]);
     const double length = glm::length(normal);
     ConvexVolume before = pass.map.casterVolume;

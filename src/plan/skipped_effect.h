@@ -1,5 +1,5 @@
-// Lists the effects that a plan skips, with the reasons as enum values. The code that displays them makes the
-// sentences.
+// Lists the effects that a plan skips, with the reasons as enum values. Other code converts these values to sentences
+// for the user.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace gnomon::plan {
 
-/// The effects that a plan can skip.
+/// The effects and optimisations that a plan can omit from a frame.
 enum class Effect : std::uint8_t {
     ShadowMaps,
     ExactShadows,

@@ -60,7 +60,7 @@ inline TriangleGeometry newTriangles(RTCDevice device, std::size_t vertices, std
     return result;
 }
 
-/// Commits the Embree geometry `filled`, whose buffers are filled, and attaches it to `scene`.
+/// Commits the Embree geometry `filled`, whose buffers the caller has filled, and attaches it to `scene`.
 inline void attachTriangles(RTCScene scene, const TriangleGeometry& filled) {
     rtcCommitGeometry(filled.geometry);
     rtcAttachGeometry(scene, filled.geometry);

@@ -30,7 +30,7 @@ enum class Light : std::uint8_t {
     Lit
 };
 
-/// A light source: a direction, or a point light.
+/// A light source, given by a direction or as a point light.
 struct LightSource {
     glm::vec3 at{0, 1, 0}; // position, or direction of unit length
     bool isPoint = false;
@@ -55,9 +55,9 @@ std::vector<Light> litByRays(const Occluders& scene, std::span<const SurfacePoin
 struct ShadowComparison {
     std::uint64_t litSidePixels = 0;
     std::uint64_t wrongPixels = 0;
-    // number of edge pixels, in either picture, whose distances are in the statistics below
+    // number of pixels at shadow edges, in either picture, whose distances are in the statistics below
     std::uint64_t edgePixels = 0;
-    // number of edge pixels of the ground truth that were not measured, because `apart` marks them
+    // number of pixels at shadow edges of the ground truth that were not measured, because `apart` marks them
     std::uint64_t edgePixelsApart = 0;
     double wrongFraction = 0; // wrong pixels divided by lit-side pixels; 0 without lit-side pixels
     /// Median and percentile of the distance from each shadow edge of either picture to the nearest edge of the other

@@ -226,7 +226,7 @@ struct CutScene::State {
 
 namespace {
 
-/// A drawn run and its page.
+/// A range of clusters with a common ray-tracing tree (a run), and its page.
 struct FoundRun {
     const PageClusters* clusters = nullptr;
     Run* run = nullptr;

@@ -16,7 +16,7 @@ enum class NearFace : std::uint8_t {
     Stretch, // the maps of the side faces extend to the eye and cover it
 };
 
-/// A scheme: a combination of slices, face partitions and warp.
+/// A shadow scheme: a combination of slices, face partitions and warp.
 struct Scheme {
     Warp warp;
     int slices = 4;

@@ -17,7 +17,8 @@ namespace gnomon::shadow {
 /// The camera and light for which shadow maps are set up, in camera space (core/camera.h: left-handed, x right, y up, z
 /// along the view).
 struct ShadowView {
-    // near and far bound the depths in which aliasing has an upper bound; they do not clip
+    // The near and far end of this frustum are the depths in which aliasing has an upper bound. They do not clip
+    // geometry.
     ViewFrustum frustum;
     std::optional<DepthSpan> shown;   // view depths of all receivers, if some of them are outside the frustum
     glm::dvec3 towardsLight{0, 1, 0}; // unit length
@@ -29,9 +30,10 @@ struct ShadowView {
 /// The user's settings of the shadow maps.
 struct ShadowOptions {
     Scheme scheme; // NearFace::Omit would leave a hole, so it is treated as Stretch
-    // true: maps of whole slices are rotated for the smallest S; false: the plain orientation
+    // true: maps of whole slices are rotated about the light for the smallest storage factor S; false: the plain
+    // orientation
     bool chosenOrientation = true;
-    // true: unwarped slices whose maps snap to texels; scheme.faces and the warp are ignored
+    // true: unwarped slices whose maps snap to a texel grid of the world; scheme.faces and the warp are ignored
     bool stabilized = false;
     double filterTexels = 0;        // width of the PCF kernel in texels; 0: no filter
     std::uint64_t texels = 4194304; // total of all maps, borders included
@@ -56,7 +58,7 @@ struct ShadowMapSetup {
     /// Returns the index of the shadow map that point `p` (camera space) looks up, or kNoMap.
     std::size_t mapOf(const glm::dvec3& p) const { return mapOfPartition[partitionIndex(selector, p)]; }
 
-    /// Returns the max aliasing bound over all maps, per axis.
+    /// Returns the largest upper bound of perspective aliasing over all shadow maps, per axis.
     AliasingBound worst() const;
 };
 

@@ -13,7 +13,7 @@ constexpr double kStepOverPixel = 1e-3;
 /// The widths of a shadow map texel at a point, perpendicular to the light, in world units. They do not include the
 /// slope of the receiver.
 struct TexelWidths {
-    double x = 0; // along the x axis of light space
+    double x = 0; // width along the x axis of light space
     double z = 0; // width along the z axis of light space, without shear
 };
 

@@ -36,7 +36,7 @@ struct FitPoint {
     DepthEnd end = DepthEnd::Between;
 };
 
-/// The spacing of a map's rows along its t axis.
+/// The spacing of a shadow map's rows along its t axis.
 enum class RowSpacing : std::uint8_t {
     Even,        // constant in the projection plane of the warp
     Logarithmic, // constant in ln w: the distance to the warp's centre grows by the same factor per row

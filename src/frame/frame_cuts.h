@@ -34,9 +34,9 @@ void cutImage(
 /// `receivers` is in local space, whose origin is `origin` in world space.
 void clipToModel(const Box& model, const glm::dvec3& origin, ConvexVolume& receivers);
 
-/// Adds the section planes of `frame` to its volumes. If the removed side casts no shadows, the planes also clip the
-/// caster volumes. Each plane adds a volume that extends 4 grid steps to each of its sides. `origin` is the origin of
-/// local space, in world space. Throws Error if the number of volumes exceeds lod::kMaxVolumes.
+/// Adds one volume per section plane of `frame`, which extends 4 grid steps to each side of the plane. If the removed
+/// side casts no shadows, also clips the caster volumes by the planes. `origin` is the origin of local space, in world
+/// space. Throws Error if the number of volumes exceeds lod::kMaxVolumes.
 void addSections(PreparedFrame& frame, const glm::dvec3& origin);
 
 /// Selects the clusters of the image and the casters of each planned shadow map. Casters can require more detail than

@@ -84,7 +84,7 @@ void separate(DepthSpan& depths, const Quality& quality) {
 }
 
 /// Returns the near end of DepthRange::shown. The result is `end`, unless the nearest visible `depth` is smaller. Then
-/// the result is a quantised step at or below `depth`, but not below `floor`. `state` stores the hysteresis. The
+/// the result is a power of 2^(1/4) at or below `depth`, but not below `floor`. `state` stores the hysteresis. The
 /// function also computes the far end: all depths and the result are then inverse depths.
 double shownEnd(double end, double depth, double floor, std::optional<shadow::NearState>& state) {
     const bool exceedsEnd = depth < end && floor < end;

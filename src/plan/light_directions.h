@@ -16,9 +16,9 @@ namespace gnomon::plan {
 struct DiscSampling {
     int directions = 1;
     double error = 1;
-    /// Number of samples that suffices for pixels whose penumbrae are at most one pixel wide. More samples are also
-    /// sufficient. For a straight edge, the error of a pixel's mean light is then at most 0.106 of the penumbra's width
-    /// in pixels. The centre of the disc alone has the same error.
+    /// Number of samples from which on an image is good enough in pixels whose penumbrae are at most one pixel wide.
+    /// For a straight edge, the error of a pixel's mean light is then at most 0.106 of the penumbra's width in pixels.
+    /// The centre of the disc alone has the same error.
     int first = 1;
 };
 

@@ -29,8 +29,8 @@ struct MapImage {
     Mat4 clipFromOffset{1};
     Vec2 texelScale{1}; // (column, row) in the depth texture = clip.xy / clip.w * texelScale + texelOffset
     Vec2 texelOffset{0};
-    /// Row vectors that give the slope of a receiver in the map. They are multiplied with the plane (N, -N.(p -
-    /// origin)) of a receiver at p as dot products. byColumn / byDepth is the change of the plane's depth per column,
+    /// Row vectors that give the slope of a receiver in the map. Each vector is used in a dot product with the
+    /// receiver's plane (N, -N.(p - origin)) at p. byColumn / byDepth is the change of the plane's depth per column,
     /// and byRow / byDepth the change per row, both without sign.
     Vec4 byColumn{0};
     Vec4 byRow{0};

@@ -23,9 +23,9 @@ const char* name(Face face);
 enum class Bisector : std::uint8_t {
     Normalized, // the bisector of the unit edge directions, which is correct
     Literal,    // e0' + e1' as the paper prints it; the longer edge has more influence
-    /// Perpendicular to the face's near edge. If the centre of the warp is at the eye, the warp turns the face into a
-    /// rectangle with constant m_x. The frame of the near square has a lean, because the light sees the square as a
-    /// parallelogram.
+    /// The z axis is perpendicular to the face's near edge. If the centre of the warp is at the eye, the warp turns the
+    /// face into a rectangle with constant m_x. The axes of the near square are sheared, because the light sees the
+    /// square as a parallelogram.
     NearEdge,
 };
 

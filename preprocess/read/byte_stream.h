@@ -1,4 +1,4 @@
-// Reads a file sequentially in large blocks. A parser reads from a contiguous window of bytes in memory.
+// Reads a file sequentially in large blocks and gives a parser a contiguous window of bytes in memory.
 #pragma once
 
 #include "preprocess/read/input_file.h"
@@ -9,25 +9,26 @@
 
 namespace gnomon::read {
 
-/// A window over a file that only moves forward. Its buffer has at most kBufferBytes, for any size of the file.
+/// A window of bytes that moves forward through a file. It buffers at most kBufferBytes for a file of any size.
 class ByteStream {
 public:
     static constexpr std::size_t kBufferBytes = std::size_t{2} << 20U;
 
     ByteStream(const InputFile& file, std::uint64_t offset);
 
-    /// Returns the bytes from the current position on that are in memory. Their number is available().
+    /// Returns the file's bytes from the current position on. The first available() bytes are in memory.
     const std::byte* data() const { return buffer_.data() + begin_; }
 
     std::size_t available() const { return end_ - begin_; }
 
-    /// Reads until at least `count` bytes (at most kBufferBytes) are available. Returns false if the file ends before.
+    /// Reads the file until at least `count` bytes (at most kBufferBytes) are in memory. Returns false if the file ends
+    /// before.
     bool fill(std::size_t count) { return available() >= count || refill(count); }
 
-    /// Skips `count` available bytes.
+    /// Moves the current position forward by `count` bytes, which must be in memory already.
     void consume(std::size_t count) { begin_ += count; }
 
-    /// Skips `count` bytes (at most remaining()). It does not read skipped bytes that are not in memory yet.
+    /// Moves the current position forward by `count` bytes (at most remaining()), without reading them from the file.
     void skip(std::uint64_t count);
 
     /// Goes back to the start of the file.

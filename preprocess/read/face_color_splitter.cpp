@@ -12,8 +12,8 @@ namespace {
 constexpr unsigned kColorBits = 32;
 constexpr std::uint64_t kMaxVertices = std::uint64_t{1} << kColorBits;
 
-/// The max memory per corner in bytes. It contains the corner's key twice while keys are sorted, and a vertex, whose
-/// size counts twice while an array grows.
+/// The max memory per corner in bytes. It includes four 64-bit values, because the corner's key is copied for sorting,
+/// and two vertices, because a growing array can reserve twice its size.
 constexpr std::uint64_t kBytesPerCorner =
     4 * sizeof(std::uint64_t) + 2 * (sizeof(glm::dvec3) + sizeof(glm::vec3) + sizeof(std::uint32_t));
 

@@ -10,25 +10,26 @@
 
 namespace gnomon::read {
 
-/// Collects first the vertices and then the coloured faces of a file. It duplicates vertices whose faces have different
-/// colours.
+/// Converts a mesh with face colours to a mesh with vertex colours. It receives first all vertices and then all
+/// coloured faces, and duplicates each vertex whose faces have different colours.
 class FaceColorSplitter {
 public:
-    /// Creates an empty mesh whose vertices have one value per name in `fields`. Errors name `path`. `memoryLimit` is
-    /// the max memory of the collected data.
+    /// Creates an empty mesh. `fields` are the names of the scalar properties of its vertices. `path` is the file that
+    /// errors name. `memoryLimit` is the max memory of the collected data.
     FaceColorSplitter(std::string path, Bytes memoryLimit, std::vector<std::string> fields)
         : path_(std::move(path)), memoryLimit_(memoryLimit) {
         mesh_.fieldNames = std::move(fields);
     }
 
-    /// Adds vertices in index order. Throws Error if the collected data need more memory than the limit.
+    /// Adds the next vertices of the file. Throws Error if the collected data need more memory than the limit.
     void addVertices(const VertexBlock& block);
 
-    /// Adds a face with the colour `color` (RGBA8). Throws Error if the collected data need more memory than the limit.
+    /// Adds a face with the vertex indices `corners` and the colour `color` (RGBA8). Throws Error if the collected data
+    /// need more memory than the limit.
     void addFace(std::span<const std::uint64_t> corners, std::uint32_t color);
 
-    /// Returns the mesh. Vertices are in the order of their index in the file, and copies of a vertex in the order of
-    /// their colour. Vertices without a face are removed.
+    /// Returns the mesh with vertex colours. Its vertices have the order of the file, and the copies of one vertex are
+    /// sorted by colour. Vertices without a face are removed.
     MemoryMesh take();
 
 private:
@@ -36,11 +37,11 @@ private:
 
     std::string path_;
     Bytes memoryLimit_;
-    MemoryMesh mesh_; // a corner has the vertex index in its upper 32 bits and the colour in its lower 32 bits
+    MemoryMesh mesh_; // each corner has the vertex index in its upper 32 bits and the colour in its lower 32 bits
 };
 
-/// Converts the face colours `colors` (RGBA8, one per face) to vertex colours, and returns `mesh` with them. Throws
-/// Error, which names `path`, if this needs more memory than `memoryLimit`.
+/// Returns `mesh` with vertex colours, which replace its face colours `colors` (RGBA8, one per face). Throws Error,
+/// which names `path`, if the conversion needs more memory than `memoryLimit`.
 MemoryMesh withFaceColors(
     MemoryMesh mesh, std::span<const std::uint32_t> colors, const std::string& path, Bytes memoryLimit);
 

@@ -28,7 +28,7 @@ void requireRereadable(const std::string& path) {
     using Type = std::filesystem::file_type;
     std::error_code ignored;
     const Type type = std::filesystem::status(path, ignored).type();
-    // A missing file or a folder is not rejected here, because opening it throws its own Error.
+    // A missing file and a folder are not rejected here. Opening them later throws a more precise Error.
     const bool isSomethingElse =
         type == Type::fifo || type == Type::socket || type == Type::character || type == Type::block;
     if (isSomethingElse)

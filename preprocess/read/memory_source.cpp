@@ -71,8 +71,8 @@ private:
 } // namespace
 
 void requireRoomForWhole(const std::string& path, std::uint64_t fileBytes, Bytes memoryLimit) {
-    // Max memory per byte of a file. It contains arrays, the unused capacity of growing arrays, and tables of vertices.
-    // Files with short lines of text need most memory per byte.
+    // Max memory in bytes that one byte of a file needs. It includes arrays, the spare memory of growing arrays, and
+    // tables of vertices. Text files with short lines need the most.
     constexpr std::uint64_t kBytesPerFileByte = 12;
     if (fileBytes <= memoryLimit.count / kBytesPerFileByte) return;
     throw Error(

@@ -166,7 +166,8 @@ private:
         return block;
     }
 
-    /// Returns `block` with shifted vertex and triangle indices. `shifted` stores its triangles.
+    /// Returns `block` with its vertex and triangle indices shifted to the joined mesh. `shifted` owns the memory of
+    /// the returned triangles.
     static TriangleBlock joined(
         TriangleBlock block,
         std::uint64_t firstVertex,
@@ -192,7 +193,7 @@ bool startsWith(const std::string& path, std::string_view magic) {
     return count >= magic.size() && std::memcmp(begin.data(), magic.data(), magic.size()) == 0;
 }
 
-/// A format that Gnomon does not read, with advice for the error message.
+/// A file format that Gnomon cannot read, with advice to the user for the error message.
 struct OtherFormat {
     std::string_view suffix;
     const char* advice;
@@ -225,7 +226,7 @@ constexpr std::array kOtherFormats = {
         suffix.empty() ? "a name without suffix" : "the suffix " + quotedForMessage(suffix));
 }
 
-/// Opens `path` with the reader that its first bytes select, or otherwise with the reader for its suffix.
+/// Opens `path` with the reader for its format, detected from the file's first bytes or otherwise from the suffix.
 std::unique_ptr<MeshSource> openByFormat(
     const std::string& path,
     Bytes room,

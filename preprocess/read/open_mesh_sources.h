@@ -1,4 +1,4 @@
-// Opens mesh files of all supported formats as one MeshSource.
+// Opens one or more mesh files of any supported format as one input mesh (MeshSource).
 #pragma once
 
 #include "core/units.h"
@@ -10,20 +10,21 @@
 
 namespace gnomon::read {
 
-/// The treatment of textures. Bake samples them at the vertices, and Off ignores them.
+/// Selects how textures are read: Bake samples their colours at the vertices, and Off ignores textures.
 enum class Textures { Bake, Off };
 
-/// Opens all files `paths` and joins them to one source. Vertices and triangles are in the order of `paths`, and
-/// indices are shifted accordingly. A block has vertices of only one input. The joined source has normals only if all
-/// inputs have normals. It has colours if any input has colours. Blocks of inputs without colours then have no colours.
+/// Opens all files `paths` and joins them to one mesh. Vertices and triangles have the order of `paths`, and vertex
+/// indices are shifted accordingly. A block has vertices of only one file. The joined mesh has normals only if all
+/// files have normals. It has colours if any file has colours. The blocks of files without colours then have no
+/// colours.
 ///
-/// PLY and .glb are detected by the first bytes of the file, the other formats by the suffix of the name. PLY and OBJ
-/// are streamed, except PLY files with face colours. Such PLY files, glTF, STL and OFF are read into memory. The
+/// PLY and .glb are detected by the first bytes of the file, and the other formats by the suffix of the name. PLY and
+/// OBJ are streamed, except PLY files with face colours. Such PLY files, glTF, STL and OFF are read into memory. The
 /// function throws Error if this could need more memory than `memoryLimit`. All errors name the file.
 ///
-/// `fields` are scalar vertex properties to read in addition. Each input must then be a PLY that has these properties.
-/// Buffers, images and material libraries must be in the folder `sourceRoot`. If `sourceRoot` is empty, they must be in
-/// the folder of the input (see SourceRoot).
+/// `fields` are the names of scalar vertex properties that are also read. Each file must then be a PLY that has these
+/// properties. Buffers, images and material libraries must be in the folder `sourceRoot`. If `sourceRoot` is empty,
+/// they must be in the folder of the file that refers to them (see SourceRoot).
 std::unique_ptr<MeshSource> openMeshSources(
     const std::vector<std::string>& paths,
     Bytes memoryLimit,

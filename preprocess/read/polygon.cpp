@@ -14,13 +14,13 @@ namespace gnomon::read {
 
 namespace {
 
-// Returns twice the signed area of the triangle a, b, c. It is positive for a left turn.
+// Returns twice the signed area of the 2D triangle a, b, c. The result is positive for a left turn.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Returns Newell's normal of the closed loop `corners` (Sutherland, Sproull, Schumacker 1974). Its components are twice
-// the projected areas.
+// Returns Newell's normal of the closed polygon `corners` (Sutherland, Sproull, Schumacker 1974). Each component is
+// twice the area of the polygon's projection along that axis.
 glm::dvec3 newellNormal(std::span<const glm::dvec3> corners) {
     glm::dvec3 normal(0);
     glm::dvec3 last = corners.back() - corners.front();
@@ -32,7 +32,7 @@ glm::dvec3 newellNormal(std::span<const glm::dvec3> corners) {
     return normal;
 }
 
-// Projects the loop to 2D along the axis nearest to `normal`. The result has a positive area.
+// Projects the polygon to 2D along the axis nearest to `normal`. The projected polygon has a positive area.
 std::vector<glm::dvec2> flatten(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -55,7 +55,7 @@ bool isStrictlyConvex(std::span<const glm::dvec2> loop) {
     return true;
 }
 
-/// Finds points in a triangle with a k-d tree, without testing all points. Points can be removed. A long and narrow
+/// A k-d tree that finds the points inside a triangle. Points can be removed. A query is fast because a long and narrow
 /// triangle intersects few boxes of the tree.
 class PointTree {
 public:
@@ -67,8 +67,8 @@ public:
     }
 
     /// Calls `test(index)` for each point that may be in the triangle, until a call returns true. Returns true if a
-    /// call returned true. The corners of the triangle must be in counter-clockwise order (left turns). Adds the number
-    /// of visited boxes and points to `work`.
+    /// call returned true. The triangle's corners must be in counter-clockwise order. Adds the number of visited boxes
+    /// and points to `work`.
     template <class Test>
     bool any(const std::array<glm::dvec2, 3>& triangle, std::uint64_t& work, Test test) {
         if (nodes_.empty()) return false;
@@ -91,7 +91,7 @@ public:
         return false;
     }
 
-    /// Removes a point. The point must be in the tree.
+    /// Removes a point that is in the tree.
     void remove(std::uint32_t index) {
         std::uint32_t node = 0;
         while (true) {
@@ -106,17 +106,17 @@ private:
     struct Node {
         glm::dvec2 min{std::numeric_limits<double>::infinity()};
         glm::dvec2 max{-std::numeric_limits<double>::infinity()};
-        std::uint32_t begin = 0; ///< range of its points in sorted_
+        std::uint32_t begin = 0; ///< first of the node's points in sorted_
         std::uint32_t end = 0;
-        std::uint32_t left = 0;  ///< number of points that are not removed
+        std::uint32_t left = 0;  ///< number of the node's points that are not removed
         std::uint32_t child = 0; ///< index of the first of two children; 0 for a leaf
     };
 
     static constexpr std::uint32_t kLeafPoints = 8;
 
-    /// Returns true if the box of `node` is outside the triangle. This is true if it does not intersect the triangle's
-    /// box, or if it is on the outer side of an edge. For each edge, the test uses the box corner with the largest
-    /// `turn`. Rounding is monotone, so no point in the box has a larger `turn`.
+    /// Returns true if the box of `node` is outside the triangle: if it does not intersect the triangle's bounding box,
+    /// or if it is on the outer side of an edge. For each edge, the test uses the box corner with the largest `turn`.
+    /// Rounding is monotone, so no point in the box has a larger `turn`.
     static bool isApart(const Node& node, const std::array<glm::dvec2, 3>& triangle) {
         const glm::dvec2 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
         const glm::dvec2 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
@@ -146,7 +146,7 @@ private:
     void build(std::uint32_t begin, std::uint32_t end) {
         addNode(begin, end);
         std::uint32_t next = 0;
-        while (next < nodes_.size()) // splitting a node appends its children
+        while (next < nodes_.size()) // the loop also visits nodes that a split appends
             split(next++);
     }
 
@@ -203,8 +203,8 @@ public:
         while (left_ > 3 && work_ < maxWork_) {
             pollNowAndThen();
             if (candidates.empty()) {
-                // Clipping can make distant corners ears. All corners are therefore tested again before the loop counts
-                // as bad.
+                // Clipping can turn distant corners into ears. All remaining corners are therefore tested again before
+                // the polygon counts as degenerate.
                 if (!foundSinceScan) clipOfBadLoop();
                 candidates = remaining();
                 work_ += candidates.size();
@@ -226,12 +226,13 @@ public:
     }
 
 private:
-    // Max steps per corner. Loops without crossings need less: a star of a million spikes with random lengths needs
-    // less than half of this.
+    // Max steps of ear clipping per corner. Polygons without crossings need less: a star of a million spikes with
+    // random lengths needs less than half of this.
     static constexpr std::uint64_t kMaxWorkPerCorner = 2'000;
 
-    // Max further steps per corner for a loop with corners without area, and for a loop with crossings. A loop that
-    // crosses itself everywhere needs a scan of all corners per triangle, and none of its triangulations is correct.
+    // Max further steps per corner for a polygon with corners without area, and for a polygon with crossings. A polygon
+    // that crosses itself everywhere needs a scan of all corners per triangle, and none of its triangulations is
+    // correct.
     static constexpr std::uint64_t kMaxWorkPerFlatCorner = 1'000;
     static constexpr std::uint64_t kMaxWorkPerCrossingCorner = 100;
 
@@ -241,14 +242,14 @@ private:
         std::uint32_t previous;
         std::uint32_t next;
         bool isGone;
-        bool isBlocker; ///< not convex
+        bool isBlocker; ///< whether the corner is not convex and can thus prevent ears
     };
 
     bool isConvex(std::uint32_t i) const {
         return turn(points_[links_[i].previous], points_[i], points_[links_[i].next]) > 0;
     }
 
-    /// Returns the corners that are not clipped yet, in loop order.
+    /// Returns the corners that are not clipped yet, in the polygon's order.
     std::deque<std::uint32_t> remaining() {
         while (links_[first_].isGone)
             ++first_;
@@ -262,7 +263,7 @@ private:
     }
 
     // Returns true if corner `i` is an ear: a convex corner whose triangle contains no other corner. The test checks
-    // only corners that are not convex, because one of them is always the first to enter the triangle.
+    // only non-convex corners, because if any corner is in the triangle, a non-convex corner is too.
     bool isEar(std::uint32_t i) {
         if (!isConvex(i)) return false;
         const glm::dvec2& a = points_[links_[i].previous];
@@ -280,7 +281,7 @@ private:
         const glm::dvec2& b = points_[corner];
         const glm::dvec2& c = points_[after];
         const glm::dvec2& p = points_[blocker];
-        // A loop can touch itself, for example at a bridge to a hole. A corner at the position of a neighbour of the
+        // A polygon can touch itself, for example at a bridge to a hole. A corner at the position of a neighbour of the
         // ear does not block the ear. A corner at the position of the ear's tip blocks the ear if it is a notch that
         // opens into the ear.
         if (p == a || p == c) return false;
@@ -299,7 +300,7 @@ private:
         progress_.advance(0);
     }
 
-    // Clips one corner of a loop without ears. Such a loop is degenerate or crosses itself. The function prefers a
+    // Clips one corner of a polygon that has no ears because it is degenerate or crosses itself. The function prefers a
     // corner without area, and then a convex corner.
     void clipOfBadLoop() {
         const std::deque<std::uint32_t> corners = remaining();
@@ -314,7 +315,7 @@ private:
         clip(convex != corners.end() ? *convex : corners.front());
     }
 
-    /// Lowers the limit of steps for the rest of a bad loop. It never raises the limit.
+    /// Lowers the limit of steps for the rest of a degenerate polygon. It never raises the limit.
     void allowOnly(std::uint64_t workPerCorner) {
         if (workPerCorner >= workPerCorner_) return;
         workPerCorner_ = workPerCorner;

@@ -1,4 +1,4 @@
-// Splits text into words and converts words.
+// Splits lines of text into words and converts words.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace gnomon::read {
 
-/// Returns the words of `line`. Blanks separate words. The words point into `line`.
+/// Returns the words of `line`, which blanks separate. The results point into the memory of `line`.
 inline std::vector<std::string_view> wordsOf(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\r\v\f";
     std::vector<std::string_view> result;
@@ -29,8 +29,8 @@ inline std::string lowered(std::string_view text) {
     return result;
 }
 
-/// Returns true if a report can contain `text` as a name: at most 16 characters, and only ASCII letters, digits, '_',
-/// '-' and blanks.
+/// Returns true if `text` is short and plain enough for a name in a report: at most 16 characters, and only ASCII
+/// letters, digits, '_', '-' and blanks.
 inline bool isPlainName(std::string_view text) {
     constexpr std::size_t kLongest = 16;
     return text.size() <= kLongest && std::all_of(text.begin(), text.end(), [](char c) {
@@ -45,15 +45,15 @@ inline std::string_view unquoted(std::string_view text) {
     return hasQuotes ? text.substr(1, text.size() - 2) : text;
 }
 
-/// Returns the last suffix of the file name in `path`, in lower case and with its dot. Returns an empty string if there
-/// is none.
+/// Returns the last suffix of the file name in `path`, with its dot and in lower case, for example ".ply". Returns an
+/// empty string if there is no suffix.
 inline std::string loweredSuffix(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");
     return lowered(dot == std::string_view::npos || path[dot] == '/' ? "" : path.substr(dot));
 }
 
-/// Returns the first 40 characters of `text` in quotes for an error message. Unprintable bytes become "?", because a
-/// file can contain any byte and an error message is one line.
+/// Returns the first 40 characters of `text` in quotes for an error message. Unprintable bytes become "?", so that the
+/// message remains one line for any file.
 inline std::string quotedForMessage(std::string_view text) {
     constexpr std::size_t kShown = 40;
     std::string result = "\"";

@@ -14,10 +14,10 @@ namespace gnomon::read {
 
 namespace {
 
-/// One of the layouts of the body that programs write.
+/// One of the four ways in which programs write the data of a binary OFF file.
 struct Layout {
     std::endian order = std::endian::big;
-    bool countsChannels = true; ///< a number of channels follows the corners of each face
+    bool countsChannels = true; ///< whether a number of colour channels follows the vertex indices of each face
 };
 
 constexpr std::array<Layout, 4> kLayouts = {
@@ -31,7 +31,7 @@ public:
     MemoryMesh read(Bytes memoryLimit) {
         const std::uint64_t vertices = number();
         const std::uint64_t faces = number();
-        number(); // skips the number of edges
+        number(); // skips the number of edges, which is not used
         const std::uint64_t floats =
             3U + (header_.hasNormals ? 3 : 0) + (header_.hasColors ? 4 : 0) + (header_.hasTexture ? 2 : 0);
         requireRoom(vertices, sizeof(float) * floats);

@@ -31,7 +31,8 @@ public:
     }
 
 private:
-    /// Parses the keyword `word`. Returns the first count if it is joined to the keyword or replaces it.
+    /// Parses the keyword `word` of the file, such as OFF. Returns the number of vertices if it is joined to the
+    /// keyword or replaces the keyword. Otherwise returns an empty text.
     std::string keyword(std::string word) {
         if (integerIn<std::uint64_t>(word)) return word;
         if (word.starts_with("off") || word.starts_with("coff") || word.starts_with("noff") ||
@@ -50,7 +51,7 @@ private:
         return word.substr(off + 3);
     }
 
-    /// Parses the letters before OFF. Each letter names a kind of values per vertex.
+    /// Parses the letters before OFF in the keyword. Each letter names an attribute of the vertices, such as normals.
     void takeKinds(std::string_view kinds) {
         while (!kinds.empty()) {
             const bool isTexture = kinds.starts_with("ST");
@@ -72,7 +73,8 @@ private:
         return *value;
     }
 
-    /// Skips the number of edges, which is not used. It is on the rest of this line, or on a line with only one number.
+    /// Skips the number of edges, which is not used. The number is on the rest of this line, or on a line with only one
+    /// number.
     void edges() {
         const std::string word(text_.word());
         if (!word.empty()) {
@@ -91,10 +93,10 @@ private:
         header_.bodyLine = text_.line();
     }
 
-    /// Throws Error if the file is too short for the counts in the header.
+    /// Throws Error if the file is too short for the numbers of vertices and faces in its header.
     void requireRoom() const {
-        constexpr std::uint64_t kVertexBytes = 6; // "0 0 0 "
-        constexpr std::uint64_t kFaceBytes = 2;   // "0\n"
+        constexpr std::uint64_t kVertexBytes = 6; // the shortest vertex, "0 0 0 "
+        constexpr std::uint64_t kFaceBytes = 2;   // the shortest face, "0\n"
         const std::uint64_t left = file_.size() - header_.bodyOffset + 1;
         requireLimit(left / kVertexBytes, header_.vertices, "vertices");
         requireLimit((left - kVertexBytes * header_.vertices) / kFaceBytes, header_.faces, "faces");
@@ -112,7 +114,7 @@ private:
     const InputFile& file_;
     TextStream text_;
     OffHeader header_;
-    bool isOther_ = false; ///< whether the keyword declares a kind of values that is not read
+    bool isOther_ = false; ///< whether the keyword declares an attribute that is not read
 };
 
 } // namespace

@@ -15,18 +15,18 @@ namespace gnomon::read {
 
 namespace {
 
-/// How the rows of an element are separated: one line per row, or a fixed number of words per row.
+/// How vertices or faces are separated in a text file: one per line, or a fixed number of words for each.
 enum class Rows { Lines, Words };
 
-/// One possible interpretation of a text file.
+/// One possible interpretation of the lines and words of an OFF text file.
 struct Attempt {
     Rows vertices = Rows::Lines;
     Rows faces = Rows::Lines;
-    std::size_t channels = 4; ///< number of channels of vertex colours if rows are not lines
+    std::size_t channels = 4; ///< number of channels per vertex colour if vertices are not lines
 };
 
-/// The interpretations in the order in which they are tried. If a file has one line per row and colours, its
-/// interpretation as words fails, because its colours are then read as the next row.
+/// The interpretations of a text file in the order in which they are tried. If a file has one line per row and colours,
+/// the interpretation as a sequence of words fails, because the colours are then read as the next row.
 constexpr std::array<Attempt, 6> kAttempts = {{
     {Rows::Lines, Rows::Lines},
     {Rows::Words, Rows::Lines},
@@ -58,15 +58,16 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMaxValues = 16; ///< max number of values per vertex that are stored
+    static constexpr std::size_t kMaxValues = 16; ///< max number of stored values per vertex
 
-    /// The numbers of one vertex.
+    /// The numbers in the text of one vertex: its position and other attributes.
     struct VertexRow {
         std::array<double, kMaxValues> values{};
-        std::size_t count = 0; ///< can exceed kMaxValues
+        std::size_t count = 0; ///< number of values in the file, which can exceed kMaxValues
     };
 
-    /// Reads the row of a vertex. If rows are not lines, the row has `maxValues` numbers.
+    /// Reads the numbers of vertex `vertex`. If vertices are not separated by lines, the vertex has `maxValues`
+    /// numbers.
     VertexRow readRow(std::uint64_t vertex, std::size_t maxValues) {
         VertexRow row;
         std::string_view word = firstWord(header_.vertices - vertex, header_.faces);
@@ -92,8 +93,8 @@ private:
         addVertexColor(vertex, row, known, std::min(row.count, kMaxValues) - known - texture);
     }
 
-    /// Adds `count` values of `row`, from `first` on, as the colour of a vertex. These values follow the values that
-    /// the keyword declares.
+    /// Adds `count` values of `row`, from the index `first` on, as the colour of a vertex. These values follow the
+    /// values that the file's keyword declares.
     void addVertexColor(std::uint64_t vertex, const VertexRow& row, std::size_t first, std::size_t count) {
         const bool isColor = count == 3 || count == 4;
         if (header_.hasColors && count != 0 && !isColor)
@@ -170,8 +171,8 @@ private:
             ++mesh_.attributesDropped["other values of faces"];
     }
 
-    /// Returns the first word of the next row. Throws Error at the end of the file. `vertices` and `faces` are the
-    /// numbers of rows that are then missing.
+    /// Returns the first word of the next vertex or face. Throws Error at the end of the file. `vertices` and `faces`
+    /// are the numbers of vertices and faces that are still missing.
     std::string_view firstWord(std::uint64_t vertices, std::uint64_t faces) {
         const bool areLines = (vertices > 0 ? attempt_.vertices : attempt_.faces) == Rows::Lines;
         if (areLines && text_.isInLine() && !text_.word().empty())
@@ -194,7 +195,7 @@ private:
     TextStream text_;
     MemoryMesh mesh_;
     OffRowColors colors_;
-    std::map<std::uint64_t, std::uint64_t> badLines_; ///< per vertex whose position is not finite: its line
+    std::map<std::uint64_t, std::uint64_t> badLines_; ///< per vertex with a non-finite position: its line
 };
 
 MemoryMesh readOffText(const InputFile& file, const OffHeader& header, Bytes memoryLimit) {

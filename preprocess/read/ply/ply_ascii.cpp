@@ -11,7 +11,8 @@ namespace gnomon::read {
 
 namespace {
 
-// Longer words are rejected, because no sensible number is so long.
+// The max length of a number in an ASCII PLY file, in characters. Longer words are rejected, because no sensible number
+// is so long.
 constexpr std::size_t kLongestWord = 1000;
 
 bool isBlank(char c) {
@@ -42,8 +43,8 @@ bool AsciiValues::skipBlanks(bool acrossLines) {
 
 std::string_view AsciiValues::word() {
     if (!skipBlanks(true)) progress_.throwEndsEarly(where());
-    // The result of `fill` is ignored: fewer bytes can remain at the end of the file, where the last word needs no
-    // separator.
+    // Near the end of the file, `fill` returns false because fewer bytes remain. Its result is therefore ignored. The
+    // last word of a file needs no separator.
     stream_.fill(kLongestWord + 1);
     const auto* text = reinterpret_cast<const char*>(stream_.data());
     const std::size_t size = std::min(stream_.available(), kLongestWord + 1);

@@ -11,7 +11,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns the value of the last digit of a decimal number, for example 0.01 for "1.25".
+/// Returns the value of one unit in the last digit of a decimal number, for example 0.01 for "1.25".
 double lastDigitOf(std::string_view text) {
     const std::size_t exponentAt = text.find_first_of("eE");
     const std::string_view digits = text.substr(0, exponentAt);
@@ -26,7 +26,7 @@ double lastDigitOf(std::string_view text) {
 bool losesDigits(std::string_view text) {
     const double value = numberIn(text).value_or(0);
     const double rounding = std::abs(static_cast<double>(static_cast<float>(value)) - value);
-    // If a number was printed from a float with these digits, the float differs by at most half a unit of the last
+    // If a program printed these digits from a float, the float differs from them by at most half a unit of the last
     // digit.
     constexpr double kHalf = 0.5001;
     const bool isTiny = std::abs(value) < static_cast<double>(std::numeric_limits<float>::min());

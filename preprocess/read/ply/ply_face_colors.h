@@ -1,4 +1,4 @@
-// Reads the face colours of a PLY.
+// Reads the face colours of a PLY file.
 #pragma once
 
 #include "preprocess/read/ply/ply_layout.h"
@@ -10,8 +10,8 @@
 
 namespace gnomon::read {
 
-/// Reads all rows of the face element `element`. Calls `use(corners, channels)` for each face. A channel without a
-/// property has no value.
+/// Reads all faces of the PLY element `element`. Calls `use(corners, channels)` for each face with its vertex indices
+/// and its four colour channels. A channel has no value if the file has no property for it.
 template <class Values, class Use>
 void readColoredFaces(
     Values& values, const PlyElement& element, const ColorLayout& layout, std::uint64_t vertexCount, Use use) {
@@ -35,7 +35,7 @@ void readColoredFaces(
     }
 }
 
-/// Converts `channels` to RGBA8, so that the values `full` become 255. A channel without a value becomes 255.
+/// Converts the colour `channels` to RGBA8. The value `full` of a channel becomes 255. A missing channel becomes 255.
 inline std::uint32_t colorOf(
     const PlyElement& element,
     const ColorLayout& layout,

@@ -27,7 +27,7 @@ Columns columnsOf(const PlyElement& element, const VertexLayout& layout) {
     return columns;
 }
 
-// The bytes of the rows of one block.
+// The bytes of consecutive binary rows of vertices.
 struct RawRows {
     const std::byte* bytes;
     std::size_t stride;
@@ -50,7 +50,8 @@ void decodeEither(const RawRows& rows, const Column& column, Store store) {
         decodeAs<T, false>(rows, column, store);
 }
 
-// Calls store(row, value) for each row of a column. The switch over the type is outside the loop.
+// Decodes one attribute of all rows and calls store(row, value) for each row. The switch over the value type is outside
+// the loop.
 template <class Store>
 void decode(const RawRows& rows, const Column& column, Store store) {
     switch (column.type) {
@@ -80,7 +81,7 @@ void decodePositions(const RawRows& rows, const Columns& columns, std::span<glm:
         });
 }
 
-/// Decodes normals. Normals that are not finite become zero. Returns the number of such normals.
+/// Decodes the normals of all rows. Normals that are not finite become zero. Returns the number of such normals.
 std::uint64_t decodeNormals(const RawRows& rows, const Columns& columns, std::span<glm::vec3> normals) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         decode(rows, columns[kNormal + axis], [&](std::size_t i, auto value) {
@@ -120,22 +121,22 @@ void decodeFields(
 }
 
 struct FaceLayout {
-    std::size_t before = 0; ///< size of the values before the list
-    std::size_t after = 0;  ///< size of the values after the list
+    std::size_t before = 0; ///< bytes of the values before the list
+    std::size_t after = 0;  ///< bytes of the values after the list
     PlyType countType = PlyType::Uint8;
     bool isSwapped = false;
 
     std::size_t triangleBytes() const { return before + byteSize(countType) + 3 * sizeof(std::uint32_t) + after; }
 };
 
-// Returns the list count at `bytes`. A negative count becomes larger than any list.
+// Returns the length of a list at `bytes`. A negative length becomes larger than any valid length.
 template <PlyType kType>
 std::uint32_t loadCount(const std::byte* bytes, bool isSwapped) {
     return withValue(kType, bytes, isSwapped, [](auto value) { return static_cast<std::uint32_t>(value); });
 }
 
-// Copies triangles until a row is not a valid triangle, the buffer is full, or the bytes end. Returns the number of
-// copied triangles.
+// Copies triangles from rows of faces. The function stops at a row that is not a valid triangle, at the end of the
+// buffer, or at the end of the bytes. Returns the number of copied triangles.
 template <PlyType kCountType, bool kIsSwapped>
 std::size_t copyTriangles(
     std::span<const std::byte> bytes,

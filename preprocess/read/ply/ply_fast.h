@@ -1,20 +1,21 @@
-// Fast readers for binary PLY bodies. They read vertices of fixed size column by column, and triangles row by row.
+// Fast readers for the bodies of binary PLY files. They decode vertices of fixed size attribute by attribute, and
+// triangles row by row.
 #pragma once
 
 #include "preprocess/read/ply/ply_rows.h"
 
 namespace gnomon::read {
 
-/// Reads the vertices of an element without lists from a binary body. The result is equal to that of readVertexRows.
+/// Reads the vertices of a binary PLY element without list properties. The result is equal to that of readVertexRows.
 void readVertexColumns(BinaryValues& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out);
 
-/// Reads all rows of a face element. The result is equal to calling readFaceRow for each row. The fast path requires
-/// that `list` is the only list and that its indices are integers of four bytes. readFaceRow reads the rows that are
-/// not triangles with valid indices.
+/// Reads all faces of a PLY element. The result is equal to that of readFaceRow for each face. The fast path reads only
+/// triangles with valid indices, and leaves other faces to readFaceRow. It requires that `list` is the only list
+/// property and that its indices are integers of four bytes.
 void readFaceRows(
     BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out);
 
-/// Reads the vertices of an element with the fastest reader for its layout.
+/// Reads the vertices of a PLY element with the fastest reader for the layout of its rows.
 inline void readVertexElement(
     BinaryValues& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
     if (element.hasLists()) return readVertexRows(values, element, layout, out);
@@ -26,7 +27,7 @@ inline void readVertexElement(
     readVertexRows(values, element, layout, out);
 }
 
-/// Reads the faces of an element with the fastest reader for its body.
+/// Reads the faces of a PLY element with the fastest reader for a binary or an ASCII file.
 inline void readFaceElement(
     BinaryValues& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out) {
     readFaceRows(values, element, list, vertexCount, out);
@@ -39,8 +40,8 @@ inline void readFaceElement(
         readFaceRow(values, element, list, vertexCount, out, corners);
 }
 
-/// Returns the size in bytes of a row that is a triangle. Returns 0 if the fast path cannot read the element (see
-/// readFaceRows).
+/// Returns the number of bytes that a triangle uses in the element's rows. Returns 0 if the fast path cannot read the
+/// element (see readFaceRows).
 std::size_t triangleRowBytes(const PlyElement& element, int list);
 
 } // namespace gnomon::read

@@ -15,8 +15,8 @@ namespace gnomon::read {
 
 namespace {
 
-// The max size of a header in bytes, which is much larger than any real header. Without it, a file without end_header
-// would be read completely.
+// The max size of a PLY header in bytes, which is much larger than any real header. Without this limit, a file without
+// end_header would be read completely.
 constexpr std::uint64_t kLargestHeader = 1U << 20U;
 
 constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
@@ -40,7 +40,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
 
 class HeaderParser {
 public:
-    /// Parses the header in `text`. The header begins after a byte order mark of `markBytes` bytes.
+    /// Prepares to parse the header in `text`. The header begins after a UTF-8 byte order mark of `markBytes` bytes.
     HeaderParser(const InputFile& file, std::string_view text, std::size_t markBytes)
         : file_(file), text_(text), position_(markBytes) {}
 
@@ -61,8 +61,8 @@ public:
 private:
     [[noreturn]] void fail(const std::string& what) const { throw Error(atLine(file_.path(), line_), what); }
 
-    // Finds the line end from the first line only. In a binary file, the first byte of the body can look like a line
-    // end.
+    // Finds out how lines end, from the first line only. In a binary file, the first byte after the header can look
+    // like a line end.
     void findLineEnd() {
         if (!text_.substr(position_).starts_with("ply"))
             throw Error(atByte(file_.path(), 0), "not a PLY file: the first line is not \"ply\"");
@@ -78,7 +78,7 @@ private:
         ++line_;
         const std::size_t end = text_.find(header_.lineEnd, position_);
         if (end == std::string_view::npos) {
-            // An ASCII file may end here, without a body. checkCounts later checks the counts.
+            // An ASCII file without any rows may end here. checkCounts checks later that the header declares no rows.
             const std::string_view rest = text_.substr(position_);
             if (text_.size() < file_.size() || wordsOf(rest) != std::vector<std::string_view>{"end_header"})
                 throw Error(atByte(file_.path(), text_.size()), "the header has no end_header");
@@ -144,9 +144,9 @@ private:
     PlyHeader header_;
 };
 
-// Throws Error if the file is too short for the counts of the header.
+// Throws Error if the file is too short for the numbers of rows that its header declares.
 void checkCounts(const InputFile& file, const PlyHeader& header) {
-    // In an ASCII file, the last value needs no separator.
+    // In an ASCII file, the last value needs no separator after it.
     std::uint64_t left = file.size() - header.bodyOffset + (header.format == PlyFormat::Ascii ? 1 : 0);
     for (const PlyElement& element : header.elements) {
         const std::uint64_t row = element.minRowBytes(header.format);

@@ -1,4 +1,4 @@
-// The header of a PLY file: its elements, their properties, and the position of the body.
+// Reads the header of a PLY file: its elements, their properties, and the file position of the data.
 #pragma once
 
 #include "preprocess/read/input_file.h"
@@ -13,7 +13,7 @@ enum class PlyFormat { Ascii, BinaryLittleEndian, BinaryBigEndian };
 
 enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 
-/// Returns the size in bytes of one value of type `type` in a binary body.
+/// Returns the size in bytes of one value of type `type` in a binary PLY file.
 constexpr std::uint32_t byteSize(PlyType type) {
     switch (type) {
     case PlyType::Int8:
@@ -41,13 +41,14 @@ constexpr const char* nameOf(PlyType type) {
     return kNames[static_cast<int>(type)];
 }
 
-/// Returns the max value of an integer type, and 0 for floats.
+/// Returns the max value of the integer type `type`. Returns 0 for floating-point types.
 constexpr double largestOf(PlyType type) {
     constexpr double kMaxima[] = {127, 255, 32767, 65535, 2147483647, 4294967295, 0, 0};
     return kMaxima[static_cast<int>(type)];
 }
 
-/// A property of an element. A row has one value of it, or a list whose count has the type `countType`.
+/// A property of a PLY element. Each row of the element has one value of the property, or a list of values. The type of
+/// a list's length is `countType`.
 struct PlyProperty {
     std::string name;
     PlyType type = PlyType::Float32;
@@ -55,19 +56,20 @@ struct PlyProperty {
     PlyType countType = PlyType::Uint8;
 };
 
-/// An element of a PLY: `count` rows with the same properties.
+/// An element of a PLY file, such as "vertex": `count` rows with the same properties.
 struct PlyElement {
     std::string name;
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
 
-    /// Returns the index of the first property with the name `wanted` or `alias`. Returns -1 if there is none.
+    /// Returns the index of the first property with the name `wanted` or `alias`. Returns -1 if no property has such a
+    /// name.
     int indexOf(const char* wanted, const char* alias = "") const;
 
     bool hasLists() const;
 
-    /// Returns the min size of a row in bytes. In a binary body, the smallest row has only empty lists. In an ASCII
-    /// body, each value has at least one digit and one separator.
+    /// Returns the min number of bytes that a row can have. In a binary file, the smallest row has only empty lists. In
+    /// an ASCII file, each value has at least one digit and one separator.
     std::uint64_t minRowBytes(PlyFormat format) const;
 };
 
@@ -75,14 +77,16 @@ struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
     std::uint64_t bodyOffset = 0; ///< bytes from the start of the file
-    std::uint64_t bodyLine = 1;   ///< line on which the body begins, counted from 1
+    std::uint64_t bodyLine = 1;   ///< line on which the data begin, counted from 1
     char lineEnd = '\n';          ///< '\r' in files of old Macs
 };
 
-/// Reads the header of `file`. Lines can end with LF, CR LF or CR. A line with an unknown keyword before the first
-/// element cannot change the layout. It counts as a comment without its keyword, because Blender has written such
-/// lines. After the first element, such a line is an error. Throws Error with the line of an invalid header. Throws
-/// Error if the file is too short for the declared counts. Source: Turk, "The PLY Polygon File Format", 1994.
+/// Reads the header of the PLY file `file`. Lines can end with LF, CR LF or CR. Throws Error with the line of an
+/// invalid header. Throws Error if the file is too short for the declared counts.
+///
+/// A line with an unknown keyword before the first element counts as a comment, because Blender has written such lines.
+/// It cannot change the layout of the data. After the first element, such a line is an error. Source: Turk, "The PLY
+/// Polygon File Format", 1994.
 PlyHeader readPlyHeader(const InputFile& file);
 
 } // namespace gnomon::read

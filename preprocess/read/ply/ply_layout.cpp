@@ -59,7 +59,7 @@ ColorRule colorRuleOf(const PlyElement& element, const ColorLayout& colors, cons
     };
     ColorRule rule;
     const double max = std::max({maxima[0], maxima[1], maxima[2]});
-    // channels of the same type (the usual case) have one common range
+    // Channels of the same type (the usual case) share one range.
     for (std::size_t channel = 0; channel < 3; ++channel)
         rule.full[channel] = fullOf(channel, propertyOf(channel).type == propertyOf(0).type ? max : maxima[channel]);
     const bool hasAlpha = colors[3] >= 0;
@@ -92,8 +92,8 @@ VertexLayout vertexLayoutOf(const PlyElement& element) {
 
 namespace {
 
-/// Returns the name under which a build counts a property that it drops. `channel` is 0 to 2 for a colour of faces, and
-/// 3 for alpha.
+/// Returns the name under which a build counts a property that it drops. `channel` is 0 to 2 for red, green and blue of
+/// a face colour, and 3 for alpha.
 std::string droppedName(const PlyElement& element, const std::string& property, std::ptrdiff_t channel) {
     constexpr std::array kTexture = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber"};
     if (channel < 3) return kFaceColors;

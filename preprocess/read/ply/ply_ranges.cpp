@@ -12,8 +12,8 @@ PlyRanges::PlyRanges(const InputFile& file, const PlyHeader& header, std::size_t
     findFixedRows();
 }
 
-// Sets the row index if all rows have fixed sizes and the size of the file is equal to their total size. All faces are
-// then triangles.
+// Sets the file positions of rows if all rows have fixed sizes and the size of the file is equal to their total size.
+// All faces are then triangles.
 void PlyRanges::findFixedRows() {
     if (header_.format == PlyFormat::Ascii) return;
     RowIndex::Part index;
@@ -102,7 +102,7 @@ std::uint64_t PlyRanges::passOver(Values& values, const PlyElement& element, int
 void PlyRanges::takeIndex(const RowIndex::Part& index) {
     const auto isOf = [&](const std::vector<RowIndex::Place>& places, const Rows& rows) {
         const std::uint64_t strides = (rows.element.count + RowIndex::kRows - 1) / RowIndex::kRows;
-        // The subtraction cannot underflow, because the header was checked against the size of the file.
+        // The subtraction cannot underflow, because the row counts were already checked against the size of the file.
         const std::uint64_t last = file_.size() - rows.bytes * rows.element.count;
         return places.size() == (rows.bytes > 0 ? std::min<std::uint64_t>(strides, 1) : strides) &&
                std::ranges::all_of(places, [&](const RowIndex::Place& place) { return place.offset <= last; });
@@ -154,7 +154,7 @@ void PlyRanges::readVertices(
 bool PlyRanges::readFaces(
     std::uint64_t begin, std::uint64_t end, std::uint64_t vertexCount, const TriangleSink& sink) const {
     bool isRegular = true;
-    bool isInSink = false; // errors of the sink are passed on to the caller
+    bool isInSink = false; // whether an error comes from the sink, so that it is passed on to the caller
     const TriangleSink take = [&](const TriangleBlock& block) {
         isRegular = isRegular && !(areTriangles_ && (!block.polygons.empty() || block.notAPolygon > 0));
         if (!isRegular) return;

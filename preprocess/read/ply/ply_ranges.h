@@ -1,5 +1,5 @@
-// Random access to the rows of a PLY. If all rows have fixed sizes, their positions follow from the size of the file.
-// Otherwise one pass finds the positions.
+// Random access to the vertices and faces of a PLY file. If all rows have fixed sizes, the size of the file gives their
+// positions. Otherwise the file is read once to find the positions.
 #pragma once
 
 #include "core/progress.h"
@@ -10,34 +10,35 @@
 
 namespace gnomon::read {
 
-/// Reads ranges of rows of a PLY whose triangles are all in one element. All functions except indexRows and takeIndex
-/// are thread-safe.
+/// Reads any range of vertices or faces of a PLY file whose triangles are all in one element. All functions except
+/// indexRows and takeIndex are thread-safe.
 class PlyRanges {
 public:
-    /// Creates a reader for the elements with the indices `vertices` and `faces` in `header`. `file` and `header` must
-    /// outlive this object.
+    /// Creates a reader for the PLY elements with the indices `vertices` and `faces` in `header`. `file` and `header`
+    /// must outlive this object.
     PlyRanges(const InputFile& file, const PlyHeader& header, std::size_t vertices, std::size_t faces);
 
-    /// Finds the positions of rows (see MeshSource::indexRows). Returns false if the file has a defect.
+    /// Finds the file positions of vertices and faces (see MeshSource::indexRows). Returns false if the file has a
+    /// defect.
     bool indexRows(Progress& progress);
 
-    /// Sets the index that another process found (see MeshSource::takeRowIndex).
+    /// Sets the file positions that another process found (see MeshSource::takeRowIndex).
     void takeIndex(const RowIndex::Part& index);
 
-    /// Returns the row index. Throws Error if there is none yet.
+    /// Returns the file positions of vertices and faces. Throws Error if they are not known yet.
     const RowIndex::Part& index() const;
 
-    /// Reads the vertices [begin, end) into `out` and flushes it.
+    /// Reads the vertices [begin, end) into `out` and then flushes `out`.
     void readVertices(std::uint64_t begin, std::uint64_t end, const VertexLayout& layout, VertexBuffer& out) const;
 
-    /// Reads the faces [begin, end) (see MeshSource::readFaceRange).
+    /// Passes the triangles of the faces [begin, end) to `sink`. The result is that of MeshSource::readFaceRange.
     bool readFaces(std::uint64_t begin, std::uint64_t end, std::uint64_t vertexCount, const TriangleSink& sink) const;
 
 private:
-    /// An element and the layout of its rows.
+    /// An element of the PLY file and the layout of its rows.
     struct Rows {
         const PlyElement& element;
-        int list = -1;           // for faces: index of the property with the corners
+        int list = -1;           // for faces: index of the list property with the vertex indices
         std::uint64_t bytes = 0; // bytes per row; 0 if the rows have different sizes
     };
 
@@ -45,12 +46,12 @@ private:
     Rows faceRows() const;
     void findFixedRows();
 
-    /// Reads the whole file and returns its row index. Throws Error at the first defect.
+    /// Reads the whole file and returns the file positions of its rows. Throws Error at the first defect.
     template <class Values>
     RowIndex::Part indexed(Values values, Progress& progress) const;
 
-    /// Appends the positions of the rows of an element to `places`. `before` is the number of triangles before the
-    /// element. Returns the number of triangles up to the end of the element.
+    /// Appends file positions of the rows of an element to `places`. `before` is the number of triangles in the rows
+    /// before the element. Returns the number of triangles up to the end of the element.
     template <class Values>
     std::uint64_t indexElement(
         Values& values,
@@ -63,8 +64,8 @@ private:
     template <class Values>
     std::uint64_t passOver(Values& values, const PlyElement& element, int list) const;
 
-    /// Calls `read(values, rows, firstTriangle)` for the rows [begin, end) in `range`. `values` is at row `begin`.
-    /// `rows` is an element with only these rows. `firstTriangle` is the number of triangles before them.
+    /// Moves a reader of values to row `begin` of `range` = [begin, end) and calls `read(values, rows, firstTriangle)`.
+    /// `rows` is an element with only the rows of `range`. `firstTriangle` is the number of triangles before them.
     template <class Read>
     void readRange(
         const Rows& rows,

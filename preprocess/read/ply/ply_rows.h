@@ -1,5 +1,5 @@
-// Generic readers for the rows of a PLY body. They read any layout, value by value. The fast readers in ply_fast.h use
-// them for rows that they cannot read.
+// Generic readers for the rows of a PLY file. They read any layout, value by value. The fast readers in ply_fast.h use
+// them for rows that have an unusual layout.
 #pragma once
 
 #include "core/error.h"
@@ -14,38 +14,39 @@
 
 namespace gnomon::read {
 
-// The slots of a vertex: three coordinates, three components of the normal, and four channels of the colour.
+// The attributes of a vertex are stored in ten slots: three coordinates, three components of the normal, and four
+// channels of the colour.
 constexpr std::size_t kPosition = 0;
 constexpr std::size_t kNormal = 3;
 constexpr std::size_t kColor = 6;
 constexpr std::size_t kAlpha = 9;
 constexpr std::size_t kVertexSlots = 10;
 
-/// Which property of an element fills each slot of a vertex.
+/// Says which property of a PLY element contains each attribute of a vertex.
 struct VertexLayout {
-    std::array<int, kVertexSlots> property{}; ///< property index per slot; -1 if there is none
+    std::array<int, kVertexSlots> property{}; ///< per slot: the property index; -1 if there is none
     bool hasNormals = false;
     bool hasColors = false;
     bool isDouble = false;
-    std::vector<std::size_t> fields; ///< indices of the properties that are read as fields
-    /// channel values that mean full intensity: red, green, blue and alpha
+    std::vector<std::size_t> fields; ///< indices of the scalar properties that are read as fields
+    /// The values that mean full intensity in the channels red, green, blue and alpha.
     std::array<double, 4> full{255, 255, 255, 255};
 
-    /// Returns true if the element has properties for all `count` slots from `first` on.
+    /// Returns true if the element has properties for all slots [first, first + count).
     bool has(std::size_t first, std::size_t count) const {
         return std::all_of(
             property.begin() + first, property.begin() + first + count, [](int index) { return index >= 0; });
     }
 };
 
-/// Converts a channel to a byte, so that `full` becomes 255. The function adds 256 to negative values of type char,
-/// because programs that declare char write uchar.
+/// Converts a colour channel to a byte. The value `full` becomes 255. The function adds 256 to negative values of type
+/// char, because programs that declare char write uchar.
 inline std::uint8_t colorByte(PlyType type, double value, double full) {
     return channelByte(type == PlyType::Int8 && value < 0 ? value + 256 : value, full);
 }
 
-/// Reads the count of a list. Throws Error if the count is negative or if the rest of the file cannot contain so many
-/// values.
+/// Reads the length of a list. Throws Error if the length is negative or if the rest of the file is too short for the
+/// list.
 template <class Values>
 std::uint64_t readListCount(Values& values, const PlyProperty& list) {
     const std::int64_t count = values.integer(list.countType);
@@ -65,7 +66,7 @@ void skipProperty(Values& values, const PlyProperty& property) {
     values.skip(property.type, property.isList ? readListCount(values, property) : 1);
 }
 
-/// Skips all rows of `element`.
+/// Skips all rows of the PLY element `element`.
 template <class Values>
 void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
     values.beginElement(element);
@@ -81,8 +82,8 @@ void skipElement(Values& values, const PlyElement& element, PlyFormat format) {
     }
 }
 
-/// Skips all rows of a face element. Its property `list` contains the corners. Returns the number of triangles in these
-/// rows.
+/// Skips all faces of a PLY element. Its property `list` contains the vertex indices. Returns the number of triangles
+/// of these faces.
 template <class Values>
 std::uint64_t skipFaces(Values& values, const PlyElement& element, std::size_t list) {
     std::uint64_t triangles = 0;
@@ -99,7 +100,7 @@ std::uint64_t skipFaces(Values& values, const PlyElement& element, std::size_t l
     return triangles;
 }
 
-/// Returns `value` as a vertex index. Throws Error unless it is from 0 to `vertexCount` - 1.
+/// Returns `value` as a vertex index. Throws Error if the value is negative or at least `vertexCount`.
 template <class Values>
 std::uint64_t checkedIndex(const Values& values, std::int64_t value, std::uint64_t vertexCount) {
     if (value < 0 || static_cast<std::uint64_t>(value) >= vertexCount)
@@ -111,8 +112,8 @@ std::uint64_t checkedIndex(const Values& values, std::int64_t value, std::uint64
     return static_cast<std::uint64_t>(value);
 }
 
-/// Reads the corners of one polygon into `corners`. Throws Error if an index is out of range or there are more than
-/// kMaxPolygonCorners corners.
+/// Reads the vertex indices of one polygon into `corners`. Throws Error if an index is out of range or the polygon has
+/// more than kMaxPolygonCorners corners.
 template <class Values>
 void readCorners(
     Values& values, const PlyProperty& list, std::uint64_t vertexCount, std::vector<std::uint64_t>& corners) {
@@ -128,7 +129,7 @@ void readCorners(
         corners.push_back(checkedIndex(values, values.integer(list.type), vertexCount));
 }
 
-/// Reads one row of a face element into `out`. `corners` is memory that is reused for many rows.
+/// Reads one face and adds its triangles to `out`. `corners` is memory that is reused for many faces.
 template <class Values>
 void readFaceRow(
     Values& values,
@@ -148,8 +149,8 @@ void readFaceRow(
     out.addPolygon(corners);
 }
 
-/// Decodes triangle strips. The winding alternates. A restart index begins a new strip. A triangle with two equal
-/// corners only joins two strips and is skipped.
+/// Decodes triangle strips to triangles with consistent winding. A restart index begins a new strip. A triangle with
+/// two equal corners only joins two strips, so it is skipped.
 class StripDecoder {
 public:
     explicit StripDecoder(TriangleBuffer& out) : out_(out) {}
@@ -172,7 +173,8 @@ private:
     std::uint64_t length_ = 0;
 };
 
-/// Reads one row of a tristrips element into `out`. The memory is bounded for a list of any length.
+/// Reads one row of a PLY element with triangle strips, and adds its triangles to `out`. The memory is bounded for
+/// strips of any length.
 template <class Values>
 void readStripRow(Values& values, const PlyElement& element, int list, std::uint64_t vertexCount, TriangleBuffer& out) {
     StripDecoder strip(out);
@@ -185,7 +187,7 @@ void readStripRow(Values& values, const PlyElement& element, int list, std::uint
         const std::uint64_t count = readListCount(values, property);
         for (std::uint64_t k = 0; k < count; ++k) {
             const std::int64_t index = values.integer(property.type);
-            // An unsigned type stores the restart index -1 as its max value.
+            // The restart index is -1. In an unsigned type, it appears as the type's max value.
             const bool isUnsignedRestart = property.type == PlyType::Uint32 && index == 0xFFFFFFFF;
             if (index == -1 || (isUnsignedRestart && vertexCount <= 0xFFFFFFFF))
                 strip.restart();
@@ -196,7 +198,7 @@ void readStripRow(Values& values, const PlyElement& element, int list, std::uint
     values.endRow();
 }
 
-/// The values of a vertex row that the layout uses, stored by slot and by field.
+/// The values of one vertex of a PLY file, stored by attribute and by scalar field.
 class VertexRow {
 public:
     VertexRow(const PlyElement& element, const VertexLayout& layout)
@@ -217,7 +219,8 @@ public:
     void read(Values& values) {
         for (std::size_t i = 0; i < slotOf_.size(); ++i) {
             const PlyProperty& property = element_.properties[i];
-            const bool isField = fieldOf_[i] < fields_.size(); // a field can also be a slot
+            // a scalar field can also be an attribute such as a colour
+            const bool isField = fieldOf_[i] < fields_.size();
             if (slotOf_[i] < 0 && !isField) {
                 skipProperty(values, property);
                 continue;
@@ -240,14 +243,14 @@ public:
 private:
     const PlyElement& element_;
     std::array<double, 4> full_;
-    std::vector<int> slotOf_;          // per property: its slot; -1 for none
-    std::vector<std::size_t> fieldOf_; // per property: its field; the number of fields for none
+    std::vector<int> slotOf_;          // per property: its slot; -1 if it has no slot
+    std::vector<std::size_t> fieldOf_; // per property: its field; the number of fields if it is no field
     std::array<PlyType, kVertexSlots> types_{};
     std::array<double, kVertexSlots> slots_{};
     std::vector<double> fields_;
 };
 
-/// Reads the vertices of an element in any layout into `out`.
+/// Reads all vertices of a PLY element with any layout, and adds them to `out`.
 template <class Values>
 void readVertexRows(Values& values, const PlyElement& element, const VertexLayout& layout, VertexBuffer& out) {
     VertexRow row(element, layout);

@@ -41,11 +41,11 @@ public:
 
     const MeshSummary& summary() const override { return summary_; }
 
-    /// Returns true if faces have colours, all triangles are such faces, and no vertex has a colour.
+    /// Returns true if the file's faces have colours, all triangles come from such faces, and no vertex has a colour.
     bool hasFaceColors() const { return faceColors_.has_value(); }
 
-    /// Reads the mesh into memory and returns it with the colours of its faces. Throws Error if this needs more memory
-    /// than `memoryLimit`.
+    /// Reads the mesh into memory and returns it with its face colours as vertex colours. Throws Error if this needs
+    /// more memory than `memoryLimit`.
     std::unique_ptr<MeshSource> withFaceColors(Bytes memoryLimit) {
         FaceColorSplitter splitter(summary_.path, memoryLimit, summary_.fields);
         readVertices([&](const VertexBlock& block) { splitter.addVertices(block); });
@@ -158,7 +158,8 @@ private:
         if (!remark.empty()) remarks.push_back(summary_.path + ": " + remark);
     }
 
-    /// Finds the range of the vertex colours. If the range depends on the max values, the function reads all vertices.
+    /// Finds the numeric range of the vertex colours. If the range depends on their max values, the function reads all
+    /// vertices.
     void findRangeOfVertexColors() {
         const PlyElement& element = header_.elements[vertices_];
         const ColorLayout colors = *colorLayoutOf(element);
@@ -197,7 +198,7 @@ private:
         return maxima;
     }
 
-    /// Adds a note for the user if float coordinates of the first vertices of an ASCII file have too many digits.
+    /// Adds a warning for the user if float coordinates in the first vertices of an ASCII file have too many digits.
     void warnOfDigits() {
         if (header_.format != PlyFormat::Ascii) return;
         const auto warn = [&](auto values) {
@@ -221,8 +222,8 @@ private:
         }
     }
 
-    // Estimates the number of triangles. If a binary file has only one list, all bytes above the min size of the rows
-    // are corners.
+    // Estimates the number of triangles. If a binary file has only one list property, all bytes above the min size of
+    // the rows are vertex indices.
     std::uint64_t likelyTriangles() const {
         const std::uint64_t ofStrips = summary_.stripCount > 0 ? 2 * summary_.vertexCount : 0;
         std::uint64_t left = summary_.fileBytes - header_.bodyOffset;
@@ -245,8 +246,8 @@ private:
         return {.hasNormals = layout_.hasNormals, .hasColors = layout_.hasColors, .fieldCount = layout_.fields.size()};
     }
 
-    // Calls `body` with values that begin at element `begin`. If the position of this element is unknown, the function
-    // reads up to it once and stores the position.
+    // Calls `body` with a reader of values at the start of element `begin`. If the position of this element is unknown,
+    // the function first skips the elements before it.
     template <class Body>
     void pass(Body body, std::size_t begin) {
         std::size_t known = begin;
@@ -285,7 +286,7 @@ private:
         out.flush();
     }
 
-    // Reads the whole file to its end. A complete pass has then checked all counts.
+    // Reads all triangles and continues to the end of the file. All counts of the header are then verified.
     template <class Values>
     void trianglePass(Values& values, const TriangleSink& sink) {
         TriangleBuffer out(sink);
@@ -316,7 +317,8 @@ private:
     std::size_t vertices_ = header_.elements.size();   ///< index of the vertex element
     std::size_t firstFaces_ = header_.elements.size(); ///< index of the first element with triangles
     std::optional<PlyRanges> ranges_;                  ///< set if all triangles are in one element
-    std::vector<std::optional<PlyPlace>> starts_;      ///< per element: its start, if known; then the end of the body
+    /// per element: its file position, if known; last: the end of the data
+    std::vector<std::optional<PlyPlace>> starts_;
 };
 
 } // namespace

@@ -1,4 +1,5 @@
-// Sequential readers for the values of a PLY body. The readers for binary and ASCII bodies have the same interface.
+// Sequential readers for the values of a PLY file after its header. The readers for binary and ASCII files have the
+// same interface.
 #pragma once
 
 #include "preprocess/read/byte_stream.h"
@@ -10,26 +11,27 @@
 
 namespace gnomon::read {
 
-/// A position in the file from which a pass can read.
+/// A position in a PLY file from which values can be read.
 struct PlyPlace {
-    std::uint64_t offset = 0; ///< bytes
-    std::uint64_t line = 1;   ///< only for ASCII
+    std::uint64_t offset = 0; ///< bytes from the start of the file
+    std::uint64_t line = 1;   ///< line number, only for ASCII files
 };
 
-/// The progress of a pass in its current element, for error messages.
+/// Counts the rows of the current PLY element that were read, for error messages.
 struct PlyProgress {
     std::string element;
-    std::uint64_t rows = 0; ///< number of rows in the header
+    std::uint64_t rows = 0; ///< number of rows that the header declares
     std::uint64_t done = 0; ///< number of rows that were read completely
 
-    /// Returns a text with the number and the element of the current row.
+    /// Returns a text that names the current row by its number and its element.
     std::string row() const;
 
-    /// Throws Error because the file ends inside the element. `where` is the position of the end.
+    /// Throws Error because the file ends before the last row of the element. `where` is the position of the file's
+    /// end.
     [[noreturn]] void throwEndsEarly(const std::string& where) const;
 };
 
-/// Reads a value of type T from unaligned bytes. Reverses the bytes if `isSwapped` is true.
+/// Reads a value of type T from unaligned bytes. Reverses the byte order if `isSwapped` is true.
 template <class T>
 T loadValue(const std::byte* bytes, bool isSwapped) {
     T value;
@@ -44,7 +46,8 @@ T loadValue(const std::byte* bytes, bool isSwapped) {
     return value;
 }
 
-/// Calls `use` with the value at `bytes`. The value has the C++ type that corresponds to `type`.
+/// Decodes the value of the PLY type `type` at `bytes` and calls `use` with it. The argument has the C++ type that
+/// corresponds to `type`.
 template <class Use>
 auto withValue(PlyType type, const std::byte* bytes, bool isSwapped, Use use) {
     switch (type) {
@@ -68,7 +71,8 @@ auto withValue(PlyType type, const std::byte* bytes, bool isSwapped, Use use) {
     return use(loadValue<double>(bytes, isSwapped));
 }
 
-/// Reads the values of a binary body. Each call throws Error with the byte offset if the file ends too early.
+/// Reads the values of a binary PLY file in order. Each function throws Error with the byte offset if the file ends too
+/// early.
 class BinaryValues {
 public:
     BinaryValues(const InputFile& file, PlyFormat format, PlyPlace start);
@@ -77,7 +81,7 @@ public:
         return withValue(type, take(byteSize(type)), isSwapped_, [](auto value) { return static_cast<double>(value); });
     }
 
-    /// Reads the next value as a count or an index. Throws Error if it is a float that is not a whole number.
+    /// Reads the next value as a list length or an index. Throws Error if it is a float that is not a whole number.
     std::int64_t integer(PlyType type) {
         if (isFloat(type)) return wholeNumber(real(type));
         return withValue(
@@ -86,10 +90,10 @@ public:
 
     void skip(PlyType type, std::uint64_t count = 1);
 
-    /// Skips `count` rows of `rowBytes` bytes. Throws Error if the file ends before.
+    /// Skips `count` rows of `rowBytes` bytes each. Throws Error if the file ends before.
     void skipRows(std::uint64_t rowBytes, std::uint64_t count);
 
-    /// Sets the element of the next values for error messages. The next row is `row`.
+    /// Tells the reader that the next value belongs to row `row` of `element`, for error messages.
     void beginElement(const PlyElement& element, std::uint64_t row = 0) {
         progress_ = {element.name, element.count, row};
     }
@@ -98,17 +102,17 @@ public:
 
     void endRows(std::uint64_t count) { progress_.done += count; }
 
-    /// Returns the max number of values of `type` that the rest of the file can contain.
+    /// Returns how many values of `type` the rest of the file can contain at most.
     std::uint64_t maxValues(PlyType type) const { return stream_.remaining() / byteSize(type); }
 
-    /// Returns the path and the byte offset of the last value, for errors.
+    /// Returns the path and the byte offset of the last value, for error messages.
     std::string where() const;
 
     std::string row() const { return progress_.row(); }
 
     PlyPlace place() const { return {stream_.offset(), 0}; }
 
-    /// Throws Error if bytes other than blanks or zeros follow the last element.
+    /// Throws Error if the file contains bytes other than blanks or zeros after the last element.
     void expectEnd();
 
     ByteStream& stream() { return stream_; }
@@ -134,9 +138,9 @@ private:
     PlyProgress progress_;
 };
 
-/// Reads the values of an ASCII body: words between blanks and line ends. A row can span several lines, but the next
-/// row begins on a new line. Each value is rounded to its declared type, so that an ASCII file and a binary file of the
-/// same mesh give the same result.
+/// Reads the values of an ASCII PLY file in order. Blanks and line ends separate the values. A row can span several
+/// lines, but the next row begins on a new line. Each value is rounded to its declared type, so that an ASCII file and
+/// a binary file of the same mesh give the same result.
 class AsciiValues {
 public:
     AsciiValues(const InputFile& file, char lineEnd, PlyPlace start);
@@ -156,7 +160,8 @@ public:
 
     std::string row() const { return progress_.row(); }
 
-    /// Returns the text of the number that `real` read last. The text is valid until the next call of another function.
+    /// Returns the text of the number that `real` read last. The text is valid until the next call of another function
+    /// of this object.
     std::string_view lastWord() const { return lastWord_; }
 
     PlyPlace place() const { return {stream_.offset(), line_}; }

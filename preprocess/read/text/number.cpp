@@ -15,7 +15,8 @@ std::optional<double> windowsWord(std::string_view word) {
 }
 
 /// Returns true if a decimal number outside the range of doubles is too large, and false if it is too small. Such a
-/// number is so far from 1 that the place of its first digit is sufficient for this test.
+/// number is so far from 1 that the position of its first nonzero digit relative to the decimal point is sufficient for
+/// this test.
 bool isTooLarge(std::string_view word) {
     const std::size_t exponentAt = word.find_first_of("eE");
     const std::string_view digits = word.substr(0, exponentAt);

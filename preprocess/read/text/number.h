@@ -1,4 +1,4 @@
-// Converts text to numbers by the same rules for all formats. The result does not depend on the locale.
+// Converts text to numbers in the same way for all file formats. The result does not depend on the locale.
 #pragma once
 
 #include <charconv>
@@ -11,12 +11,14 @@
 
 namespace gnomon::read {
 
-/// Returns 1 if `word` begins with '+', which std::from_chars does not accept. Otherwise returns 0.
+/// Returns the length of a leading '+' of `word`, which is 0 or 1. Callers skip it, because std::from_chars does not
+/// accept a '+'.
 inline std::size_t plusLength(std::string_view word) {
     return word.starts_with('+') && !word.starts_with("+-") ? 1 : 0;
 }
 
-/// Returns the integer `word`, with or without a sign. Returns nullopt if the whole word is not an integer.
+/// Returns the integer value of the text `word`, which can have a sign. Returns nullopt if the whole word is not an
+/// integer.
 template <class Integer>
 std::optional<Integer> integerIn(std::string_view word) {
     Integer value{};
@@ -26,13 +28,13 @@ std::optional<Integer> integerIn(std::string_view word) {
     return value;
 }
 
-/// Returns the double nearest to the decimal number `word`. Returns nullopt if the whole word is not a number. A number
-/// too small for a double becomes 0, and a number too large becomes infinite. The function accepts the words of C
-/// ("nan", "inf") and of older Windows programs ("1.#QNAN", "-1.#IND", "1.#INF").
+/// Returns the double nearest to the decimal number in the text `word`. Returns nullopt if the whole word is not a
+/// number. A number too small for a double becomes 0, and a number too large becomes infinite. The function accepts the
+/// words of C ("nan", "inf") and of older Windows programs ("1.#QNAN", "-1.#IND", "1.#INF").
 std::optional<double> numberIn(std::string_view word);
 
-/// Returns true if `word` is a decimal number that is too large for a double. `value` must be the result of numberIn.
-/// Returns false for words that mean infinity, such as "inf".
+/// Returns true if the text `word` is a decimal number that is too large for a double. `value` must be the result of
+/// numberIn for this text. Returns false for words that mean infinity, such as "inf".
 inline bool isHugeNumber(std::string_view word, double value) {
     return std::isinf(value) && word.find_first_of("123456789") != std::string_view::npos &&
            word.find('#') == std::string_view::npos;

@@ -26,8 +26,8 @@ constexpr EndsWord endsWordTable(bool hasComments) {
 constexpr EndsWord kEndsWord = endsWordTable(false);
 constexpr EndsWord kEndsWordOrBeginsComment = endsWordTable(true);
 
-/// Returns true if `bytes` look like ASCII text in units of `width` bytes. Only the byte `significant` of each unit may
-/// be nonzero.
+/// Returns true if `bytes` look like ASCII text in units of `width` bytes, such as UTF-16. Only the byte number
+/// `significant` of each unit may be nonzero.
 bool areWide(std::span<const std::byte> bytes, std::size_t width, std::size_t significant) {
     constexpr std::size_t kUnits = 4;
     if (bytes.size() < width * kUnits) return false;
@@ -76,8 +76,8 @@ std::string TextStream::where() const {
     return atLine(stream_.path(), line_);
 }
 
-/// Reads until the window contains more than kLongestWord bytes after the current position, or the end of the file.
-/// Returns false if the current position is the end of the file.
+/// Reads more of the file until more than kLongestWord bytes after the current position are in memory, or the file
+/// ends. Returns false if the current position is the end of the file.
 bool TextStream::refill() {
     stream_.consume(static_cast<std::size_t>(at_ - begin_));
     stream_.fill(kLongestWord + 1);
@@ -118,8 +118,8 @@ std::string_view TextStream::wordOfAnyLine() {
     return {};
 }
 
-/// Continues `word`, which ends with a backslash. If the line ends here, the function removes the backslash and goes to
-/// the next line. Returns the word.
+/// Processes `word`, which ends with a backslash, and returns it. If the line ends after the word, the function removes
+/// the backslash and goes to the next line.
 std::string_view TextStream::continued(std::string_view word) {
     held_ = word;
     if (skipBlanks()) return held_;
@@ -128,7 +128,7 @@ std::string_view TextStream::continued(std::string_view word) {
     return held_;
 }
 
-/// Goes from the end of the current line to the start of the next line, which continues it.
+/// Goes from the end of the current line to the start of the next line, after a backslash has joined both lines.
 void TextStream::joinNextLine() {
     if (at_ != end_) ++at_;
     if (at_ == end_ && !refill()) throw Error(where(), "the file ends inside a continued line");
@@ -141,8 +141,8 @@ bool TextStream::endsInBackslash(const char* begin, const char* end, bool before
     return end != begin ? end[-1] == '\\' : before;
 }
 
-/// Goes to the end of the current line. Returns true if the last character that is not blank is a backslash outside a
-/// comment.
+/// Goes to the end of the current line. Returns true if its last non-blank character is a backslash outside a comment,
+/// so that the next line continues it.
 bool TextStream::skipToLineEnd() {
     bool hasComment = at_ != end_ && *at_ == '#';
     bool isContinued = false;
@@ -182,8 +182,8 @@ bool TextStream::nextLine() {
     return true;
 }
 
-/// Sets `plainEnd_` to the end of the current line if the line is plain. This means that the window contains the whole
-/// line, and that it has no comment and no continuation. The words of a plain line can be read without a copy.
+/// Sets `plainEnd_` to the end of the current line if the line is plain: completely in memory, without a comment, and
+/// without a backslash that joins it to the next line. The words of a plain line can be read without a copy.
 void TextStream::findPlainEnd() {
     const auto* const found =
         static_cast<const char*>(std::memchr(at_, lineEnd_, static_cast<std::size_t>(end_ - at_)));
@@ -219,7 +219,7 @@ double TextStream::numberOf(std::string_view word) const {
     return *value;
 }
 
-/// Appends the bytes from the current position to the end of the line.
+/// Appends the bytes from the current position to the end of the line to `text`.
 void TextStream::appendLine(std::string& text) {
     while (at_ != end_ || refill()) {
         const auto* const found =
@@ -235,7 +235,7 @@ void TextStream::appendLine(std::string& text) {
 
 std::string TextStream::rest() {
     std::string text;
-    plainEnd_ = nullptr; // skipBlanks and appendLine read the rest of this line
+    plainEnd_ = nullptr; // null makes skipBlanks and appendLine read the rest of this line
     while (skipBlanks()) {
         appendLine(text);
         while (!text.empty() && isBlank(text.back()))

@@ -10,7 +10,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Converts an sRGB value to linear light (IEC 61966-2-1). displayOf is the inverse function.
+/// Converts an sRGB value from 0 to 1 to linear light (IEC 61966-2-1). displayOf is the inverse function.
 double linearOf(double display) {
     return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
 }
@@ -29,8 +29,8 @@ const std::array<double, 256>& linearBytes() {
     return table;
 }
 
-/// Returns the index of the texel that texel `at` of the infinitely repeated texture shows. The side of the texture has
-/// `size` texels. `wrap` is the wrap mode of glTF.
+/// Returns the index of the texel that an infinitely repeated texture has at position `at` along one axis. The texture
+/// has `size` texels along this axis. `wrap` is the glTF wrap mode.
 int wrapped(double at, int size, int wrap) {
     if (!(std::abs(at) < 1e9)) return 0;
     const auto texel = static_cast<std::int64_t>(at);
@@ -41,21 +41,23 @@ int wrapped(double at, int size, int wrap) {
     return static_cast<int>(inPeriod < size ? inPeriod : period - 1 - inPeriod);
 }
 
-/// Returns the member `key` of an extension, an array of two numbers. Returns `otherwise` if it is missing.
+/// Returns the two numbers in the member `key` of a glTF extension. Returns `otherwise` if the member is missing.
 glm::dvec2 pairOf(const tinygltf::Value& object, const char* key, glm::dvec2 otherwise) {
     if (!object.Has(key) || !object.Get(key).IsArray() || object.Get(key).ArrayLen() != 2) return otherwise;
     return {object.Get(key).Get(0).GetNumberAsDouble(), object.Get(key).Get(1).GetNumberAsDouble()};
 }
 
-/// Returns the member `key` of an extension, a non-negative integer. Returns `otherwise` if it is missing.
+/// Returns the non-negative integer in the member `key` of a glTF extension. Returns `otherwise` if the member is
+/// missing.
 int indexMember(const tinygltf::Value& object, const char* key, int otherwise) {
     if (!object.Has(key) || !object.Get(key).IsNumber()) return otherwise;
     const double value = object.Get(key).GetNumberAsDouble();
     return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : otherwise;
 }
 
-/// Applies the extension KHR_texture_transform to the texture of `color`. Coordinates are scaled, then rotated, then
-/// translated. If the extension names a set of texture coordinates, this set replaces the set of the texture.
+/// Applies the glTF extension KHR_texture_transform to the texture coordinates of `color`. They are scaled, then
+/// rotated, then translated. If the extension names a set of texture coordinates, this set replaces the texture's own
+/// set.
 void applyTransform(const tinygltf::Value& transform, BaseColor& color) {
     if (!transform.IsObject()) return;
     const glm::dvec2 offset = pairOf(transform, "offset", {0, 0});
@@ -70,7 +72,7 @@ void applyTransform(const tinygltf::Value& transform, BaseColor& color) {
 
 constexpr const char* kTextureTransform = "KHR_texture_transform";
 
-/// Sets `color` to the diffuse colour of the extension KHR_materials_pbrSpecularGlossiness.
+/// Sets `color` to the diffuse colour of the glTF extension KHR_materials_pbrSpecularGlossiness.
 void takeDiffuse(const tinygltf::Value& surface, BaseColor& color) {
     if (!surface.IsObject()) return;
     const tinygltf::Value& factor = surface.Get("diffuseFactor");
@@ -110,7 +112,7 @@ BaseColor baseColorOf(const GltfFile& file, int material) {
 
 std::optional<BaseTexture> baseTextureOf(GltfFile& file, int texture) {
     const tinygltf::Texture& from = file.elementOf(file.model().textures, texture, "texture");
-    if (from.source < 0) return std::nullopt; // only an extension provides the image
+    if (from.source < 0) return std::nullopt; // no source means that only an extension provides the image
     const std::vector<std::byte> encoded = file.image(from.source);
     if (encoded.empty()) return std::nullopt;
     BaseTexture result;

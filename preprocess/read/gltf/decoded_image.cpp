@@ -27,7 +27,8 @@ bool beginsWith(std::span<const std::byte> bytes, std::span<const std::uint8_t> 
            });
 }
 
-/// Throws Error if `room` has too little memory for the pixels of an image plus `besides` bytes during decoding.
+/// Throws Error if `room`, the memory budget, has too little memory to decode an image. The decoder needs memory for
+/// the pixels plus `besides` bytes.
 void requireImageRoom(
     std::uint64_t width,
     std::uint64_t height,
@@ -51,8 +52,8 @@ void takePixels(DecodedImage& image, MemoryRoom& room) {
     image.pixels.resize(pixels * 4);
 }
 
-/// Reads a PNG from memory. If an error occurs, libpng leaves its functions by longjmp. A function that calls libpng
-/// must therefore not have local objects with destructors.
+/// Reads a PNG image from memory. At an error, libpng leaves the calling function by longjmp. A function that calls
+/// libpng must therefore not have local objects with destructors.
 class PngReader {
 public:
     explicit PngReader(std::span<const std::byte> encoded)
@@ -67,12 +68,12 @@ public:
     PngReader(PngReader&&) = delete;
     PngReader& operator=(PngReader&&) = delete;
 
-    /// Reads the chunks before the pixels and selects RGBA8 as output format. Returns false if an error occurs.
+    /// Reads the PNG chunks before the pixels and selects RGBA8 as output format. Returns false if an error occurs.
     bool readHeader() {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_read_fn(png_, this, read);
-        // Skips all chunks except the pixels. A text chunk can unpack to any size, and glTF ignores colour spaces (glTF
-        // 2.0, section 3.8.3).
+        // Skip all PNG chunks except the pixels. A text chunk can unpack to any size, and glTF ignores colour spaces
+        // (glTF 2.0, section 3.8.3).
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_read_info(png_, info_);
         png_set_expand(png_);
@@ -88,14 +89,15 @@ public:
 
     std::uint64_t height() const { return png_get_image_height(png_, info_); }
 
-    /// Reads all rows of pixels into the memory that `rows` points to. Returns false if an error occurs.
+    /// Reads all rows of pixels of the PNG image into the memory that `rows` points to. Returns false if an error
+    /// occurs.
     bool readRows(png_bytepp rows) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_read_image(png_, rows);
         return true;
     }
 
-    /// Returns the reason of the last error.
+    /// Returns the message of libpng's last error.
     const char* fault() const { return fault_.data(); }
 
 private:
@@ -136,7 +138,7 @@ DecodedImage decodedPng(std::span<const std::byte> encoded, MemoryRoom& room, co
     return image;
 }
 
-/// Converts pixels from CMYK to RGBA. If `isInverted` is true, 255 means no ink.
+/// Converts pixels from CMYK to RGBA. If `isInverted` is true, the value 255 means no ink.
 void turnInksToLight(std::vector<std::uint8_t>& pixels, bool isInverted) {
     for (std::size_t i = 0; i < pixels.size(); i += 4) {
         const auto light = [&](std::size_t c) { return isInverted ? pixels[i + c] : 255U - pixels[i + c]; };
@@ -148,7 +150,7 @@ void turnInksToLight(std::vector<std::uint8_t>& pixels, bool isInverted) {
 }
 
 DecodedImage decodedJpeg(std::span<const std::byte> encoded, MemoryRoom& room, const std::string& where) {
-    constexpr std::uint64_t kMaxScans = 100; // usual encoders write at most 20
+    constexpr std::uint64_t kMaxScans = 100; // usual JPEG encoders write at most 20 scans
     const std::optional<JpegHeader> header = jpegHeaderOf(encoded);
     if (!header) throw Error(where, "the JPEG is damaged: it has no frame");
     if (header->coefficientBytes > 0 && header->scans > kMaxScans)
@@ -190,7 +192,8 @@ DecodedImage decodedJpeg(std::span<const std::byte> encoded, MemoryRoom& room, c
     return image;
 }
 
-/// Returns the name of the image format whose signature `encoded` has, or "another format".
+/// Returns the name of an image format, detected by the first bytes of `encoded`. Returns "another format" if they are
+/// unknown.
 const char* otherFormatOf(std::span<const std::byte> encoded) {
     struct Magic {
         std::size_t offset;

@@ -35,7 +35,7 @@ T loaded(std::span<const std::byte> bytes) {
     return value;
 }
 
-/// A number as stored, and the stored number that means 1 if the accessor is normalised.
+/// A number of an accessor as stored, and the value that means 1 if the accessor is normalised.
 struct Stored {
     double value = 0;
     double one = 1;
@@ -63,7 +63,7 @@ Stored stored(int type, std::span<const std::byte> bytes) {
     }
 }
 
-/// The elements of an accessor in a buffer view. Each element is completely inside the bytes of the view.
+/// The elements of a glTF accessor in a buffer view. Each element is completely inside the bytes of the view.
 struct Elements {
     std::span<const std::byte> bytes;
     std::size_t stride = 0;
@@ -74,15 +74,16 @@ struct Elements {
     }
 };
 
-/// Returns the elements of the accessor `layout`. Each element has `bytesEach` bytes. If `isPacked` is true, the stride
-/// of the buffer view is ignored. Throws Error if an element is outside the buffer view.
+/// Returns the elements of the glTF accessor `layout`. Each element has `bytesEach` bytes. If `isPacked` is true, the
+/// stride of the buffer view is ignored. Throws Error if an element is outside the buffer view.
 Elements elementsIn(
     GltfFile& file, const std::string& place, const tinygltf::Accessor& layout, std::size_t bytesEach, bool isPacked) {
     const std::span<const std::byte> all = file.bufferView(layout.bufferView);
     const std::size_t step = file.model().bufferViews[static_cast<std::size_t>(layout.bufferView)].byteStride;
     const std::size_t stride = isPacked || step == 0 ? bytesEach : step;
     const std::uint64_t count = layout.count;
-    // Each element has at least one byte, so `count <= all.size()` excludes an overflow of the product.
+    // Each element has at least one byte. `count <= all.size()` therefore prevents an overflow of the multiplication
+    // below.
     const bool isIn = layout.byteOffset <= all.size() && count <= all.size() &&
                       (count == 0 || (count - 1) * stride + bytesEach <= all.size() - layout.byteOffset);
     if (!isIn)
@@ -95,7 +96,7 @@ Elements elementsIn(
     return {all.subspan(layout.byteOffset), stride, layout.componentType};
 }
 
-/// Calls take(element, elements, index in `elements`) for each element of an accessor. Then calls it for the elements
+/// Calls take(element, elements, index in `elements`) for each element of a glTF accessor, and then for each element
 /// that the sparse part of the accessor replaces.
 template <class Take>
 void visit(GltfFile& file, int index, Take take) {
@@ -132,7 +133,7 @@ void visit(GltfFile& file, int index, Take take) {
     }
 }
 
-/// Writes the first `taken` components of each element to `values`. `values` has `width` floats per element. The other
+/// Copies the first `taken` components of each element to `values`, which has `width` floats per element. The other
 /// floats do not change.
 void takeNumbers(GltfFile& file, int index, std::size_t taken, std::size_t width, std::vector<float>& values) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);
@@ -145,8 +146,8 @@ void takeNumbers(GltfFile& file, int index, std::size_t taken, std::size_t width
     });
 }
 
-/// Returns an array for all elements of an accessor, filled with `value`. Reserves its memory first. Throws Error if
-/// the component type does not exist in glTF.
+/// Returns an array for all elements of a glTF accessor, filled with `value`. Reserves its memory in the memory budget
+/// first. Throws Error if the component type does not exist in glTF.
 template <class T>
 std::vector<T> valuesFor(GltfFile& file, int index, std::size_t components, T value) {
     const tinygltf::Accessor& accessor = accessorAt(file, index);

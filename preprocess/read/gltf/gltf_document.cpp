@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The supported extensions.
+/// The glTF extensions that Gnomon supports.
 constexpr std::array<std::string_view, 5> kReadExtensions = {
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
@@ -22,7 +22,8 @@ constexpr std::array<std::string_view, 5> kReadExtensions = {
     "KHR_mesh_quantization",
     "KHR_texture_transform"};
 
-/// Unsupported extensions that change neither the surface nor its base colour. A file may require them.
+/// glTF extensions that Gnomon does not support but that change neither the surface nor its base colour. A file that
+/// requires them can therefore be read.
 constexpr std::array<std::string_view, 22> kHarmlessExtensions = {
     "EXT_lights_ies",
     "EXT_lights_image_based",
@@ -47,7 +48,7 @@ constexpr std::array<std::string_view, 22> kHarmlessExtensions = {
     "KHR_xmp",
     "KHR_xmp_json_ld"};
 
-/// Extensions for textures in unsupported formats. They do not matter if no texture is read.
+/// glTF extensions for textures in unsupported formats. They cause an error only if textures are read.
 constexpr std::array<std::string_view, 6> kTextureExtensions = {
     "EXT_texture_avif",
     "EXT_texture_webp",
@@ -85,8 +86,8 @@ bool isIn(std::span<const std::string_view> names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Throws Error if a mesh is stored only in the extension of Draco. A file can contain such a mesh without requiring
-/// the extension. The accessors of such a mesh have no buffer view.
+/// Throws Error if a mesh is stored only with Draco compression (KHR_draco_mesh_compression). A file can contain such a
+/// mesh without requiring the extension. The accessors of such a mesh have no buffer view.
 void requireNoDraco(const json& document, const std::string& path) {
     const json accessors = arrayOf(document, "accessors", path);
     const auto hasBytes = [&](const json& primitive) {
@@ -104,24 +105,24 @@ void requireNoDraco(const json& document, const std::string& path) {
                     throw Error(path, "requires an unsupported glTF extension: \"KHR_draco_mesh_compression\"");
 }
 
-/// Counts unused parts of a document by their names.
+/// Counts the parts of a glTF document that Gnomon does not use, by their names.
 class PartCounter {
 public:
-    /// Counts the members of `object` that are not in `used`.
+    /// Counts the members of the JSON object `object` whose names are not in `used`.
     void countMembers(const json& object, std::span<const std::string_view> used) {
         if (!object.is_object()) return;
         for (const auto& [name, value] : object.items())
             if (!isIn(used, name)) ++counts_[name];
     }
 
-    /// Counts the entries of the lists of `document` that are not used.
+    /// Counts the entries of the document's top-level lists that Gnomon does not use, such as animations.
     void countLists(const json& document) {
         for (const auto& [name, value] : document.items())
             if (!isIn(kUsedLists, name) && !value.empty()) counts_[name] = value.is_array() ? value.size() : 1;
     }
 
-    /// Counts the extensions and extras of `value` and of all its descendants. Skips the member `asset`, which only
-    /// describes the author of the file. The recursion depth is bounded, because the nesting of JSON is limited.
+    /// Counts the glTF extensions and extras of `value` and of all its descendants. Skips the member `asset`, which
+    /// only describes the author of the file. The recursion depth is bounded, because the nesting of JSON is limited.
     void countExtensions(const json& value) {
         if (value.is_array())
             for (const json& entry : value)
@@ -143,7 +144,8 @@ public:
         if (!isIn(kReadExtensions, name) && !isCountedElsewhere) ++counts_[name];
     }
 
-    /// Counts the extension `name`, which the document announces, unless an object with this extension was counted.
+    /// Counts the extension `name`, which the document declares as used. If objects with this extension were already
+    /// counted, the function does nothing.
     void countAnnounced(const std::string& name) {
         if (!counts_.contains(name)) countExtension(name);
     }

@@ -19,12 +19,12 @@ namespace gnomon::read {
 
 namespace {
 
-// The max memory of a parsed document, per JSON value and per byte of text. The document temporarily exists twice. If
-// buffers are embedded, most of the text is in strings.
+// The max memory of a parsed glTF document, per JSON value and per byte of text. The document temporarily exists twice
+// in memory. If buffers are embedded, most of the text is in strings.
 constexpr std::uint64_t kBytesPerJsonValue = 160;
 constexpr std::uint64_t kBytesPerJsonByte = 6;
 
-constexpr std::uint32_t kGlbMagic = 0x46546C67; // "glTF"
+constexpr std::uint32_t kGlbMagic = 0x46546C67; // the characters "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::size_t kGlbHeader = 12;
@@ -50,7 +50,7 @@ std::string wordOf(const tinygltf::Value& object, const char* key) {
     return object.IsObject() && object.Has(key) && object.Get(key).IsString() ? object.Get(key).Get<std::string>() : "";
 }
 
-/// A chunk of a .glb, without its header.
+/// The range of bytes of a chunk of a .glb file, without the chunk's header.
 struct Chunk {
     std::uint64_t begin = 0;
     std::uint64_t length = 0;
@@ -59,7 +59,8 @@ struct Chunk {
     std::uint64_t end() const { return begin + length; }
 };
 
-/// Returns the chunk whose header is at byte `at`. Throws Error if the chunk does not end before byte `end`.
+/// Returns the chunk of a .glb file whose header is at byte `at`. Throws Error if the chunk does not end before byte
+/// `end`.
 Chunk chunkAt(const InputFile& file, std::uint64_t at, std::uint64_t end) {
     std::array<std::byte, kChunkHeader> head{};
     file.readAt(at, head);
@@ -73,7 +74,7 @@ Chunk chunkAt(const InputFile& file, std::uint64_t at, std::uint64_t end) {
     return chunk;
 }
 
-/// Returns the first line of a message of tinygltf. Such a message can have many lines.
+/// Returns the first line of an error message of tinygltf, which can have many lines.
 std::string firstLineOf(const std::string& text) {
     const std::string line = text.substr(0, text.find('\n'));
     return line.empty() ? "no reason given" : line;
@@ -99,8 +100,8 @@ std::uint64_t GltfFile::fileBytes() const {
     return sum;
 }
 
-/// Returns the JSON text of the file. For a .glb, the function also reads the first binary chunk. It skips and counts
-/// all other chunks (glTF 2.0, section 4.4.3).
+/// Returns the JSON text of the glTF file. For a .glb, the function also reads the first binary chunk. It skips and
+/// counts all other chunks (glTF 2.0, section 4.4.3).
 std::string GltfFile::readContainer() {
     const InputFile& file = *files_.front();
     std::array<std::byte, kGlbHeader> head{};
@@ -165,7 +166,7 @@ void GltfFile::parse(const std::string& text, bool readsTextures) {
         throw Error(path(), "not glTF 2.0: " + firstLineOf(error));
 }
 
-/// Counts the data that a model does not use, and removes the parts that tinygltf must not parse.
+/// Counts the data that Gnomon does not use, and removes from `document` the parts that tinygltf must not parse.
 void GltfFile::reject(Json& document) {
     rejected_.merge(unusedParts(document));
     images_ = arrayOf(document, "images", path());
@@ -176,7 +177,8 @@ void GltfFile::reject(Json& document) {
     if (extensions != document.end() && extensions->is_object()) extensions->erase("KHR_lights_punctual");
 }
 
-/// Reads all buffers. Replaces each buffer in the document by a buffer of one byte, so that tinygltf does not read it.
+/// Reads all buffers of the glTF file. In `document`, it replaces each buffer by a buffer of one byte, so that tinygltf
+/// does not read the buffers again.
 void GltfFile::readBuffers(Json& document) {
     Json buffers = arrayOf(document, "buffers", path());
     for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -211,7 +213,7 @@ std::vector<std::byte> GltfFile::ofUri(const std::string& uri, const std::string
     return bytesOfDataUri(uri, place);
 }
 
-/// Returns the path of the file that `uri` names. Throws Error for a URI with a scheme such as "http://".
+/// Returns the path of the file that `uri` names. Throws Error for a URI with a scheme, such as "http://".
 std::string GltfFile::siblingPath(const std::string& uri, const std::string& place) const {
     if (uri.find("://") != std::string::npos)
         throw Error(place, "the uri is not a plain path", "a path from the folder of the file", quotedForMessage(uri));

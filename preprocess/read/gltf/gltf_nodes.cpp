@@ -17,7 +17,8 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns the rotation of a quaternion (x, y, z, w) of any length above 0. Returns the identity for length 0.
+/// Returns the rotation matrix of the quaternion (x, y, z, w), which can have any length above 0. Returns the identity
+/// for length 0.
 glm::dmat4 turnedBy(const glm::dvec4& rotation) {
     const glm::dvec4 sizes = glm::abs(rotation);
     const glm::dvec4 scaled = rotation * scaleToOne(std::max({sizes.x, sizes.y, sizes.z, sizes.w}));
@@ -27,13 +28,13 @@ glm::dmat4 turnedBy(const glm::dvec4& rotation) {
     return glm::mat4_cast(glm::dquat(unit.w, unit.x, unit.y, unit.z));
 }
 
-/// Returns `axis` scaled to unit length. The result is not finite if the length is 0.
+/// Returns the vector `axis` scaled to unit length. The result is not finite if the length of `axis` is 0.
 glm::dvec3 unitOf(const glm::dvec3& axis) {
     const glm::dvec3 sizes = glm::abs(axis);
     return glm::normalize(axis * scaleToOne(std::max({sizes.x, sizes.y, sizes.z})));
 }
 
-/// Returns the matrix that first scales, then rotates, and then translates.
+/// Returns the matrix that first scales, then rotates, and then translates a point.
 glm::dmat4 placed(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale) {
     glm::dmat4 matrix = turnedBy(rotation);
     for (int i = 0; i < 3; ++i)
@@ -42,16 +43,16 @@ glm::dmat4 placed(const glm::dvec3& translation, const glm::dvec4& rotation, con
     return matrix;
 }
 
-/// Converts a number of an extension, which tinygltf does not check, to an accessor index. Returns -1, which is no
-/// accessor, if the number is negative or too large for an int.
+/// Converts a number of a glTF extension to an accessor index. Returns -1, which means no accessor, if the number is
+/// negative or too large for an int. The conversion is necessary because tinygltf does not check numbers of extensions.
 int accessorOf(const tinygltf::Value& number) {
     const double value = number.GetNumberAsDouble();
     return value >= 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
 }
 
-/// Returns the values of an attribute of EXT_mesh_gpu_instancing, with `components` numbers per instance. Returns an
-/// empty list if the attribute is missing. `count` is the number of instances, or 0 if it is not known yet. Throws
-/// Error if attributes have different numbers of instances.
+/// Returns the values of one instance attribute of the glTF extension EXT_mesh_gpu_instancing, with `components`
+/// numbers per instance. Returns an empty list if the attribute is missing. `count` is the number of instances, or 0 if
+/// it is not known yet. Throws Error if attributes have different numbers of instances.
 std::vector<float> instanceValues(
     GltfFile& file, const tinygltf::Value& attributes, const char* name, std::size_t components, std::uint64_t& count) {
     if (!attributes.IsObject() || !attributes.Has(name) || !attributes.Get(name).IsNumber()) return {};
@@ -83,14 +84,14 @@ std::vector<int> rootsOf(const GltfFile& file) {
     return roots;
 }
 
-/// Returns the number `key` of `object`, or 0 if there is none.
+/// Returns the number in the member `key` of the JSON object `object`, or 0 if there is none.
 double memberNumber(const nlohmann::json& object, const char* key) {
     if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return 0;
     return object[key].get<double>();
 }
 
-/// Returns the camera that the JSON object `described` describes, with the transform `toWorld`. Returns nullopt if glTF
-/// does not define such a camera, or if the axes of the node have no direction.
+/// Returns the camera that the glTF JSON object `described` defines, placed by the transform `toWorld`. Returns nullopt
+/// if glTF does not define such a camera, or if an axis of the transform has zero length.
 std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4& toWorld) {
     Camera camera;
     const glm::dvec3 ahead = unitOf(-glm::dvec3(toWorld[2]));
@@ -103,13 +104,13 @@ std::optional<Camera> cameraAt(const nlohmann::json& described, const glm::dmat4
     } else if (type == "orthographic" && described.contains(type)) {
         camera.projection = Projection::Orthographic;
         camera.fovYRadians = kPi / 3;
-        // the tangent of 30 degrees (half of the angle) is 1 / sqrt(3)
+        // The vertical field of view is 60 degrees. The tangent of half of this angle is 1 / sqrt(3).
         distance = std::sqrt(3.0) * memberNumber(described[type], "ymag");
     } else {
         return std::nullopt;
     }
     camera.target = camera.eye + distance * ahead;
-    const double turned = glm::length(glm::cross(ahead, camera.up)); // not finite if an axis is not finite
+    const double turned = glm::length(glm::cross(ahead, camera.up)); // not finite if one of the axes is not finite
     const bool hasView =
         distance > 0 && turned > 1e-9 && std::isfinite(glm::length(camera.target)) && camera.target != camera.eye;
     const bool hasAngle = camera.fovYRadians > 0 && camera.fovYRadians < kPi;
@@ -146,11 +147,11 @@ public:
 private:
     struct Visit {
         int node;
-        glm::dmat4 toWorld; // transform of the parent to world space
+        glm::dmat4 toWorld; // transform from the parent's space to world space
     };
 
     struct NodeCamera {
-        int index; // index in the file's list
+        int index; // index in the glTF file's list of cameras
         Camera camera;
     };
 
@@ -195,7 +196,7 @@ private:
             s.empty() ? glm::dvec3(1) : glm::dvec3(s[0], s[1], s[2]));
     }
 
-    /// Throws Error if the list `name` of the node exists and does not have `expected` numbers.
+    /// Throws Error if the list `name` of node `node` exists but does not have `expected` numbers.
     void requireNumbers(const std::vector<double>& list, std::size_t expected, const char* name, int node) const {
         if (list.empty() || list.size() == expected) return;
         throw Error(
@@ -209,7 +210,7 @@ private:
         if (rotation == glm::dvec4(0)) count("rotations of length 0", 1);
     }
 
-    /// Returns the transforms of the instances of a mesh in the space of its node.
+    /// Returns one transform per instance of the node's mesh, from the space of the mesh to the space of the node.
     std::vector<glm::dmat4> instancesOf(const tinygltf::Node& node) {
         const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
         if (found == node.extensions.end() || !found->second.IsObject()) return {glm::dmat4(1)};
@@ -247,7 +248,8 @@ private:
             cameras_.push_back({index, *camera});
     }
 
-    /// Sorts the cameras by the file's list of cameras. Counts the cameras of this list that no node of the scene uses.
+    /// Sorts the cameras of the scene's nodes in the order of the glTF file's list of cameras. Counts the cameras of
+    /// this list that no node of the scene uses.
     void takeCameras() {
         std::stable_sort(cameras_.begin(), cameras_.end(), [](const NodeCamera& a, const NodeCamera& b) {
             return a.index < b.index;

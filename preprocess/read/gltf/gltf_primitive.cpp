@@ -11,7 +11,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns the accessor of an attribute, or -1 if there is none.
+/// Returns the index of the accessor for the vertex attribute `name`, or -1 if the primitive has no such attribute.
 int attributeOf(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? -1 : found->second;
@@ -27,8 +27,8 @@ void requireAsMany(const GltfFile& file, int accessor, std::uint64_t vertices) {
             std::to_string(count));
 }
 
-/// Returns the triangles of a list of corners. `mode` says whether the primitive is a list of triangles, a strip or a
-/// fan.
+/// Returns the triangles of a glTF primitive with the vertex indices `corners`. `mode` says whether they are a list of
+/// triangles, a strip or a fan.
 std::vector<std::array<std::uint32_t, 3>> trianglesOf(
     GltfFile& file, int mode, const std::vector<std::uint32_t>& corners, const std::string& where) {
     const std::size_t count = corners.size();
@@ -101,8 +101,8 @@ void GltfPrimitives::countBadNormals(const std::vector<float>& normals) {
         if (!std::isfinite(double{normals[i]} + normals[i + 1] + normals[i + 2])) ++rejected_[kBadNormals];
 }
 
-/// Returns the texture of `color`. Returns null if textures are ignored, or if the texture's coordinates or image are
-/// missing. The texture then counts as not used.
+/// Returns the texture that `color` uses. Returns null if textures are ignored, or if the texture coordinates or the
+/// image are missing. The texture then counts as not used.
 const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinygltf::Primitive& from) {
     if (color.texture < 0) return nullptr;
     if (!bakesTextures_) {
@@ -119,8 +119,8 @@ const BaseTexture* GltfPrimitives::textureOf(const BaseColor& color, const tinyg
     return found->second ? &*found->second : nullptr;
 }
 
-/// Sets the colours of `primitive`. Returns the name of the attribute with the texture coordinates. Returns an empty
-/// name if no texture was sampled.
+/// Sets the vertex colours of `primitive` from its material, its vertex attributes and its texture. Returns the name of
+/// the attribute with the texture coordinates. Returns an empty name if no texture was sampled.
 std::string GltfPrimitives::addColors(const tinygltf::Primitive& from, GltfPrimitive& primitive) {
     const BaseColor color = baseColorOf(file_, from.material);
     const BaseTexture* const texture = textureOf(color, from);

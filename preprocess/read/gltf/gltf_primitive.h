@@ -1,4 +1,4 @@
-// Reads the primitives of glTF meshes as triangles.
+// Reads the primitives of glTF meshes and converts them to triangles.
 #pragma once
 
 #include "preprocess/read/gltf/base_color.h"
@@ -15,32 +15,34 @@
 
 namespace gnomon::read {
 
-/// The triangles of a primitive, in the space of its mesh.
+/// The vertices and triangles of a glTF primitive, in the space of its mesh.
 struct GltfPrimitive {
-    std::vector<float> positions;      ///< three per vertex
-    std::vector<float> normals;        ///< three per vertex; empty if there are no normals
+    std::vector<float> positions;      ///< three coordinates per vertex
+    std::vector<float> normals;        ///< three components per vertex; empty if there are no normals
     std::vector<std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if all are white
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
     std::uint64_t vertexCount() const { return positions.size() / 3; }
 };
 
-/// Reads primitives. The object stores decoded textures, because several primitives can use the same texture.
+/// Reads glTF primitives and stores decoded textures, because several primitives can use the same texture.
 class GltfPrimitives {
 public:
-    /// If `bakesTextures` is true, textures are sampled at the vertices. Otherwise they are ignored.
+    /// Creates a reader of the primitives of `file`. If `bakesTextures` is true, textures are sampled at the vertices.
+    /// Otherwise they are ignored.
     GltfPrimitives(GltfFile& file, bool bakesTextures) : file_(file), bakesTextures_(bakesTextures) {}
 
-    /// Returns a primitive of triangles, strips or fans as triangles, in the order of glTF 2.0, section 3.7.2.1.
+    /// Converts a glTF primitive (triangles, strips or fans) to triangles, in the order of glTF 2.0, section 3.7.2.1.
     /// Returns nullopt for points, lines and primitives without positions. Throws Error, which names the accessor, if
     /// an index is out of range or an attribute has the wrong number of elements.
     std::optional<GltfPrimitive> read(const tinygltf::Primitive& from);
 
-    /// Returns the names of unused attributes and primitives, with the number of primitives that have them.
+    /// Returns the names of unused attributes and of unsupported primitive types, with the number of primitives that
+    /// have them.
     const std::map<std::string, std::uint64_t>& rejected() const { return rejected_; }
 
     /// Returns the mean number of texels along a triangle edge, over all triangles whose texture was sampled at the
-    /// vertices. The detail between vertices is lost. Returns 0 if no texture was sampled.
+    /// vertices. The texture's detail between vertices is lost. Returns 0 if no texture was sampled.
     double texelsPerEdge() const { return edges_ > 0 ? texels_ / static_cast<double>(edges_) : 0; }
 
 private:

@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::uint32_t kWhite = 0xFFFFFFFF;
 
-/// A primitive and its transform to world space.
+/// A primitive of a glTF mesh, placed in world space by a transform.
 struct PlacedPrimitive {
     std::uint32_t primitive = 0;
     glm::dmat4 toWorld{1};
 
     bool isMirrored() const { return glm::determinant(scaled()) < 0; }
 
-    /// Returns the matrix for normals: the inverse transposed linear part, up to a factor. The matrix consists of
-    /// cofactors, so there is no division by zero.
+    /// Returns the matrix that transforms normals: the inverse transpose of the linear part of `toWorld`, up to a
+    /// factor. The matrix consists of cofactors, so there is no division by zero.
     glm::dmat3 ofNormals() const {
         const glm::dmat3 m = scaled();
         const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
@@ -31,7 +31,7 @@ struct PlacedPrimitive {
     }
 
 private:
-    /// Returns the linear part of `toWorld`, scaled so that its largest entry is near 1.
+    /// Returns the linear part of `toWorld`, scaled by a power of two so that its largest entry is in [1, 2).
     glm::dmat3 scaled() const {
         const glm::dmat3 m(toWorld);
         double largest = 0;
@@ -106,7 +106,7 @@ private:
         if (progress_ != nullptr) progress_->advance(0);
     }
 
-    /// Reads each placed mesh once and stores all of its placements.
+    /// Reads each mesh that the scene uses once, and stores the transforms of all its instances.
     void takePlacements(GltfFile& file, GltfPrimitives& reader, const GltfScene& scene) {
         struct Range {
             std::uint32_t begin = 0;

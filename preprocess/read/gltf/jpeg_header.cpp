@@ -8,27 +8,28 @@ namespace gnomon::read {
 namespace {
 
 constexpr unsigned kBlockSide = 8;
-constexpr std::uint64_t kBlockBytes = 128; // 64 coefficients of 16 bits
+constexpr std::uint64_t kBlockBytes = 128; // one block has 64 coefficients of 16 bits
 
 constexpr unsigned kStartOfScan = 0xDA;
 constexpr unsigned kEndOfImage = 0xD9;
-constexpr unsigned kAdobe = 0xEE; // application segment 14
+constexpr unsigned kAdobe = 0xEE; // marker of application segment 14, which Adobe's programs write
 
 bool isFrame(unsigned marker) {
     return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-/// Returns true if frames of this kind are progressive, which means that several scans refine the coefficients.
+/// Returns true if the frame marker `frame` means a progressive JPEG, in which several scans refine the coefficients.
 bool isProgressive(unsigned frame) {
     return frame % 4 == 2;
 }
 
-/// Returns true if no segment follows the marker. Such markers are stuffed bytes, restarts, and the start of the image.
+/// Returns true if no segment follows this JPEG marker. Such markers are stuffed bytes, restarts, and the start of the
+/// image.
 bool isAlone(unsigned marker) {
     return marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD8);
 }
 
-/// Reads the big-endian numbers of a JPEG.
+/// A range of bytes of a JPEG image, with access to its big-endian numbers.
 class JpegBytes {
 public:
     explicit JpegBytes(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -51,7 +52,7 @@ private:
     std::span<const std::byte> bytes_;
 };
 
-/// Reads the frame segment `segment` into `header`. Returns false if the segment is too short.
+/// Reads a JPEG frame segment, which contains the image size, into `header`. Returns false if the segment is too short.
 bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     constexpr std::size_t kStart = 6;
     constexpr std::size_t kComponent = 3;
@@ -67,7 +68,7 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
         maxAcross = std::max<std::uint64_t>(maxAcross, samplings(i) >> 4U);
         maxDown = std::max<std::uint64_t>(maxDown, samplings(i) & 15U);
     }
-    // The image is padded to whole units of `maxAcross` by `maxDown` blocks. In each unit, a component has as many
+    // A JPEG image is padded to whole units of `maxAcross` by `maxDown` blocks. In each unit, a component has as many
     // blocks as its sampling factors say.
     const auto unitsOf = [](std::uint64_t size, std::uint64_t maxSampling) {
         return (size + maxSampling * kBlockSide - 1) / (maxSampling * kBlockSide);
@@ -78,10 +79,10 @@ bool takeFrame(const JpegBytes& segment, JpegHeader& header) {
     return true;
 }
 
-/// Collects the information of a JPEG's segments, one segment after the other.
+/// Collects the properties of a JPEG image from its segments, one segment after the other.
 class JpegSegments {
 public:
-    /// Reads a segment. Returns false if it is an invalid frame.
+    /// Reads one segment of the JPEG image. Returns false if the segment is an invalid frame.
     bool take(unsigned marker, const JpegBytes& segment) {
         if (isFrame(marker) && header_.components == 0) {
             needsAll_ = isProgressive(marker);

@@ -1,4 +1,4 @@
-// The memory budget of a reader that loads a whole file.
+// The memory budget for reading a whole file into memory.
 #pragma once
 
 #include "core/error.h"
@@ -8,14 +8,14 @@
 
 namespace gnomon::read {
 
-/// Counts memory against a limit before the memory is allocated. The reason: a file of a few bytes can declare any
-/// number of values.
+/// Counts memory against a limit before the memory is allocated. This is necessary because a file of a few bytes can
+/// declare any number of values.
 class MemoryRoom {
 public:
     MemoryRoom(std::string path, Bytes limit) : path_(std::move(path)), limit_(limit) {}
 
-    /// Reserves memory for `count` values of `bytes` bytes each. Throws Error, which names the file, if this exceeds
-    /// the limit.
+    /// Reserves memory for `count` values of `bytes` bytes each. Throws Error, which names the file, if the total would
+    /// exceed the limit.
     void take(std::uint64_t count, std::uint64_t bytes = 1) {
         if (bytes == 0 || count <= (limit_.count - taken_) / bytes) {
             taken_ += count * bytes;
@@ -29,7 +29,7 @@ public:
                 readableBytes({taken_}));
     }
 
-    /// Releases `bytes` bytes of reserved memory.
+    /// Releases `bytes` bytes of the memory that was reserved.
     void give(std::uint64_t bytes) { taken_ -= bytes; }
 
     Bytes taken() const { return {taken_}; }
@@ -39,7 +39,7 @@ public:
 private:
     std::string path_;
     Bytes limit_;
-    std::uint64_t taken_ = 0; // at most the limit
+    std::uint64_t taken_ = 0; // reserved bytes, at most the limit
 };
 
 } // namespace gnomon::read

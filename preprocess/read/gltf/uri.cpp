@@ -20,8 +20,8 @@ int hexDigit(char c) {
     return -1;
 }
 
-/// Returns the byte that a percent sign and two hexadecimal digits at `at` encode. Returns nullopt for other
-/// characters.
+/// Returns the byte that a percent sign and two hexadecimal digits at the index `at` of a URI encode. Returns nullopt
+/// for other characters.
 std::optional<char> percentByte(std::string_view uri, std::size_t at) {
     if (uri[at] != '%' || uri.size() - at < 3) return std::nullopt;
     const int high = hexDigit(uri[at + 1]);
@@ -54,7 +54,7 @@ std::vector<std::byte> bytesOfDataUri(std::string_view uri, const std::string& p
     std::vector<std::byte> bytes;
     bytes.reserve(digits.size() / 4 * 3 + 2);
     std::uint32_t bits = 0;
-    int held = 0; // number of bits that do not form a whole byte yet
+    int held = 0; // number of decoded bits that do not form a whole byte yet
     for (const char c : digits) {
         const int digit = base64Digit(c);
         if (digit < 0)

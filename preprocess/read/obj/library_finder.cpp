@@ -10,12 +10,11 @@ namespace gnomon::read {
 
 namespace {
 
-constexpr std::size_t kLongestJoin = 16; ///< max number of words of a name
-constexpr std::size_t kMaxJoinWords =
-    64; ///< max number of words of a line for names with blanks; a longer line is a list of names without blanks
+constexpr std::size_t kLongestJoin = 16;  ///< max number of words in a file name
+constexpr std::size_t kMaxJoinWords = 64; ///< lines with more words are lists of names without blanks
 
-/// Limits of the search: the length of a name, the number of searches in the file system, the number of listed folders,
-/// and the number of names in a folder. No real OBJ reaches them.
+/// Limits of the search for material libraries: the length of a name, the number of searches in the file system, the
+/// number of listed folders, and the number of names in a folder. No real OBJ file reaches these limits.
 constexpr std::size_t kLongestName = 4096;
 constexpr std::size_t kMaxSearches = 4096;
 constexpr std::size_t kMaxListings = 64;
@@ -26,7 +25,7 @@ bool isFile(const std::filesystem::path& path) {
     return std::filesystem::is_regular_file(path, missing);
 }
 
-/// Returns whether `word` can be the last word of the name of a library.
+/// Returns true if `word` can be the last word of a material library's file name.
 bool endsName(std::string_view word) {
     if (word.ends_with('"')) word.remove_suffix(1);
     return loweredSuffix(word) == ".mtl";
@@ -36,8 +35,8 @@ std::string baseOf(std::string_view name) {
     return std::string(name.substr(name.find_last_of("/\\") + 1));
 }
 
-/// Returns the words [first, first + count) and the blanks between them. Returns an empty string if the text is too
-/// long for a name.
+/// Returns the words [first, first + count) of a line, with the blanks between them. Returns an empty string if this
+/// text is too long for a file name.
 std::string joinOf(const std::vector<std::string_view>& words, std::size_t first, std::size_t count) {
     const std::string_view last = words[first + count - 1];
     const std::string_view join(
@@ -64,8 +63,9 @@ LibraryFinder::Found LibraryFinder::filesOf(std::string_view names, const std::s
             found.files.push_back(std::move(file));
             continue;
         }
-        if (words[first].starts_with('#')) break; // the rest is a comment
-        // A path of another computer can also contain blanks. Such a path ends at a word with the suffix of a library.
+        if (words[first].starts_with('#')) break; // the rest of the line is a comment
+        // The path of another computer can also contain blanks. Such a path ends at a word with the suffix of a
+        // library.
         count = 1;
         while (count < longest && first + count < words.size() && !endsName(words[first + count - 1]))
             ++count;
@@ -98,8 +98,8 @@ std::string LibraryFinder::fileOf(const std::string& name, const std::string& wh
     return files_[name] = file;
 }
 
-/// Returns the file `name`, or a file whose name differs only in upper and lower case. Returns an empty string if there
-/// is none.
+/// Returns the file `name`, or a file whose name differs only in upper and lower case. Returns an empty string if no
+/// such file exists.
 std::string LibraryFinder::searchedFileOf(const std::string& name, const std::string& where) {
     const std::filesystem::path given = std::filesystem::path(name).lexically_normal();
     if (isFile(folder_ / given)) return root_.pathOf(name, where);
@@ -144,7 +144,7 @@ const std::map<std::string, std::string>& LibraryFinder::namesIn(const std::stri
         const auto [alike, isNew] = names.try_emplace(lowered(name), name);
         if (!isNew)
             alike->second = std::min(
-                alike->second, name); // the result must not depend on the order in which the system lists files
+                alike->second, name); // makes the result independent of the order in which the system lists files
     }
     return names;
 }

@@ -20,7 +20,7 @@ constexpr TextStream::Rules kObjRules{.hasComments = true, .isContinuable = true
 std::optional<ObjKind> kindOf(std::string_view keyword) {
     if (keyword == "v") return ObjKind::Vertex;
     if (keyword == "vn") return ObjKind::Normal;
-    if (keyword == "f" || keyword == "fo") return ObjKind::Face; // fo: version 2.11 of the format
+    if (keyword == "f" || keyword == "fo") return ObjKind::Face; // version 2.11 of the OBJ format used fo for faces
     if (keyword == "vc") return ObjKind::Color;
     return std::nullopt;
 }
@@ -29,7 +29,7 @@ std::uint64_t countedFromZero(std::int32_t index, std::uint64_t count) {
     return index > 0 ? static_cast<std::uint64_t>(index) - 1 : count + static_cast<std::uint64_t>(std::int64_t{index});
 }
 
-/// Lines that a reader of triangles does not need: their keyword, and the name under which they are counted.
+/// Keywords of OBJ lines that Gnomon does not read, with the names under which the lines are counted.
 constexpr std::array<std::pair<std::string_view, const char*>, 26> kOtherLines = {{
     {"vt", "texture coordinates"},
     {"l", "lines"},
@@ -77,14 +77,14 @@ bool ObjLines::next(ObjLine& line) {
     }
 }
 
-/// Begins a new range at the current line if the last range is long enough.
+/// Begins a new range of lines at the current line if the last range is long enough (kStretchBytes).
 void ObjLines::beginStretch() {
     const std::uint64_t offset = text_.offset();
     if (!survey_->stretches.empty() && offset < survey_->stretches.back().offset + kStretchBytes) return;
     survey_->stretches.push_back({offset, text_.line() - 1, vertices_, normals_, 0});
 }
 
-/// Skips ranges without lines of a wanted kind. Returns false if no range remains.
+/// Skips ranges of lines that contain no wanted kind of line. Returns false if no range remains.
 bool ObjLines::passOver() {
     if (stretch_ == stretches_.size()) return true;
     while (stretch_ < stretches_.size() && text_.offset() >= stretches_[stretch_].offset) {
@@ -99,8 +99,8 @@ bool ObjLines::passOver() {
     return true;
 }
 
-/// Parses the rest of a line with the keyword `keyword`. Returns true if the line has a wanted kind. `line` is then
-/// set.
+/// Parses the rest of a line that begins with `keyword`. If the line has a wanted kind, the function stores it in
+/// `line` and returns true.
 bool ObjLines::take(std::string_view keyword, ObjLine& line) {
     const std::optional<ObjKind> kind = kindOf(keyword);
     if (!kind) {
@@ -133,14 +133,14 @@ void ObjLines::takeVector(ObjKind kind, ObjLine& line) {
         const std::string_view word = text_.word();
         if (word.empty()) throw Error(where(), "too few numbers", "3", std::to_string(i));
         const std::optional<double> any = kind == ObjKind::Normal ? numberIn(word) : std::nullopt;
-        line.vector[i] = any ? *any : text_.numberOf(word); // a normal may be infinite
+        line.vector[i] = any ? *any : text_.numberOf(word); // only a normal may be infinite
     }
     countVector(kind);
     if (kind == ObjKind::Vertex) takeVertexColor(line);
 }
 
-/// Reads the words after the coordinates of a vertex. They are a weight, or three channels of a colour and an alpha.
-/// Stops at the first word that is not a finite number.
+/// Reads the words after the coordinates of a vertex: a weight, or three colour channels and an alpha. Stops at the
+/// first word that is not a finite number.
 void ObjLines::takeVertexColor(ObjLine& line) {
     line.vertexColor.reset();
     std::array<double, 4> values{};
@@ -185,7 +185,7 @@ void ObjLines::takeMaterial() {
     note(ObjKind::Face);
 }
 
-/// Parses a line that names material libraries. Counts any other line as not read.
+/// Parses a `mtllib` line, which names material libraries. Counts any other line as not read.
 void ObjLines::surveyOther(std::string_view keyword) {
     if (keyword == "mtllib") {
         const std::string names = text_.rest();
@@ -203,7 +203,7 @@ void ObjLines::surveyOther(std::string_view keyword) {
         countUnknown(keyword);
 }
 
-/// Counts a line whose keyword OBJ does not define, such as F.
+/// Counts a line whose keyword is not defined by the OBJ format, such as F.
 void ObjLines::countUnknown(std::string_view keyword) {
     constexpr std::size_t kMaxNames = 64;
     const std::string name(keyword);

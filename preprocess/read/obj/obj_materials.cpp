@@ -14,7 +14,7 @@ namespace gnomon::read {
 namespace {
 
 constexpr std::uint64_t kMaxLibraryBytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMaxRejectedNames = 64; ///< number of bits of a mask
+constexpr std::size_t kMaxRejectedNames = 64; ///< a 64-bit mask has one bit per name
 constexpr std::size_t kMaxUnknownNames = 4096;
 
 std::string_view trimmed(std::string_view text) {
@@ -31,7 +31,7 @@ std::uint32_t channelOf(std::string_view word, const std::string& where) {
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(*value, 0.0, 1.0)));
 }
 
-/// Returns `name` without its comment. A comment begins at a '#' after a blank or a tab.
+/// Returns the material name `name` without a comment. A comment begins at a '#' after a blank or a tab.
 std::string withoutComment(const std::string& name) {
     for (std::size_t at = name.find('#'); at != std::string::npos; at = name.find('#', at + 1))
         if (at > 0 && (name[at - 1] == ' ' || name[at - 1] == '\t'))
@@ -67,7 +67,7 @@ void ObjMaterials::readLibrary(const std::string& file) {
             const std::string_view part = trimmed(std::string_view(text).substr(begin, end - begin));
             line += part;
             begin = end + 1;
-            // A backslash at the end of a line continues the line by the same rule as in an OBJ.
+            // In a material library, a backslash at the end of a line joins it with the next line, as in an OBJ file.
             isContinued = part.ends_with('\\') && part.find('#') == std::string_view::npos;
             if (isContinued) line.back() = ' ';
         }
@@ -88,7 +88,8 @@ ObjMaterials::Material& ObjMaterials::declared(const std::string& name) {
 void ObjMaterials::readStatement(
     Material& material, const std::vector<std::string_view>& words, const std::string& where) {
     if (lowered(words[0]) != "kd") return reject(material, std::string(words[0]));
-    // "Kd spectral FILE" and "Kd xyz X Y Z" are not read, because they occur only in the description of the format.
+    // The statements "Kd spectral FILE" and "Kd xyz X Y Z" are not read, because they occur only in the description of
+    // the format.
     if (words.size() > 1 && (words[1] == "spectral" || words[1] == "xyz"))
         return reject(material, "Kd " + std::string(words[1]));
     std::size_t count = 1;
@@ -97,12 +98,12 @@ void ObjMaterials::readStatement(
     if (count != 2 && count < 4)
         throw Error(where, "bad colour of a material", "one number or three", std::to_string(count - 1));
     const std::uint32_t red = channelOf(words[1], where);
-    const std::uint32_t green = count == 2 ? red : channelOf(words[2], where); // one number is a grey level
+    const std::uint32_t green = count == 2 ? red : channelOf(words[2], where); // a single number is a grey level
     const std::uint32_t blue = count == 2 ? red : channelOf(words[3], where);
     material.color = 0xFF000000U | red | green << 8U | blue << 16U;
 }
 
-/// Records that `material` has the unread statement `statement`.
+/// Records that the definition of `material` contains the statement `statement`, which Gnomon does not read.
 void ObjMaterials::reject(Material& material, const std::string& statement) {
     const std::string name = lowered(statement) == "map_kd" ? "textures"
                              : isPlainName(statement)       ? "material " + statement

@@ -1,4 +1,4 @@
-// The materials of an OBJ, from Wavefront MTL libraries. Only diffuse colours are used.
+// Reads the materials of an OBJ file from Wavefront MTL libraries. Only diffuse colours are used.
 #pragma once
 
 #include "preprocess/read/obj/library_finder.h"
@@ -12,41 +12,44 @@
 
 namespace gnomon::read {
 
-/// Reads each material library of an OBJ once, and returns the diffuse colours of materials.
+/// Reads each material library of an OBJ file once, and returns the diffuse colours of its materials.
 class ObjMaterials {
 public:
-    /// Prepares the materials of the OBJ `path`. All libraries must be in the folder `sourceRoot` (see SourceRoot).
+    /// Prepares the materials of the OBJ file `path`. All libraries must be in the folder `sourceRoot` (see
+    /// SourceRoot).
     ObjMaterials(const std::string& path, const std::string& sourceRoot) : finder_(path, sourceRoot) {}
 
-    /// Reads the libraries that `names`, the text after `mtllib`, refers to (see LibraryFinder). Throws Error with
-    /// library and line for an invalid colour. Throws Error at `where` for a file outside the source root.
+    /// Reads the material libraries that `names`, the text after `mtllib`, refers to (see LibraryFinder). Throws Error
+    /// with the library's path and line for an invalid colour. Throws Error, which names `where`, for a file outside
+    /// the source root.
     void addLibraries(std::string_view names, const std::string& where);
 
-    /// Counts one use of the material `name`, the text after `usemtl`.
+    /// Counts one use of the material `name`, the text after `usemtl` in the OBJ file.
     void use(const std::string& name);
 
     /// Returns the diffuse colour (`Kd`) of the material `name` as RGBA8, red in the lowest byte. Returns white if no
-    /// library defines the material. `Kd` counts as sRGB, without conversion. A '#' can be part of the name or begin a
-    /// comment, so the function tries the whole name first.
+    /// library defines the material. `Kd` is taken as sRGB, without conversion. A '#' can be part of the name or begin
+    /// a comment, so the function tries the whole name first.
     std::uint32_t colorOf(const std::string& name) const;
 
-    /// Returns true if a used material has a colour other than white.
+    /// Returns true if the OBJ file uses a material with a colour other than white.
     bool hasColors() const { return hasColors_; }
 
-    /// Returns by name the numbers of missing libraries, of missing materials, and of unread statements of used
-    /// materials.
+    /// Returns the data that could not be used, by name: the numbers of missing libraries, of missing materials, and of
+    /// unread statements of used materials.
     std::map<std::string, std::uint64_t> rejected() const;
 
-    /// Returns the paths of the libraries that were read.
+    /// Returns the paths of the material libraries that were read.
     const std::vector<std::string>& files() const { return files_; }
 
-    /// Returns a note for the user about the libraries; empty if there is none.
+    /// Returns a note for the user about inexact names of material libraries. The note is empty if there is nothing to
+    /// report.
     const std::string& remark() const { return finder_.remark(); }
 
 private:
     struct Material {
         std::uint32_t color = 0xFFFFFFFF;
-        std::uint64_t rejected = 0; ///< bit i: it has the unread statement rejectedNames_[i]
+        std::uint64_t rejected = 0; ///< bit i: whether its definition has the unread statement rejectedNames_[i]
         bool isUsed = false;
     };
 
@@ -60,12 +63,12 @@ private:
 
     LibraryFinder finder_;
     std::unordered_map<std::string, Material> materials_;
-    std::unordered_map<std::string, std::string> fullNames_; ///< per name without comment: the full name
+    std::unordered_map<std::string, std::string> fullNames_; ///< full name per name without comment
     std::vector<std::string> files_;
     std::vector<std::string> rejectedNames_{"other material statements"};
     std::map<std::string, std::uint64_t> rejected_;
-    std::map<std::string, std::uint64_t> unknown_; ///< per material that no library has defined yet: number of uses
-    std::uint64_t missing_ = 0;                    ///< number of uses of materials for which `unknown_` has no space
+    std::map<std::string, std::uint64_t> unknown_; ///< number of uses per material that no library has defined so far
+    std::uint64_t missing_ = 0; ///< number of uses of undefined materials that do not fit into `unknown_`
     bool hasColors_ = false;
 };
 

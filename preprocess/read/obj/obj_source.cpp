@@ -13,23 +13,23 @@ namespace gnomon::read {
 
 namespace {
 
-/// The counts and properties of an OBJ that the first pass over all lines finds.
+/// The counts and properties of an OBJ file, which the first pass over all lines finds.
 struct ObjCounts {
     std::uint64_t vertices = 0;
     std::uint64_t normals = 0;
     std::uint64_t coloredVertices = 0;
-    double maxChannel = 0; ///< max channel of vertex colours
+    double maxChannel = 0; ///< max channel value of all vertex colours
     std::uint64_t faces = 0;
     std::uint64_t notAPolygon = 0;
     std::uint64_t triangles = 0;
     std::uint64_t vertexEnd = 0; ///< largest vertex index of a face, plus 1
     bool namesNormals = false;
-    bool isAligned = true; ///< each corner with a normal has the same index for its normal and its vertex
+    bool isAligned = true; ///< whether each corner with a normal has the same index for its normal and its vertex
     bool hasFaceColors = false;
 };
 
-/// Returns true if the vertex of `corner` must exist. In a face with too few corners, only vertices whose corner has an
-/// existing normal (index below `normals`) are used.
+/// Returns true if the vertex of `corner` must exist in the file. In a face with too few corners, only vertices whose
+/// corner has an existing normal (index below `normals`) are used.
 bool isLookedUp(const ObjLine& face, const ObjCorner& corner, std::uint64_t normals) {
     return corner.normal < normals || isObjFace(face.corners);
 }
@@ -129,7 +129,7 @@ private:
                 file_.path() + ": colours of vertices range from 0 to 255, because one exceeds 1");
     }
 
-    /// Throws Error if there are no faces. The error lists unknown keywords, because a keyword may be misspelt.
+    /// Throws Error if the file has no faces. The error lists unknown keywords, because a keyword may be misspelt.
     void requireObjFaces() const {
         if (summary_.faceCount > 0 || survey_.unknownKeywords.empty()) return requireFaces(summary_);
         constexpr std::size_t kMaxListed = 8;
@@ -156,8 +156,8 @@ private:
 
     bool hasVertexColors() const { return counts_.coloredVertices > 0 || !listedColors_.empty(); }
 
-    /// Returns the colour of a vertex of the file: the colour on its own line, or its colour in the `vc` lines, or
-    /// `other`.
+    /// Returns the colour of vertex `vertex` from its own line `line`, or else from the `vc` lines. Returns `other` if
+    /// both have no colour.
     std::uint32_t colorOf(std::uint64_t vertex, const ObjLine& line, std::uint32_t other) const {
         if (line.vertexColor) return packedChannels(glm::dvec4(*line.vertexColor, full()), full());
         return vertex < listedColors_.size() ? listedColors_[vertex] : other;
@@ -167,8 +167,9 @@ private:
 
     void surveyFace(const ObjLine& face) {
         for (const ObjCorner& corner : face.corners) {
-            if (isLookedUp(face, corner, ObjCorner::kNoNormal)) // the number of normals is not known yet
-                // the sum may wrap to 0
+            // kNoNormal, because the number of normals is not known yet
+            if (isLookedUp(face, corner, ObjCorner::kNoNormal))
+                // The sum of an invalid index and 1 may wrap to 0, so the index itself is compared too.
                 counts_.vertexEnd = std::max({counts_.vertexEnd, corner.vertex, corner.vertex + 1});
             if (corner.normal == ObjCorner::kNoNormal) continue;
             counts_.namesNormals = true;
@@ -182,7 +183,8 @@ private:
         counts_.triangles += face.corners.size() - 2;
     }
 
-    /// Throws Error with the line of the first face that uses a missing vertex. Does nothing if there is no such face.
+    /// Throws Error with the line of the first face that uses a vertex that does not exist. Does nothing if there is no
+    /// such face.
     void findBadFace() {
         ObjLines lines(file_, materials_, survey_, kindBit(ObjKind::Face));
         ObjLine line;
@@ -228,7 +230,8 @@ private:
         return normals;
     }
 
-    /// Calls `use` for each vertex of the file, with its index, its line and its own normal.
+    /// Calls `use` for each vertex of the file with its index, its line, and the normal that the first face gives to
+    /// it.
     template <class Use>
     void forEachVertex(const Use& use) {
         const bool isAligned = vertices_ && vertices_->hasNormals() && counts_.isAligned;
@@ -274,7 +277,7 @@ private:
     MeshSummary summary_;
     ObjCounts counts_;
     ObjSurvey survey_;
-    std::vector<std::uint32_t> listedColors_; ///< colours of the `vc` lines in file order
+    std::vector<std::uint32_t> listedColors_; ///< vertex colours of the `vc` lines in file order
     std::optional<ObjVertices> vertices_;
 };
 

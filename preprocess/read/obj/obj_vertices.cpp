@@ -9,10 +9,10 @@ namespace gnomon::read {
 
 namespace {
 
-/// The distance, in vertices, between two stored counts of used vertices.
+/// Counts of used vertices are stored at intervals of this number of vertices.
 constexpr std::size_t kRankStep = 64;
 
-/// The max memory, in bytes, of an entry of a growing hash table and its bucket.
+/// The max memory in bytes that one entry of a growing hash table needs, including its bucket.
 constexpr std::uint64_t kBytesOfOther = 64;
 
 std::tuple<float, float, float> tupleOf(const glm::vec3& v) {
@@ -49,7 +49,7 @@ std::uint32_t ObjVertices::ownNormal(std::uint64_t vertex) const {
     return ownNormals_.empty() ? kOwn : ownNormals_[vertex];
 }
 
-/// Sets the normals of a face's vertices from its corners, even if the face is not a polygon.
+/// Stores the normals that the corners of `face` give to its vertices, even if the face is not a polygon.
 void ObjVertices::takeNormals(const ObjLine& face) {
     for (const ObjCorner& corner : face.corners)
         if (corner.normal < normalCount_) giveNormal(corner.vertex, static_cast<std::uint32_t>(corner.normal));
@@ -72,7 +72,8 @@ void ObjVertices::giveNormal(std::uint64_t vertex, std::uint32_t normal) {
 }
 
 void ObjVertices::forgetOthers() {
-    constexpr std::size_t kFewBuckets = 1024; // clearing more buckets takes longer than reading a face
+    // a table with more buckets is replaced, because clearing it takes longer than reading a face
+    constexpr std::size_t kFewBuckets = 1024;
     if (others_.bucket_count() > kFewBuckets)
         others_ = std::unordered_map<std::uint64_t, std::uint32_t>();
     else if (!others_.empty())
@@ -91,7 +92,8 @@ bool ObjVertices::isOwn(const ObjVariant& variant) const {
            (!options_.hasFaceColors || (isUsed_[variant.vertex] && ownColors_[variant.vertex] == variant.color));
 }
 
-/// Compares by vertex, then normal, then colour. Normals are compared by value, not by index.
+/// Returns true if `a` comes before `b` in the order by vertex, then normal, then colour. Normals are compared by
+/// value, not by index.
 bool ObjVertices::isBefore(const ObjVariant& a, const ObjVariant& b) const {
     if (a.vertex != b.vertex) return a.vertex < b.vertex;
     if ((a.normal == kOwn) != (b.normal == kOwn)) return a.normal == kOwn;

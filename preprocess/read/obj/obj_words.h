@@ -1,18 +1,19 @@
-// Parses the corners of OBJ faces.
+// Parses the corners of faces in OBJ files.
 #pragma once
 
 #include "preprocess/read/text/number.h"
 
 namespace gnomon::read {
 
-/// The indices of a corner as in the file. Positive indices count from 1. Negative indices are relative to the last
-/// element so far. 0 means that the index is missing.
+/// The indices of a face corner as in the OBJ file. Positive indices count from 1. Negative indices are relative to the
+/// last element so far. 0 means that the index is missing.
 struct ObjIndices {
     std::int32_t vertex = 0;
     std::int32_t normal = 0;
 };
 
-/// Parses a corner: V, V/T, V//N or V/T/N. V is required, and no index may be 0. Returns nullopt for other words.
+/// Parses a face corner of an OBJ file: V, V/T, V//N or V/T/N. V is required, and no index may be 0. Returns nullopt
+/// for other words.
 inline std::optional<ObjIndices> cornerIn(std::string_view word) {
     ObjIndices corner;
     for (int part = 0; part < 3; ++part) {

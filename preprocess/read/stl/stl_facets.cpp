@@ -18,7 +18,7 @@ std::uint64_t hashOf(const glm::dvec3& position) {
     return hash;
 }
 
-/// Returns true if the angle between `normal` and the normal of the corners is larger than about 8 degrees.
+/// Returns true if `normal` differs from the normal of the triangle `corners` by more than about 8 degrees.
 bool isOtherNormal(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal) {
     const glm::dvec3 own = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double lengths = glm::dot(own, own) * glm::dot(normal, normal);
@@ -29,7 +29,7 @@ bool isOtherNormal(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& n
 
 } // namespace
 
-/// Doubles the hash table if more than half of it would be used.
+/// Doubles the size of the hash table of positions if the next position would fill it by more than half.
 void StlFacets::grow() {
     if (2 * (mesh_.positions.size() + 1) <= table_.size()) return;
     table_.assign(std::max<std::size_t>(1024, 2 * table_.size()), 0);
@@ -42,7 +42,7 @@ void StlFacets::grow() {
 }
 
 std::uint64_t StlFacets::vertexAt(const glm::dvec3& given) {
-    const glm::dvec3 position = given + 0.0; // -0 becomes +0
+    const glm::dvec3 position = given + 0.0; // adding 0 converts -0 to +0
     grow();
     std::size_t place = hashOf(position) & (table_.size() - 1);
     while (table_[place] != 0) {

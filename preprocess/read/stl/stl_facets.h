@@ -1,4 +1,4 @@
-// Converts the facets of an STL to an indexed mesh. Corners at equal positions become one vertex.
+// Converts the triangles of an STL file to an indexed mesh. Corners at equal positions become one vertex.
 #pragma once
 
 #include "preprocess/read/memory_source.h"
@@ -11,12 +11,12 @@
 
 namespace gnomon::read {
 
-/// Collects the facets of an STL as an indexed mesh.
+/// Collects the triangles of an STL file as an indexed mesh.
 class StlFacets {
 public:
-    /// Adds a facet. Returns true if it has three different corners. Other facets count as not a polygon. The function
-    /// also counts facets whose `normal` differs by more than about 8 degrees from the normal of their corners. A zero
-    /// `normal` is ignored.
+    /// Adds a triangle. Returns true if its three corners are at different positions. Other triangles are only counted.
+    /// The function also counts triangles whose `normal` differs by more than about 8 degrees from the normal of their
+    /// corners. A zero `normal` is ignored.
     bool add(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal);
 
     MemoryMesh take() { return std::move(mesh_); }

@@ -36,7 +36,7 @@ glm::dvec3 vectorAt(const std::byte* bytes) {
     return {realAt(bytes), realAt(bytes + 4), realAt(bytes + 8)};
 }
 
-/// Converts three channels of 5 bits, red in the lowest bits, to RGBA8.
+/// Converts a colour with three channels of 5 bits, red in the lowest bits, to RGBA8.
 std::uint32_t colorOfBits(std::uint32_t bits) {
     std::uint32_t color = 0xFF000000U;
     for (std::uint32_t channel = 0; channel < 3; ++channel)
@@ -44,7 +44,7 @@ std::uint32_t colorOfBits(std::uint32_t bits) {
     return color;
 }
 
-/// Returns `bits` with red and blue exchanged.
+/// Returns the colour `bits`, three channels of 5 bits, with red and blue exchanged.
 std::uint32_t reversed(std::uint32_t bits) {
     return (bits & 0x83E0U) | (bits & 31U) << 10U | (bits >> 10U & 31U);
 }
@@ -60,7 +60,8 @@ public:
         MemoryMesh mesh = facets_.take();
         const bool hasOwnColors = std::any_of(attributes_.begin(), attributes_.end(), [this](std::uint16_t bits) {
             return partColor_ ? bits != 0
-                              // Magics: if all attributes are 0, facets have the colour in the header
+                              // Files of the program Magics: if the attributes of all triangles are 0, they have the
+                              // colour in the header.
                               : (bits & 0x8000U) != 0;
         });
         if (!hasOwnColors && !partColor_) {
@@ -123,12 +124,12 @@ private:
     std::uint64_t count_;
     ByteStream stream_;
     StlFacets facets_;
-    std::vector<std::uint16_t> attributes_;  ///< per facet with three different corners: its attribute word
-    std::optional<std::uint32_t> partColor_; ///< the colour in the header
+    std::vector<std::uint16_t> attributes_;  ///< attribute bits per triangle with three different corners
+    std::optional<std::uint32_t> partColor_; ///< colour of the whole mesh, from the header
     bool hasMaterial_ = false;
 };
 
-/// Returns true if `file` begins with "solid", like an ASCII STL.
+/// Returns true if `file` begins with "solid", as an ASCII STL file does.
 bool beginsWithSolid(const InputFile& file) {
     std::string head(std::min<std::uint64_t>(file.size(), 1024), '\0');
     head.resize(file.readSomeAt(0, std::as_writable_bytes(std::span(head.data(), head.size()))));
@@ -136,8 +137,8 @@ bool beginsWithSolid(const InputFile& file) {
     return begin != std::string::npos && lowered(head.substr(begin, 5)) == "solid";
 }
 
-/// Returns the number of facets if the size of the file is that of a binary STL. Returns nullopt for an ASCII STL.
-/// Throws Error for any other file.
+/// Returns the number of triangles if `file` has exactly the size of a binary STL file. Returns nullopt for an ASCII
+/// STL file. Throws Error for any other file.
 std::optional<std::uint64_t> binaryFacets(const InputFile& file) {
     if (file.size() < kFacetsAt) return std::nullopt;
     std::array<std::byte, kFacetsAt> header{};

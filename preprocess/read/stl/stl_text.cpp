@@ -12,7 +12,7 @@ namespace gnomon::read {
 
 namespace {
 
-/// Returns true if `word` is the keyword `keyword` in upper or lower case. `keyword` must be in lower case.
+/// Returns true if `word` is equal to `keyword`, in upper or lower case. `keyword` must be in lower case.
 bool isKeyword(std::string_view word, std::string_view keyword) {
     return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char a, char b) {
         return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b;
@@ -35,8 +35,8 @@ public:
     }
 
 private:
-    /// Parses the statement that begins with `word`. If it has read a word that belongs to the next statement, it
-    /// returns this word. Otherwise it returns an empty word.
+    /// Parses the STL statement that begins with `word`. Returns a word that belongs to the next statement but was
+    /// already read. Otherwise returns an empty word.
     std::string_view statement(std::string_view word) {
         if (isKeyword(word, "vertex")) return vertex();
         if (cornerCount_ < 3) throw Error(text_.where(), "bad loop", "three vertices", quotedForMessage(word));
@@ -62,8 +62,8 @@ private:
         return {};
     }
 
-    /// Skips the name of a solid up to the end of the line. If the file has only one line, it also stops at words that
-    /// cannot be part of a name. Returns a word that belongs to the next statement, or an empty word.
+    /// Skips the name of a solid up to the end of the line. If the file has only one line, the function also stops at
+    /// words that cannot be part of a name. Returns a word that belongs to the next statement, or an empty word.
     std::string_view restOfName() {
         bool isAfterFacet = false;
         for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
@@ -77,8 +77,8 @@ private:
         return {};
     }
 
-    /// Parses numbers into `values`. If a word is not a number, the function stops and returns this word. Otherwise it
-    /// returns an empty word.
+    /// Parses numbers into `values`. At a word that is not a number, the function stops and returns this word.
+    /// Otherwise it returns an empty word.
     template <class Vector>
     std::string_view numbers(Vector& values) {
         for (int i = 0; i < Vector::length(); ++i) {
@@ -115,8 +115,8 @@ private:
     TextStream text_;
     StlFacets facets_;
     std::array<glm::dvec3, 3> corners_{};
-    std::size_t cornerCount_ = 3; ///< number of corners of the current loop so far; 3 if no loop is open
-    glm::dvec3 normal_{0};        ///< normal of the current facet
+    std::size_t cornerCount_ = 3; ///< number of corners that the current triangle has so far; 3 between two triangles
+    glm::dvec3 normal_{0};        ///< normal of the current triangle
     std::uint64_t colors_ = 0;
     bool isInSolid_ = false;
 };

@@ -6,8 +6,8 @@
 
 namespace gnomon::read {
 
-/// Reads all solids of an ASCII STL. Line ends have no meaning, except that a line end ends the name of a solid.
-/// Keywords can be in upper or lower case. Throws Error with the line of a defect.
+/// Reads all solids of an ASCII STL file. Keywords can be in upper or lower case. Line ends have no meaning, except
+/// that they end the name of a solid. Throws Error with the line of a defect.
 MemoryMesh readStlText(const InputFile& file);
 
 } // namespace gnomon::read

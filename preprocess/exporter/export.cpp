@@ -21,7 +21,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// The change of the number of triangles when the limit of a uniform cut increases past `error`.
+/// The number of triangles that a uniform cut gains or loses when its error limit passes `error`.
 struct Step {
     double error = 0;
     std::int64_t triangles = 0;
@@ -31,8 +31,8 @@ struct Step {
     }
 };
 
-/// Returns one step per change of the cut, for all limits. A cluster is in the cut if the limit is at least its stored
-/// error and below the error of its group.
+/// Returns all changes of the number of triangles, in ascending order of the cut's error limit. A cluster is in the cut
+/// if the limit is at least the cluster's stored error and below the error of its group.
 std::vector<Step> stepsOf(const ModelFile& file, std::optional<Bytes> memory, Progress& progress) {
     std::vector<Step> steps;
     std::uint64_t count = 0;
@@ -55,12 +55,12 @@ std::vector<Step> stepsOf(const ModelFile& file, std::optional<Bytes> memory, Pr
     return steps;
 }
 
-/// The groups that a uniform cut refines: all groups with a stored error above `error`, and the first groups whose
-/// error is equal to it. Pages are sorted from coarse to fine. The parents of a group therefore come before it, and the
-/// cut has no cracks.
+/// Says which groups a uniform cut refines: all groups with a stored error above `error`, and the first groups whose
+/// error is equal to `error`. Pages are sorted from coarse to fine. The parents of a group therefore come before it,
+/// and the cut has no cracks.
 struct CutLimit {
     double error = 0;
-    GroupRef end{0, 0}; // of the groups with exactly the error `error`, the cut refines those before `end`
+    GroupRef end{0, 0}; // groups with exactly the error `error` are refined if they come before `end`
 
     bool isRefined(double groupError, GroupRef group) const {
         return groupError > error || (groupError == error && group < end);
@@ -90,7 +90,7 @@ std::map<GroupRef, std::int64_t> growthAt(const ModelFile& file, double error, P
 }
 
 /// Refines groups whose stored error is equal to the limit, as long as the cut has at most `maxTriangles` triangles.
-/// Many groups may have this error. `triangles` is the number of triangles before the first of these refinements.
+/// Many groups can have the same error. `triangles` is the number of triangles before the first of these refinements.
 void refineGroups(
     const ModelFile& file, std::int64_t triangles, std::uint64_t maxTriangles, CutLimit& limit, Progress& progress) {
     std::int64_t best = triangles;
@@ -102,8 +102,8 @@ void refineGroups(
     }
 }
 
-/// Returns the finest cut of at most `maxTriangles` triangles. It has the smallest possible error and refines as many
-/// groups of exactly this error as possible.
+/// Returns the finest uniform cut with at most `maxTriangles` triangles. It has the smallest possible error and refines
+/// as many groups of exactly this error as possible.
 CutLimit limitFor(const ModelFile& file, std::uint64_t maxTriangles, std::optional<Bytes> memory, Progress& progress) {
     const std::vector<Step> steps = stepsOf(file, memory, progress);
     std::int64_t triangles = 0;
@@ -123,8 +123,8 @@ CutLimit limitFor(const ModelFile& file, std::uint64_t maxTriangles, std::option
         std::to_string(maxTriangles));
 }
 
-/// Returns the largest limit whose cut has an error of at most `error`. For an error of 0 it returns a negative limit,
-/// so that all groups are refined.
+/// Returns the limit of the coarsest uniform cut with an error of at most `error`. For an error of 0 the limit is
+/// negative, so that all groups are refined.
 CutLimit limitOf(const ModelFile& file, double error) {
     if (error == 0) return {-1, {0, 0}};
     const double minError = file.summary().grid.snapError();
@@ -149,19 +149,20 @@ void forEachDrawn(const Page& page, const Group& group, const CutLimit& limit, c
     }
 }
 
-/// The numbers of vertices and triangles of a cut.
+/// The numbers of vertices, triangles and clusters of a cut.
 struct CutSize {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     std::uint64_t clusters = 0;
 };
 
-/// Returns true if the cut refines no group of the page, so that the page is not needed.
+/// Returns true if the cut refines no group of the page. The exporter then skips the page.
 bool isSkipped(const PageInfo& info, const CutLimit& limit) {
     return info.maxError < limit.error;
 }
 
-/// Returns the total size of the pages that contain refined groups. It is an upper bound of the size of the cut.
+/// Returns the total size of all pages with groups that the cut refines. The result is an upper bound of the size of
+/// the cut.
 CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
     CutSize size;
     for (const PageInfo& info : file.pages()) {
@@ -173,7 +174,7 @@ CutSize sizeOfPages(const ModelFile& file, const CutLimit& limit) {
     return size;
 }
 
-/// Returns the exact size of the cut. The function reads all needed pages.
+/// Returns the exact size of the cut. The function reads all pages that the cut needs.
 CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progress) {
     CutSize size;
     progress.stage("measure", "pages", file.pages().size());
@@ -193,11 +194,11 @@ CutSize sizeOfCut(const ModelFile& file, const CutLimit& limit, Progress& progre
     return size;
 }
 
-/// Returns the memory in bytes for collecting, welding and writing a cut. Writing needs `writingBytes` bytes per
-/// vertex.
+/// Returns the memory in bytes for collecting, welding and writing a cut of size `size`. Writing needs `writingBytes`
+/// bytes per vertex.
 std::uint64_t bytesOf(const CutSize& size, const ModelSummary& summary, std::uint64_t writingBytes) {
     constexpr std::uint64_t kOther = std::uint64_t{16} << 20U; // bytes of a decoded page and of output buffers
-    // bytes per vertex for its order, first equal vertex and new index
+    // Welding needs 12 bytes per vertex: its position in the order, the first equal vertex, and its new index.
     constexpr std::uint64_t kWeldBytes = 12;
     const std::uint64_t ofVertex =
         sizeof(Vertex) + (summary.fields.empty() ? 0 : sizeof(std::uint32_t)) + std::max(kWeldBytes, writingBytes);
@@ -205,13 +206,13 @@ std::uint64_t bytesOf(const CutSize& size, const ModelSummary& summary, std::uin
            size.clusters * sizeof(CutCluster);
 }
 
-/// The limits of memory for exporting a cut.
+/// The memory limits for exporting a cut.
 struct CutRoom {
-    std::optional<Bytes> memory;    // max memory of the process; nullopt: no limit
-    std::uint64_t writingBytes = 0; // bytes per vertex during the writing
+    std::optional<Bytes> memory;    // max memory of the process; nullopt means no limit
+    std::uint64_t writingBytes = 0; // bytes per vertex that the file writer needs
 };
 
-/// Returns an upper bound of the size of the cut. Throws Error if the cut does not fit into the memory.
+/// Returns an upper bound of the size of the cut. Throws Error if the cut does not fit into the memory limit.
 CutSize affordableSize(const ModelFile& file, const CutLimit& limit, const CutRoom& room, Progress& progress) {
     const CutSize ofPages = sizeOfPages(file, limit);
     const auto bytes = [&](const CutSize& size) { return bytesOf(size, file.summary(), room.writingBytes); };
@@ -278,7 +279,7 @@ void addCluster(const Page& page, const PageFields& fields, const Cluster& clust
 
 void weld(CutMesh& mesh) {
     const std::vector<std::uint32_t> order = sortedVertices(mesh);
-    std::vector<std::uint32_t> first(order.size()); // per vertex: the smallest index of an equal vertex
+    std::vector<std::uint32_t> first(order.size()); // smallest index of an equal vertex, per vertex
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool isNew = i == 0 || mesh.vertices[order[i]] != mesh.vertices[order[i - 1]] ||
                            mesh.fieldsOf(order[i]) != mesh.fieldsOf(order[i - 1]);

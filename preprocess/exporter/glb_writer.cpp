@@ -22,21 +22,21 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// Constants of glTF 2.0 (sections 3.6.2.2, 3.6.1 and 4.4).
+// Constants of the glTF 2.0 specification (sections 3.6.2.2, 3.6.1 and 4.4).
 constexpr int kFloat = 5126;
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
 constexpr int kVertices = 34962;
 constexpr int kIndices = 34963;
 
-/// Converts an 8-bit sRGB level to 16 bits of linear light. Different levels remain different (IEC 61966-2-1).
+/// Converts an 8-bit sRGB channel value to 16 bits of linear light (IEC 61966-2-1). Different values remain different.
 std::uint16_t linearOf(std::uint32_t level) {
     const double display = level / 255.0;
     const double linear = display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
     return static_cast<std::uint16_t>(std::lround(linear * 65535));
 }
 
-/// Returns the glTF name of an application-specific attribute, for example "_QUALITY".
+/// Returns the glTF name of the vertex attribute for the scalar field `field`, for example "_QUALITY".
 std::string attributeName(const std::string& field) {
     std::string name = "_";
     for (const char c : field) {
@@ -47,16 +47,16 @@ std::string attributeName(const std::string& field) {
     return name;
 }
 
-/// The data of one glTF buffer view.
+/// Describes the data of one glTF buffer view.
 struct Content {
     enum Kind { Indices, Positions, Normals, Colors, OfField };
 
     Kind kind = Indices;
     std::size_t stride = 0; // bytes per element
-    std::size_t field = 0;  // if the content is a field: the index of the field
+    std::size_t field = 0;  // index of the scalar field, if the content is a field
 };
 
-/// A writer that appends values to memory.
+/// A writer that appends values to a byte array in memory.
 struct MemoryWriter {
     std::vector<std::byte> bytes;
 
@@ -102,7 +102,7 @@ public:
 private:
     glm::vec3 local(const Vertex& vertex) const { return {summary_.grid.world(vertex.position) - origin_}; }
 
-    /// Adds a buffer view of `count` elements of `type` and an accessor of this view. Returns the number of the
+    /// Adds a glTF buffer view of `count` elements of `type`, and an accessor of this view. Returns the index of the
     /// accessor.
     std::size_t add(const Content& content, std::uint64_t count, const char* type, int component) {
         const std::uint64_t bytesEach = content.stride;
@@ -142,8 +142,8 @@ private:
         return {{"attributes", attributes}, {"indices", indices}, {"material", 0}};
     }
 
-    /// Returns the node's matrix in column-major order. It rotates the up axis to +y, converts the unit to metres, and
-    /// adds the origin.
+    /// Returns the matrix of the glTF node in column-major order. The matrix rotates the up axis to +y, converts the
+    /// unit to metres, and adds the origin.
     ordered_json matrix() const {
         const UprightFrame upright = uprightFrame(summary_.up.direction);
         const double metres = rowOf(summary_.unit).metres;
@@ -162,7 +162,8 @@ private:
         return values;
     }
 
-    /// Returns the JSON chunk of the file with padding. The JSON contains the size of the binary chunk that follows.
+    /// Returns the JSON chunk of the .glb file with its padding. The JSON contains the size of the binary chunk that
+    /// follows.
     std::string document(const std::string& path) {
         const ordered_json triangles = primitive();
         if (tile_.isPacked) pack();
@@ -181,7 +182,7 @@ private:
             {"bufferViews", views_},
             {"buffers", {{{"byteLength", writtenBytes()}}}}};
         if (tile_.isPacked) {
-            // The extension requires a fallback buffer. It has no data in this file.
+            // The extension EXT_meshopt_compression requires a fallback buffer. In this file, the buffer has no data.
             all["buffers"].push_back(
                 {{"byteLength", bytes_}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
             all["extensionsUsed"] = all["extensionsRequired"] = {"EXT_meshopt_compression"};
@@ -198,7 +199,7 @@ private:
         return text;
     }
 
-    /// Writes the content of buffer view `view` to a file or to memory.
+    /// Writes the data of the buffer view with the index `view` to a file or to memory.
     template <class Out>
     void putView(Out& out, std::size_t view) const {
         const auto putVector = [&](const glm::vec3& v) {
@@ -243,7 +244,7 @@ private:
                 static_cast<float>(fieldValue(summary_.fields[field], mesh_.fields.layout, mesh_.fieldsOf(v), field)));
     }
 
-    /// Compresses the content of all buffer views into one buffer. Each view starts at a multiple of 4 bytes.
+    /// Compresses the data of all buffer views into one buffer. Each view starts at a multiple of 4 bytes.
     void pack() {
         for (std::size_t view = 0; view < contents_.size(); ++view) {
             MemoryWriter raw;
@@ -280,8 +281,8 @@ private:
     GlbTile tile_;
     VertexNormals normals_;
     glm::dvec3 origin_{0};
-    std::uint64_t bytes_ = 0;       // size of the buffer
-    std::vector<Content> contents_; // per buffer view
+    std::uint64_t bytes_ = 0;       // size of the binary buffer
+    std::vector<Content> contents_; // one entry per buffer view
     std::vector<unsigned char> packed_;
     ordered_json views_ = ordered_json::array();
     ordered_json accessors_ = ordered_json::array();

@@ -14,14 +14,14 @@ using namespace hierarchy;
 
 namespace {
 
-/// Returns true if floats distinguish all quantised values of a field.
+/// Returns true if 32-bit floats distinguish all quantised values of a scalar field.
 bool fitsFloats(const Field& field) {
     const double step = (field.max - field.min) / ((1U << field.bits) - 1U);
     return std::max(std::abs(field.min), std::abs(field.max)) * 0x1p-24 <= step / 64;
 }
 
-/// Throws Error if a field name is invalid in a PLY header or occurs twice. The names come from the model file and can
-/// be any text.
+/// Throws Error if the name of a scalar field is invalid in a PLY header or occurs twice. The names come from the model
+/// file and can be any text.
 void requirePlyNames(const std::string& model, const std::vector<Field>& fields, std::span<const VertexValues> values) {
     for (const Field& field : fields) {
         for (const VertexValues& property : values)

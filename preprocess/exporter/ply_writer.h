@@ -1,4 +1,4 @@
-// Writes a cut as a binary PLY file.
+// Writes a cut of a model as a binary PLY file.
 #pragma once
 
 #include "core/progress.h"
@@ -10,16 +10,16 @@
 
 namespace gnomon::exporter {
 
-/// An additional value per vertex of a mesh, with its name in the file.
+/// One additional value per vertex of an exported mesh, with the name of its property in the PLY file.
 struct VertexValues {
     std::string name;
     std::vector<float> values;
 };
 
-/// Writes `mesh` as a binary PLY file in the axes of the source. `summary` describes the model of the mesh. Positions
-/// are floats if floats represent all positions exactly, and doubles otherwise. The values of a field follow the same
-/// rule. Normals are unit vectors (see VertexNormals). Throws Error, for example for a field name that is invalid in a
-/// PLY header.
+/// Writes `mesh` as a binary PLY file with the axes of the source. `summary` describes the model of which `mesh` is a
+/// cut. Positions are floats if floats represent all positions exactly, and doubles otherwise. The values of a scalar
+/// field follow the same rule. Normals are unit vectors (see VertexNormals). Throws Error, for example for a field name
+/// that is invalid in a PLY header.
 void writePly(
     const CutMesh& mesh,
     const hierarchy::ModelSummary& summary,

@@ -1,4 +1,4 @@
-// Writes values to a file in large blocks.
+// Writes values to a file through a large buffer.
 #pragma once
 
 #include "core/file.h"
@@ -10,8 +10,8 @@
 
 namespace gnomon::exporter {
 
-/// A buffered writer that starts at the beginning of the file. The caller must call `flush` at the end to write the
-/// last block.
+/// A buffered writer of values that starts at the beginning of the file. The caller must call `flush` at the end to
+/// write the rest of the buffer.
 class RunWriter {
 public:
     explicit RunWriter(File& file) : file_(file) {}

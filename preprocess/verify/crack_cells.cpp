@@ -12,13 +12,13 @@ using namespace hierarchy;
 
 namespace {
 
-/// Bytes per vertex while locked edges are indexed. They contain its sorted entry, the number of its position, its
-/// first edge, and its uses by groups and edges.
+/// Bytes per vertex for the index of locked edges: the vertex's sorted entry, the number of its position, its first
+/// edge, and its uses by groups and edges.
 constexpr std::uint64_t kBytesPerVertex = 36;
 
-/// Bytes per vertex in each thread that tests cuts. They contain the state of the edges at the vertex.
+/// Bytes per vertex in each thread that tests cuts. They store the state of the edges at this vertex.
 constexpr std::uint64_t kBytesPerVertexAndThread = 2;
-constexpr double kMinGain = 0.95; // max share of the memory that one side of a useful cut may need
+constexpr double kMinGain = 0.95; // a cut is useful if the memory of each side shrinks at least to this share
 constexpr std::array kAxes = {&GridPoint::x, &GridPoint::y, &GridPoint::z};
 
 class Cells {
@@ -31,7 +31,7 @@ public:
         if (whole > memory_.count) {
             for (const auto axis : longestFirst(cell)) {
                 const std::uint32_t at = middle(cell, axis);
-                if (at >= cell.box.max.*axis) continue; // a cut there would not divide the cell
+                if (at >= cell.box.max.*axis) continue; // a plane there would not divide the cell
                 CrackCell low{cell.box, {}};
                 CrackCell high{cell.box, {}};
                 low.box.max.*axis = at;
@@ -60,7 +60,7 @@ private:
         return sum;
     }
 
-    /// Returns the axes, sorted by the extent of the cell's pages. The axis of the longest extent is first.
+    /// Returns the three axes, sorted by the extent of the pages of `cell`. The axis of the longest extent is first.
     std::array<std::uint32_t GridPoint::*, 3> longestFirst(const CrackCell& cell) const {
         GridBox box;
         for (const std::uint32_t page : cell.pages)
@@ -73,7 +73,7 @@ private:
         return axes;
     }
 
-    /// Returns the median of the centres of the cell's pages on an axis, clamped to the cell.
+    /// Returns the median of the centres of the pages of `cell` along `axis`, clamped to the cell.
     std::uint32_t middle(const CrackCell& cell, std::uint32_t GridPoint::*axis) const {
         std::vector<std::uint32_t> middles;
         for (const std::uint32_t page : cell.pages)

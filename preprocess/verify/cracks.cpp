@@ -18,26 +18,26 @@ using namespace hierarchy;
 
 namespace {
 
-/// A view that refines a group if the group's error exceeds `threshold` times the distance from `eye`. The threshold is
-/// an error in world units per unit of distance.
+/// A view for a view-dependent cut. The cut refines a group if the group's error exceeds `threshold` times the distance
+/// from `eye`. The threshold is an error in world units per unit of distance.
 struct View {
-    glm::dvec3 eye{0}; // local space
+    glm::dvec3 eye{0}; // in local space
     double threshold = 0;
 
     bool operator()(double error, const Sphere& bounds) const { return error > threshold * distance(bounds, eye); }
 };
 
-/// Draws random views: near the model, on it, inside it and far from it. The threshold of a view is such that a random
-/// group of a random level is exactly at the limit.
+/// Draws random views: near the model, on it, inside it and far from it. The threshold of a view is such that the error
+/// of a random group of a random level is exactly at the limit.
 class ViewSource {
 public:
-    /// Creates a source of views. `surfacePoint(random)` returns a random vertex of the model.
+    /// Creates a generator of views. `surfacePoint(random)` returns a random vertex of the model.
     ViewSource(const ModelSummary& summary, std::function<GridPoint(Random&)> surfacePoint)
         : grid_(summary.grid), surfacePoint_(std::move(surfacePoint)), groups_(summary.levels.size()) {
         bounds_ = {summary.bounds.min - grid_.origin, summary.bounds.max - grid_.origin};
     }
 
-    /// Adds the groups of a page. All groups must be added before the first view.
+    /// Adds the groups of a page, from which views are drawn. All groups must be added before the first view.
     void add(std::uint32_t level, std::span<const Group> groups) {
         for (const Group& group : groups)
             if (std::isfinite(group.error)) groups_[level].push_back(&group);
@@ -83,14 +83,14 @@ private:
     Grid grid_;
     std::function<GridPoint(Random&)> surfacePoint_;
     Box bounds_;
-    std::vector<std::vector<const Group*>> groups_; // per level: groups with finite errors
+    std::vector<std::vector<const Group*>> groups_; // groups with finite errors, per level
 };
 
-/// The triangles of one cut at the locked edges. The object is reused for many cuts. Only the entries that a cut used
-/// are cleared.
+/// Counts the triangles of one cut at the locked edges. The object is reused for many cuts, and only the entries that a
+/// cut used are cleared.
 struct CutEdges {
     std::vector<std::uint32_t> triangles;
-    std::vector<std::uint64_t> levels; // per edge: bit l is set if a triangle of the surface of level l is there
+    std::vector<std::uint64_t> levels; // per edge: bit l is set if a triangle of the surface of level l has this edge
     std::vector<std::uint32_t> touched;
 };
 
@@ -141,8 +141,8 @@ CutResult judge(const LockedEdges& edges, CutEdges& cut) {
     return result;
 }
 
-/// Tests the locked edges of `cell` in all views and adds the results to `results`. `model` must contain all pages that
-/// overlap the cell. Returns the number of locked edges.
+/// Searches for cracks at the locked edges of `cell` in all views and adds the results to `results`. `model` must
+/// contain all pages that overlap the cell. Returns the number of locked edges.
 std::size_t lookAt(
     const LoadedModel& model,
     const GridBox& cell,
@@ -158,7 +158,7 @@ std::size_t lookAt(
         if (results[i].cracks == 0) results[i].detail = found.detail;
         results[i].tested += found.tested;
         results[i].cracks += found.cracks;
-        progress.advance(0); // polls for an interruption
+        progress.advance(0); // lets the user interrupt the search
     });
     return edges.count();
 }

@@ -1,5 +1,5 @@
-// Finds cracks in random view-dependent cuts. A crack is a locked edge between groups at which the number of triangles
-// is wrong.
+// Searches for cracks in random view-dependent cuts. A crack is an edge on a border between groups that does not have
+// the right number of triangles.
 #pragma once
 
 #include "preprocess/verify/check.h"
@@ -9,14 +9,17 @@
 
 namespace gnomon::verify {
 
-/// Draws `cuts` random view-dependent cuts of `model` and tests the locked edges (locked_edges.h) in each cut. A cut
-/// refines a group if the group's error exceeds a threshold times the distance to the eye. An edge that is locked at a
-/// level is tested in a cut if one of the cut's triangles there belongs to the surface of this level or of the next
-/// coarser level. The number of the cut's triangles at the edge must then be equal to the number in the locked level.
-/// Edges are compared by position. The worst value of the result is the max number of cracks in one cut.
+/// Draws `cuts` random view-dependent cuts of `model` and searches for cracks at the locked edges (borders between
+/// groups, see locked_edges.h). A cut refines a group if the group's error exceeds a threshold times the distance to
+/// the eye.
+///
+/// An edge that is locked at a level is tested in a cut if one of the cut's triangles there belongs to the surface of
+/// this level or of the next coarser level. The number of the cut's triangles at the edge must then be equal to the
+/// number in the locked level. Edges are compared by position. The worst value of the result is the max number of
+/// cracks in one cut.
 Check checkCracks(const LoadedModel& model, std::uint64_t cuts, std::uint64_t seed, Progress& progress);
 
-/// Makes the same check as the other checkCracks, but reads the model from `file` and loads only one cell of `cells`
+/// Searches for cracks like the other checkCracks, but reads the model from `file` and loads only one cell of `cells`
 /// (from crackCells) at a time. `facts` are the ModelFacts of the file. The result is identical, except that its text
 /// may describe another crack of the same cut.
 Check checkCracks(
@@ -27,7 +30,7 @@ Check checkCracks(
     std::span<const CrackCell> cells,
     Progress& progress);
 
-/// Returns the memory in bytes that `cuts` cuts need in addition to the cells.
+/// Returns the memory in bytes that checkCracks needs for `cuts` cuts, in addition to the memory for the cells.
 std::uint64_t cutBytes(std::uint64_t cuts);
 
 } // namespace gnomon::verify

@@ -18,23 +18,25 @@ using namespace hierarchy;
 namespace {
 
 constexpr std::size_t kMaxCuts = 8;
-// random samples per direction and cut, and also the number of sampled corners
+// The number of random samples per direction and cut. It is also the number of sampled corners.
 constexpr std::size_t kPointSamples = 60'000;
-constexpr std::size_t kDenseGroups = 150;      // densely sampled groups per cut
-constexpr std::uint32_t kDensePoints = 4;      // samples per triangle of these groups, in addition to its corners
-constexpr std::size_t kDenseCorners = 150'000; // max number of corners of level 0 below the dense groups of a cut
+constexpr std::size_t kDenseGroups = 150; // number of densely sampled groups per cut
+// number of samples per triangle of a densely sampled group, in addition to its corners
+constexpr std::uint32_t kDensePoints = 4;
+// max number of sampled corners of level 0 below the densely sampled groups of a cut
+constexpr std::size_t kDenseCorners = 150'000;
 
-/// The tolerance of comparisons of distances. Coordinates are below 2^31 grid steps, so smaller differences are
-/// rounding errors.
+/// The tolerance for comparing distances, relative to the bound and in grid steps. Coordinates are below 2^31 grid
+/// steps, so smaller differences are rounding errors.
 constexpr double kRounding = 1e-9;
 
-/// A point on a triangle of a soup.
+/// A sampled point on a triangle.
 struct Sample {
     std::uint32_t triangle = 0;
     glm::dvec3 point{0};
 };
 
-/// Returns a random point on a triangle, uniformly distributed over its area.
+/// Returns a random point on the triangle with the index `triangle`. Points are uniformly distributed over its area.
 Sample onTriangle(const TriangleSoup& soup, std::uint32_t triangle, Random& random) {
     double u = random.unit();
     double v = random.unit();
@@ -65,7 +67,7 @@ std::vector<Sample> drawSamples(const TriangleSoup& soup, Random& random) {
     return samples;
 }
 
-/// Returns for each sample the nearest triangle of `tree`.
+/// Returns, for each sample, the nearest triangle of `tree` and its distance.
 std::vector<TriangleTree::Nearest> nearestTo(const std::vector<Sample>& samples, const TriangleTree& tree) {
     std::vector<TriangleTree::Nearest> found(samples.size());
     constexpr std::size_t kRun = 256;
@@ -79,8 +81,8 @@ std::vector<TriangleTree::Nearest> nearestTo(const std::vector<Sample>& samples,
     return found;
 }
 
-/// Returns the error limits of the tested cuts: some of the max errors of the levels, including the finest and the
-/// coarsest level.
+/// Returns the error limits of the tested uniform cuts. They are some of the levels' max errors, including those of the
+/// finest and the coarsest level.
 std::vector<double> cutErrors(const ModelSummary& summary) {
     std::set<double> errors;
     for (const LevelInfo& level : summary.levels)
@@ -92,7 +94,7 @@ std::vector<double> cutErrors(const ModelSummary& summary) {
     return thinned;
 }
 
-/// Compares one model with its source.
+/// Compares the uniform cuts of one model with its source mesh.
 class Comparison {
 public:
     Comparison(const LoadedModel& model, const TriangleSoup& source, std::uint64_t seed)
@@ -130,8 +132,8 @@ public:
     }
 
 private:
-    /// Returns the group that a cluster of a cut was simplified from, or kNone at level 0. Groups are numbered across
-    /// pages.
+    /// Returns the number of the group that a cluster of a cut was simplified from, or kNone at level 0. Groups are
+    /// numbered across pages.
     std::uint32_t refinedGroup(const UniformCut::Part& part) {
         const Page& page = model_.pages[part.page];
         const std::uint32_t refinement = page.clusters[part.cluster].refinement;
@@ -184,7 +186,8 @@ private:
     /// Returns the triangles of level 0 from which the densely sampled groups were simplified, as ranges of triangles
     /// of the finest cut.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> partsBelow() const {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> parts; // first triangle and number of triangles
+        // index of the first triangle, and number of triangles
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> parts;
         std::vector<std::uint32_t> open = dense_;
         std::vector<bool> isKnown(model_.firstGroup.back());
         while (!open.empty()) {
@@ -208,9 +211,9 @@ private:
         return parts;
     }
 
-    /// Measures the distances from level 0 to the cut, below the densely sampled groups. This finds parts that the
-    /// simplification removed: they have no points in the cut, and random source points seldom hit them. The vertices
-    /// of level 0 are vertices of the source.
+    /// Measures the distances from level 0 to the cut, below the densely sampled groups. This finds small features that
+    /// the simplification removed. They have no points in the cut, and random source points seldom hit them. The
+    /// vertices of level 0 are vertices of the source.
     void compareBelow(const UniformCut& cut) {
         std::size_t corners = 0;
         const auto parts = partsBelow();
@@ -234,8 +237,8 @@ private:
         largest = std::max(largest, distance);
     }
 
-    /// Selects a few random groups. Returns sample points on the triangles of the cut that were simplified from these
-    /// groups: their corners and several points inside each triangle.
+    /// Selects a few random groups, and returns sample points on the triangles that were simplified from these groups:
+    /// their corners and several points inside each triangle.
     std::vector<Sample> denseSamples(const UniformCut& cut) {
         std::map<std::uint32_t, std::vector<const UniformCut::Part*>> byGroup;
         for (const UniformCut::Part& part : cut.parts)
@@ -271,12 +274,13 @@ private:
     TriangleTree sourceTree_;
     UniformCut finest_;
     Random random_;
-    std::map<std::uint32_t, std::uint32_t> finestPart_; // per cluster across pages: its first triangle in `finest_`
-    std::vector<std::uint32_t> groupOfCluster_;         // per cluster across pages
+    // first triangle in `finest_` per cluster, numbered across pages
+    std::map<std::uint32_t, std::uint32_t> finestPart_;
+    std::vector<std::uint32_t> groupOfCluster_; // group per cluster, numbered across pages
     std::vector<Sample> sourceSamples_;
-    std::vector<TriangleTree::Nearest> finestNearest_; // per sample of the source
-    std::map<std::uint32_t, double> errorOf_;          // per group: stored error
-    std::map<std::uint32_t, double> largest_;          // per group: largest sampled distance in the current cut
+    std::vector<TriangleTree::Nearest> finestNearest_; // nearest triangle of level 0 per sample of the source
+    std::map<std::uint32_t, double> errorOf_;          // stored error per group
+    std::map<std::uint32_t, double> largest_;          // largest sampled distance per group, in the current cut
     std::vector<std::uint32_t> dense_;
     std::vector<double> ratios_;
     Check check_{"error_bound"};

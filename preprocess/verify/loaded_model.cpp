@@ -8,8 +8,8 @@
 
 namespace gnomon::verify {
 
-/// This test prevents a small malicious file from allocating all memory. For comparison, the most repetitive valid
-/// model is a flat sheet, and its pages decode to 255 times their stored bytes.
+/// This test prevents that a small malicious file allocates all memory. For comparison: the most repetitive valid model
+/// is a flat sheet, whose pages decode to 255 times their stored bytes.
 void requireBelievable(const hierarchy::ModelFile& file) {
     constexpr std::uint64_t kMaxExpansion = 1024;
     const Bytes maxBytes{mebibytes(64).count + kMaxExpansion * file.fileBytes()};

@@ -15,7 +15,8 @@ using namespace hierarchy;
 
 namespace {
 
-/// A use of an edge or a vertex. Its owner is a group of the current level or a deferred cluster.
+/// Records that `owner` uses an edge or a vertex (`what`). The owner is a group of the current level or a cluster that
+/// this level defers to a coarser level.
 struct Use {
     std::uint64_t what = 0;
     std::uint64_t owner = 0;
@@ -27,8 +28,8 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
 }
 
-/// Calls `take(a, b)` for each edge of the triangles of `cluster`. `a` and `b` are the position numbers of the ends.
-/// Edges of zero length are skipped.
+/// Calls `take(a, b)` for each edge of the triangles of `cluster`. `a` and `b` are the position numbers of the edge's
+/// ends. Edges of zero length are skipped.
 template <class OfVertex, class Take>
 void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVertex, const Take& take) {
     for (std::uint32_t t = 0; t < cluster.triangleCount; ++t) {
@@ -42,8 +43,8 @@ void forEachEdge(const Page& page, const Cluster& cluster, const OfVertex& ofVer
     }
 }
 
-/// Calls `take(page, cluster, owner)` for each cluster in the surface of a level. The owner is the group of the
-/// cluster, or the cluster itself if it is deferred.
+/// Calls `take(page, cluster, owner)` for each cluster in the surface of level `level`. The owner is the group of the
+/// cluster. If the level defers the cluster to a coarser level, the owner is the cluster itself.
 template <class Take>
 void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uint32_t level, const Take& take) {
     for (std::size_t p = 0; p < model.pages.size(); ++p) {
@@ -60,7 +61,7 @@ void forEachCluster(const LoadedModel& model, const LockedEdges& edges, std::uin
     }
 }
 
-/// Calls `take(run)` for each edge or vertex with more than one owner. `run` contains all of its uses.
+/// Calls `take(run)` for each edge or vertex that several owners use. `run` contains all of its uses.
 template <class Take>
 void forEachShared(std::vector<Use>& uses, const Take& take) {
     tbb::parallel_sort(uses.begin(), uses.end());

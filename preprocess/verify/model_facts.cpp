@@ -13,7 +13,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// Creates the text that names a group in the description of a failed test.
+/// Creates the text that names a group by page and index, for the description of a failed test.
 class GroupName {
 public:
     GroupName(std::size_t page, std::size_t group) : page_(page), group_(group) {}

@@ -18,7 +18,7 @@ bool resolves(const ModelFacts& model, const PageFacts& page, const Refinement& 
            model.pages[ref.page].level < page.level;
 }
 
-/// Per page and group: whether a refinement refers to the group.
+/// Says, per page and group, whether a refinement refers to the group.
 using NamedGroups = std::vector<std::vector<bool>>;
 
 void checkRefinements(const ModelFacts& model, std::size_t pageIndex, NamedGroups& named, Check& check) {
@@ -42,7 +42,7 @@ void checkRefinements(const ModelFacts& model, std::size_t pageIndex, NamedGroup
     }
 }
 
-/// Checks that each group is a root or that a refinement refers to it. No cut could draw any other group.
+/// Checks that each group is a root or that a refinement refers to it. No view could ever draw another group.
 void checkReachable(const ModelFacts& model, const NamedGroups& named, Check& check) {
     for (std::size_t p = 0; p < model.pages.size(); ++p)
         for (std::size_t g = 0; g < model.pages[p].groups.size(); ++g) {
@@ -84,8 +84,8 @@ void checkSums(const ModelFacts& model, Check& check) {
     std::uint64_t accounted = levels.empty() ? 0 : levels[0].triangles;
     for (const auto& [reason, count] : summary.dropped)
         accounted += reason == "not_a_polygon" ? 0 : count;
-    // The counts cannot be compared exactly if there are covered triangles, because any number of parts of such a
-    // triangle may remain.
+    // If the build removed covered triangles, the counts cannot be compared exactly, because any number of parts of
+    // such a triangle may remain.
     const bool hasParts = summary.dropped.contains("covered") && accounted >= summary.sourceTriangles;
     check.test(hasParts || accounted == summary.sourceTriangles, [&] {
         return "triangles of level 0 and dropped ones are " + std::to_string(accounted) + ", the source had " +

@@ -9,7 +9,7 @@ namespace gnomon::verify {
 
 namespace {
 
-/// Returns the grid point that is nearest to a position in local space. The coordinates are floating-point numbers.
+/// Returns the grid point nearest to a position in local space, as floating-point numbers.
 glm::dvec3 snapped(const glm::dvec3& local, const hierarchy::Grid& grid) {
     return glm::floor(local / grid.step() + 0.5);
 }
@@ -33,7 +33,7 @@ TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Pro
                 std::to_string(source.summary().vertexCount));
         for (const glm::dvec3& position : block.positions)
             soup.positions.push_back(position - grid.origin);
-        progress.advance(0); // polls for an interruption; vertices do not count as progress
+        progress.advance(0); // lets the user interrupt the reading; vertices do not count as progress
     });
     read::PolygonRefiner refiner(progress);
     std::vector<read::TriangleCorners> triangles;

@@ -1,4 +1,5 @@
-// Reads the source of a model as triangles in local space. The check of stored errors compares them with the model.
+// Reads the source mesh of a model as triangles in local space. The check of stored errors compares these triangles
+// with the model.
 #pragma once
 
 #include "core/progress.h"
@@ -8,9 +9,9 @@
 
 namespace gnomon::verify {
 
-/// Reads all triangles of `source` except those that a build drops. A build drops a triangle if two of its corners have
-/// the same grid point, or if a corner is outside the grid's range. `progress` advances by the number of triangles
-/// read, including the dropped ones.
+/// Reads all triangles of `source` except the triangles that a build drops. A build drops a triangle if two of its
+/// corners have the same grid point, or if a corner is outside the grid's range. `progress` advances by the number of
+/// triangles read, including dropped triangles.
 TriangleSoup readSoup(read::MeshSource& source, const hierarchy::Grid& grid, Progress& progress);
 
 } // namespace gnomon::verify

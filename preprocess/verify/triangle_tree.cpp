@@ -44,7 +44,8 @@ double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec
     const double sum = va + vb + vc;
     double minSquare = std::min(
         {squaredDistanceToSegment(p, a, b), squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)});
-    // Rounding can make the weights of a sliver wrong. Positive weights nevertheless describe a point of the triangle.
+    // Rounding can make the barycentric weights of a sliver wrong. Positive weights nevertheless describe a point of
+    // the triangle.
     if (va > 0 && vb > 0 && vc > 0)
         minSquare = std::min(minSquare, squaredLength(p - (a + ab * (vb / sum) + ac * (vc / sum))));
     return minSquare;
@@ -115,8 +116,8 @@ TriangleTree::Bounds TriangleTree::build(
     std::nth_element(at(begin), at(middle), at(end), [axis](const Item& a, const Item& b) {
         return a.centre[axis] < b.centre[axis];
     });
-    // If there is more than one leaf, each leaf has at least two triangles. n triangles therefore need fewer than n
-    // nodes, and the right subtree can start at a known index after the left one. Threads need no shared counter.
+    // In a tree of several leaves, each leaf has at least two triangles. n triangles therefore need fewer than n nodes.
+    // The right subtree can thus start at a known index after the left subtree, and threads need no shared counter.
     node.next = index + (middle - begin);
     Bounds left;
     Bounds right;
@@ -153,7 +154,7 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& point, std::uint32
         double square;
     };
 
-    std::array<Entry, 64> stack{}; // sufficient for a tree of 2^32 triangles in which each node halves the triangles
+    std::array<Entry, 64> stack{}; // sufficient for 2^32 triangles, because each node halves its triangles
     std::size_t size = 0;
     stack[size++] = {0, nodes_[0].bounds.squaredDistance(point)};
     while (size > 0) {

@@ -1,4 +1,5 @@
-// A bounding volume hierarchy over indexed triangles. It finds exactly the triangle that is nearest to a point.
+// A bounding volume hierarchy over indexed triangles. It finds the triangle that is nearest to a point, without
+// approximation.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +11,7 @@
 
 namespace gnomon::verify {
 
-/// A triangle soup with its own positions. Positions are in local space (near the origin), which preserves double
+/// A set of triangles with shared positions. Positions are in local space (near the origin), which preserves double
 /// precision.
 struct TriangleSoup {
     std::vector<glm::dvec3> positions;
@@ -23,17 +24,17 @@ struct TriangleSoup {
         return 0.5 * glm::length(glm::cross(corner(triangle, 1) - a, corner(triangle, 2) - a));
     }
 
-    /// Returns the point of a triangle with the barycentric coordinates 1 - u - v, u, v.
+    /// Returns the point of triangle `triangle` with the barycentric coordinates 1 - u - v, u, v.
     glm::dvec3 point(std::uint32_t triangle, double u, double v) const {
         return corner(triangle, 0) * (1 - u - v) + corner(triangle, 1) * u + corner(triangle, 2) * v;
     }
 };
 
-/// Returns the squared distance of `p` from the triangle a, b, c. The triangle may be degenerate (Ericson, "Real-Time
+/// Returns the squared distance from `p` to the triangle a, b, c, which may be degenerate (Ericson, "Real-Time
 /// Collision Detection", 2005, section 5.1.5).
 double squaredDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// A tree over the triangles of a soup. The soup must outlive it.
+/// A bounding volume hierarchy over the triangles of a TriangleSoup, which must outlive this object.
 class TriangleTree {
 public:
     explicit TriangleTree(const TriangleSoup& soup);
@@ -43,8 +44,8 @@ public:
         std::uint32_t triangle = 0xFFFFFFFFU;
     };
 
-    /// Returns the triangle nearest to `point` and its distance. `hint` can name a triangle that is probably near. It
-    /// makes the query faster but does not change the distance. The distance is infinite for an empty soup.
+    /// Returns the triangle nearest to `point` and its distance. `hint` can be a triangle that is probably near. It
+    /// makes the search faster but does not change the distance. The distance is infinite if there are no triangles.
     Nearest nearest(const glm::dvec3& point, std::uint32_t hint = 0xFFFFFFFFU) const;
 
 private:
@@ -57,8 +58,8 @@ private:
 
     struct Node {
         Bounds bounds;
-        // For a leaf, the first of its triangles in order_. For an inner node, the index of its right child. The left
-        // child follows its parent.
+        // For a leaf: the first of its triangles in order_. For an inner node: the index of its right child. The left
+        // child directly follows its parent.
         std::uint32_t next = 0;
         std::uint32_t count = 0; // number of triangles of a leaf; 0 for an inner node
     };

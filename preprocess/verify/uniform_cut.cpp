@@ -37,7 +37,7 @@ UniformCut uniformCut(const LoadedModel& model, double limit) {
 std::vector<double> boundsInCut(const LoadedModel& model, double limit) {
     std::vector<double> bounds(model.firstGroup.back(), 0);
     // Pages are sorted from coarse to fine. The bound of a group is therefore complete before the loop passes it on to
-    // finer groups.
+    // the group's finer groups.
     for (std::size_t p = 0; p < model.pages.size(); ++p) {
         const Page& page = model.pages[p];
         for (std::uint32_t g = 0; g < page.groups.size(); ++g) {

@@ -1,4 +1,4 @@
-// A uniform cut as one triangle soup, and the error bounds of the groups in it.
+// A uniform cut of a model as a list of triangles, and the error bounds of the groups in it.
 #pragma once
 
 #include "preprocess/verify/loaded_model.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::verify {
 
-/// The triangles and clusters of a uniform cut. The cut refines each group whose stored error exceeds a limit.
+/// The triangles and clusters of a uniform cut. Such a cut refines each group whose stored error exceeds a limit.
 struct UniformCut {
     struct Part {
         std::uint32_t page = 0;
@@ -16,18 +16,19 @@ struct UniformCut {
         std::uint32_t firstTriangle = 0;
     };
 
-    TriangleSoup soup;       // local space
-    std::vector<Part> parts; // ascending by firstTriangle
+    TriangleSoup soup;       // in local space
+    std::vector<Part> parts; // the clusters, in ascending order of firstTriangle
 
-    /// Returns the part (cluster) that contains a triangle of the soup.
+    /// Returns the cluster that contains the triangle with the index `triangle`.
     const Part& partOf(std::uint32_t triangle) const;
 };
 
-/// Returns the uniform cut that refines each group with a stored error above `limit`.
+/// Returns the uniform cut that refines each group of `model` whose stored error exceeds `limit`.
 UniformCut uniformCut(const LoadedModel& model, double limit);
 
-/// Returns for each group the max stored error of the group itself and of the coarser groups that replace it in the cut
-/// at `limit`. The value is 0 for a group that the cut refines. Groups are numbered across pages.
+/// Returns an error bound for each group: the max stored error of the group itself and of the coarser groups that
+/// replace it in the uniform cut at `limit`. The bound is 0 for a group that the cut refines. Groups are numbered
+/// across pages.
 std::vector<double> boundsInCut(const LoadedModel& model, double limit);
 
 } // namespace gnomon::verify

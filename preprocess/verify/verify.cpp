@@ -19,7 +19,7 @@ namespace gnomon::verify {
 
 namespace {
 
-constexpr std::size_t kMaxLevels = 62; // LockedEdges stores a set of levels as bits of one 64-bit word
+constexpr std::size_t kMaxLevels = 62; // LockedEdges stores a set of levels in one 64-bit word
 
 Check checkChecksums(const hierarchy::ModelFile& file, const ModelFacts& model) {
     Check check{"checksums"};
@@ -44,8 +44,8 @@ void skipChecks(Verification& verification, const std::vector<std::string>& name
         verification.checks.push_back(skippedCheck(name, why));
 }
 
-/// Returns the max number of threads whose pages fit into half of the free memory. The free memory is what remains
-/// after the ModelFacts.
+/// Returns the max number of threads that can decode pages in half of the free memory. The free memory does not include
+/// the ModelFacts.
 std::size_t threadsFor(const hierarchy::ModelFile& file, Bytes memory) {
     std::uint64_t page = 1;
     for (const hierarchy::PageInfo& info : file.pages())
@@ -63,7 +63,7 @@ Check checkCracksWithin(
     const VerifyOptions& options,
     std::size_t threads,
     Progress& progress) {
-    // bytes of stored pages during their decoding, and of page tables
+    // The bytes for stored pages during their decoding, and for page tables.
     constexpr std::uint64_t kOther = std::uint64_t{8} << 20U;
     const std::uint64_t others = kOther + cutBytes(options.cuts);
     const std::uint64_t taken = residentSize().count + others;
@@ -76,10 +76,11 @@ Check checkCracksWithin(
     return checkCracks(file, model, options.cuts, options.seed, cells, progress);
 }
 
-/// Returns the memory in bytes for the comparison with the source: the model, the source, the cuts and their trees.
+/// Returns the memory in bytes for comparing the model with its source: the model, the source, the cuts and their
+/// trees.
 Bytes comparisonBytes(const hierarchy::ModelFile& file, const read::MeshSummary& source) {
     constexpr std::uint64_t kSamples = std::uint64_t{48} << 20U;
-    constexpr std::uint64_t kTreeBytes = 56; // bytes per triangle: its node, its entry in the order, its centre
+    constexpr std::uint64_t kTreeBytes = 56; // bytes per triangle for its node, its entry in the order, and its centre
     const auto soup = [](std::uint64_t vertices, std::uint64_t triangles) {
         return vertices * sizeof(glm::dvec3) + triangles * sizeof(std::array<std::uint32_t, 3>);
     };

@@ -7,7 +7,7 @@ namespace gnomon::exporter {
 namespace {
 
 /// Returns the point of the edge between `a` and `b` where the coordinate `axis` is equal to `plane`. The computation
-/// starts at the lexicographically lower end, so that both triangles at the edge get the same point.
+/// starts at the lexicographically lower end, so that both triangles at this edge get the same point.
 ClippedCorner crossing(ClippedCorner a, ClippedCorner b, std::size_t axis, double plane) {
     if (b.place < a.place) std::swap(a, b);
     const double part = (plane - a.place[axis]) / (b.place[axis] - a.place[axis]);
@@ -23,8 +23,8 @@ ClippedCorner crossing(ClippedCorner a, ClippedCorner b, std::size_t axis, doubl
     return corner;
 }
 
-/// Returns the part of a polygon on one side of the plane where the coordinate `axis` is equal to `plane`. This is the
-/// part above the plane, or the part below it if `sign` is -1.
+/// Returns the part of a polygon on one side of the plane where the coordinate `axis` is equal to `plane`: the part
+/// above the plane, or the part below it if `sign` is -1.
 std::vector<ClippedCorner> cutOff(
     const std::vector<ClippedCorner>& polygon, std::size_t axis, double plane, double sign) {
     std::vector<ClippedCorner> kept;

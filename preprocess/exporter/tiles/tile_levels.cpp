@@ -11,7 +11,7 @@ using namespace hierarchy;
 
 namespace {
 
-/// The number of triangles that the cut gains when its limit passes `error`.
+/// The number of triangles that a uniform cut gains or loses when its error limit passes `error`.
 struct Change {
     double error = 0;
     std::int64_t triangles = 0;
@@ -39,7 +39,7 @@ std::vector<TileCluster> clustersOfPage(const ModelFile& file, std::uint32_t p) 
 } // namespace
 
 std::uint64_t surveyBytes(const ModelFile& file) {
-    // bytes of decoded pages and of the clusters of several pages
+    // The bytes for decoded pages and for the clusters of several pages.
     constexpr std::uint64_t kOther = std::uint64_t{16} << 20U;
     return kOther + clusterCount(file) * (sizeof(TileCluster) + 4 * sizeof(Change));
 }
@@ -71,7 +71,7 @@ std::vector<double> limitsOf(const std::vector<TileCluster>& clusters, std::uint
         changes.push_back({cluster.drawnUntil, -std::int64_t{cluster.triangles}});
     }
     std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.error < b.error; });
-    std::vector<Change> cuts; // one entry per limit with the number of triangles of its cut
+    std::vector<Change> cuts; // error limits with the number of triangles of their cuts
     std::int64_t sum = 0;
     for (const Change& change : changes) {
         sum += change.triangles;

@@ -48,8 +48,8 @@ public:
             if (!(length > 0)) continue;
             const glm::dvec3 normal = across / length;
             if (std::all_of(vertices.begin(), vertices.end(), [this](const Vertex* v) { return isWithin(*v); })) {
-                // Separate statements create the vertices in corner order, because the evaluation order of arguments is
-                // unspecified.
+                // Separate statements create the vertices in corner order, because C++ does not specify in which order
+                // arguments are evaluated.
                 std::array<std::uint32_t, 3> made{};
                 for (std::size_t k = 0; k < 3; ++k)
                     made[k] = knownVertex(triangle[k], *vertices[k], normal);
@@ -69,8 +69,8 @@ public:
     }
 
 private:
-    /// Returns true if `vertex` is strictly inside the cell. A triangle with three such vertices is neither clipped nor
-    /// has a skirt.
+    /// Returns true if `vertex` is strictly inside the tile's cell. A triangle with three such vertices is not clipped
+    /// and has no skirt.
     bool isWithin(const Vertex& vertex) const {
         const GridPoint& p = vertex.position;
         const auto isBetween = [this](std::size_t axis, std::uint32_t value) {
@@ -79,8 +79,9 @@ private:
         return isBetween(0, p.x) && isBetween(1, p.y) && isBetween(2, p.z);
     }
 
-    /// Returns the mesh vertex for vertex `number` of the current cluster. The vertex is created once if it has a
-    /// normal or the mesh has none. Otherwise each face creates a vertex with its own normal.
+    /// Returns the vertex of the tile's mesh for vertex `number` of the current cluster. If the vertex has a normal, or
+    /// the mesh has no normals, the vertex is created only once. Otherwise each face creates a copy with the face's
+    /// normal.
     std::uint32_t knownVertex(std::uint8_t number, const Vertex& vertex, const glm::dvec3& faceNormal) {
         if (known_[number] != kNone) return known_[number];
         const std::uint32_t made = addVertex(cornerOf(vertex, faceNormal), 0);
@@ -132,7 +133,8 @@ private:
     double skirt_;
     bool hasNormals_;
     CutMesh mesh_;
-    std::vector<std::uint32_t> known_; // per vertex of the current cluster: its mesh vertex, or kNone if not created
+    // per vertex of the current cluster: its vertex in the tile's mesh; kNone if there is none yet
+    std::vector<std::uint32_t> known_;
 };
 
 std::uint64_t bytesOf(const Page& page) {

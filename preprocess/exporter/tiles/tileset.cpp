@@ -32,11 +32,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The integer coordinates of a cell among the cells of its octree level.
+/// The integer coordinates of an octree cell among the cells of its level.
 using CellKey = std::array<std::uint32_t, 3>;
 
 struct Tile {
-    Box box; // upright space relative to the anchor, in metres; empty if the tile has no triangles
+    Box box; // bounds in metres, upright and relative to the anchor; empty if the tile has no triangles
     bool isFinest = false;
 };
 
@@ -51,7 +51,7 @@ std::string contentOf(std::size_t level, const CellKey& key) {
            std::to_string(key[2]) + ".glb";
 }
 
-/// An octree cell of one level with the clusters that may overlap it and its finished tile.
+/// An octree cell of one level: the clusters that may overlap it, and the tile that is created from them.
 struct CellContent {
     CellKey key{};
     std::vector<const TileCluster*> members;
@@ -60,8 +60,8 @@ struct CellContent {
     std::uint64_t bytes = 0;
 };
 
-/// Returns the cells in Morton order. Neighbouring cells are then close in the order and reuse decoded pages. The
-/// comparison first finds the axis whose coordinates differ in the highest bit.
+/// Returns the octree cells in Morton order. Neighbouring cells are then close in this order and reuse decoded pages.
+/// The comparison first finds the axis whose coordinates differ in the highest bit.
 std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster*>> cells) {
     std::vector<CellContent> ordered;
     ordered.reserve(cells.size());
@@ -76,8 +76,8 @@ std::vector<CellContent> inSpace(std::map<CellKey, std::vector<const TileCluster
     return ordered;
 }
 
-/// Returns an upper bound in bytes of the memory for one tile. It contains several copies of its mesh and file, with
-/// all triangles of its candidate clusters.
+/// Returns an upper bound in bytes of the memory for creating one tile. It contains several copies of the tile's mesh
+/// and file, with all triangles of its candidate clusters.
 std::uint64_t tileBytes(const CellContent& cell) {
     constexpr std::uint64_t kFixed = std::uint64_t{1} << 20U;
     constexpr std::uint64_t kBytesPerTriangle = 144;
@@ -87,16 +87,16 @@ std::uint64_t tileBytes(const CellContent& cell) {
     return kFixed + kBytesPerTriangle * triangles;
 }
 
-/// The division of the free memory among the threads that create tiles.
+/// Says how the threads that create tiles divide the free memory.
 struct TileRoom {
     int threads = 1;
-    Bytes pages; // bytes of decoded pages per thread
+    Bytes pages; // bytes per thread for decoded pages
 };
 
-/// Returns how many threads can create tiles at the same time. Their tiles use at most half of the free memory, and
-/// decoded pages use the rest. Throws Error if not even one tile fits.
+/// Returns how many threads can create tiles at the same time, and their memory. Tiles use at most half of the free
+/// memory, and decoded pages use the rest. Throws Error if the memory is too small for one tile.
 TileRoom roomFor(const std::vector<CellContent>& cells, Bytes memory, const std::string& model) {
-    constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // bytes of the current page and the next page
+    constexpr std::uint64_t kPagesInHand = std::uint64_t{8} << 20U; // bytes of the current and the next decoded page
     constexpr std::uint64_t kMinPages = kPagesInHand + (std::uint64_t{4} << 20U);
     std::uint64_t tile = 0;
     for (const CellContent& cell : cells)
@@ -145,7 +145,8 @@ public:
 private:
     double metres() const { return rowOf(file_.summary().unit).metres; }
 
-    /// Returns all cells that clusters of the cut overlap. Cells below a tile of the finest detail are not included.
+    /// Returns all octree cells that clusters of the cut overlap. Cells below a tile of the finest detail are not
+    /// included.
     std::map<CellKey, std::vector<const TileCluster*>> cellsOf(
         const std::vector<TileCluster>& clusters, std::size_t level, double limit) const {
         std::map<CellKey, std::vector<const TileCluster*>> cells;
@@ -161,7 +162,7 @@ private:
         return cells;
     }
 
-    /// Returns true if no ancestor tile of a cell has the finest detail, so that the cell needs a tile.
+    /// Returns true if no tile above this octree cell has the finest detail. The cell then needs its own tile.
     bool isBelowCoarser(CellKey key, std::size_t level) const {
         while (level-- > 0) {
             key = parentOf(key);
@@ -173,7 +174,7 @@ private:
 
     void writeLevel(
         const std::vector<TileCluster>& clusters, std::size_t level, double limit, double above, Progress& progress) {
-        // The skirt depth is at least a quarter of the error limit of the coarser level. A quarter is sufficient,
+        // The depth of skirts is at least a quarter of the error limit of the coarser level. A quarter is sufficient,
         // because stored errors are upper bounds, about four times the measured errors. Deeper skirts would be visible
         // on the other side of thin parts.
         const double depth = std::max(limit, above / 4);
@@ -188,7 +189,7 @@ private:
         tbb::task_arena arena(room.threads);
         arena.execute([&] {
             tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
-                progress.advance(0); // polls for interruption
+                progress.advance(0); // lets the user interrupt the export
                 const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
                 writeTile(cells[i], level, limit, skirt, caches[thread]);
             });
@@ -226,8 +227,8 @@ private:
         content.bytes = fs::file_size(path);
     }
 
-    /// Creates the missing ancestors of each tile, without triangles. Computes for each tile a box that contains all
-    /// its descendants.
+    /// Creates the missing ancestors of each tile, without triangles. For each tile, the function then computes a box
+    /// that contains all its descendants.
     void closeTree() {
         for (std::size_t level = levels_.size(); level-- > 1;)
             for (const auto& [key, tile] : levels_[level])
@@ -240,15 +241,15 @@ private:
             }
     }
 
-    /// Returns the 3D Tiles bounding volume of a box. The up axis of a tileset is z, so upright x, y, z becomes x, -z,
-    /// y.
+    /// Returns the bounding volume of a box in the syntax of 3D Tiles. The up axis of a tileset is z, so upright x, y,
+    /// z becomes x, -z, y.
     static ordered_json volumeOf(const Box& box) {
         const glm::dvec3 middle = (box.min + box.max) / 2.0;
         const glm::dvec3 half = (box.max - box.min) / 2.0;
         return {{"box", {middle.x, -middle.z, middle.y, half.x, 0, 0, 0, half.z, 0, 0, 0, half.y}}};
     }
 
-    // Returns the JSON of a tile and its descendants. The recursion is as deep as the octree, at most 31 levels.
+    // Returns the JSON of a tile and all its descendants. The recursion is as deep as the octree, at most 31 levels.
     ordered_json nodeOf(std::size_t level, const CellKey& key) const { // NOLINT(misc-no-recursion)
         const Tile& tile = levels_[level].at(key);
         ordered_json node = {
@@ -264,12 +265,12 @@ private:
         return node;
     }
 
-    /// Returns the matrix that converts coordinates of the tileset, whose origin is the anchor, to coordinates of the
-    /// model. If the options contain a place, the matrix converts to coordinates of the earth instead.
+    /// Returns the matrix from the tileset's coordinates, whose origin is the anchor, to the model's coordinates. If
+    /// the options contain a place on the earth, the matrix converts to coordinates of the earth instead.
     ordered_json transform() const {
         std::array<glm::dvec3, 4> columns{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0)};
         if (options_.place) {
-            // The directions east, north and up at the place (WGS84, NIMA TR8350.2).
+            // The directions east, north and up at a place on the earth (WGS84, NIMA TR8350.2).
             constexpr double kA = 6378137;
             constexpr double kE2 = 6.69437999014e-3;
             const double latitude = radiansFromDegrees(options_.place->x);
@@ -302,7 +303,7 @@ private:
         const Box& all = held_[0].at({0, 0, 0});
         const ordered_json document = {
             {"asset", {{"version", "1.1"}, {"generator", "gnomon"}}},
-            {"geometricError", glm::length(all.max - all.min)}, // the error of drawing no tile
+            {"geometricError", glm::length(all.max - all.min)}, // the error if no tile is drawn
             {"root", root}};
         writeTextFile(folder_ + "/tileset.json", document.dump() + "\n");
     }
@@ -311,11 +312,11 @@ private:
     const TilesetOptions& options_;
     const std::string& folder_;
     UprightFrame upright_;
-    glm::dvec3 anchor_{0};       // world space
+    glm::dvec3 anchor_{0};       // origin of the tileset in world space
     std::uint64_t side_ = 1;     // side of the root cell in grid steps, a power of two
-    std::vector<double> errors_; // per level: error limit of its cut, world units
+    std::vector<double> errors_; // error limit of the cut of each level, in world units
     std::vector<TileLevel> levels_;
-    std::vector<std::map<CellKey, Box>> held_; // per level: the bounds of each tile with all its descendants
+    std::vector<std::map<CellKey, Box>> held_; // bounds of each tile with all its descendants, per level
     ExportedTileset done_;
 };
 
@@ -337,7 +338,8 @@ ExportedTileset exportTileset(
     const bool isNew = !fs::exists(folder, missing);
     try {
         return TilesetWriter(file, options, folder).write(progress);
-    } catch (...) { // tiles without tileset.json are useless, and a second attempt requires an empty folder
+        // removes the tiles, which are useless without tileset.json; a second attempt requires an empty folder
+    } catch (...) {
         fs::remove_all(folder + "/tiles", missing);
         if (isNew) fs::remove(folder, missing);
         throw;

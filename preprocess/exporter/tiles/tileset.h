@@ -12,10 +12,10 @@
 
 namespace gnomon::exporter {
 
-/// The options of a tileset.
+/// The options for exporting a tileset.
 struct TilesetOptions {
     /// The position on the earth of the centre of the model's lowest level: latitude and longitude in degrees, and
-    /// metres above the WGS84 ellipsoid. The direction -z of upright space is north.
+    /// metres above the WGS84 ellipsoid. The model's -z direction, after its up axis is rotated to +y, is north.
     std::optional<glm::dvec3> place;
     Bytes memory{std::uint64_t{2} << 30U};
     std::uint32_t tileTriangles = 40'000; // approximate number of triangles per tile
@@ -23,7 +23,7 @@ struct TilesetOptions {
     bool isPacked = true; // whether EXT_meshopt_compression compresses the tiles
 };
 
-/// The size of an exported tileset.
+/// The size of a tileset that was exported.
 struct ExportedTileset {
     std::uint64_t tiles = 0; // number of tiles with triangles
     std::uint64_t triangles = 0;
@@ -31,16 +31,17 @@ struct ExportedTileset {
     std::uint32_t levels = 0;
 };
 
-/// Returns a description of the exported tileset in one line.
+/// Returns a description of the exported tileset in one line, for the user.
 std::string tilesetText(const ExportedTileset& done);
 
-/// Writes a tileset into `folder`. The function writes the tiles tiles/LEVEL/X_Y_Z.glb, and tileset.json at the end.
-/// The folder must be empty or missing. After an error or an interruption all tiles are removed.
+/// Writes a 3D Tiles tileset into `folder`, which must be empty or missing. The function writes the tiles
+/// tiles/LEVEL/X_Y_Z.glb, and tileset.json at the end. After an error or an interruption all tiles are removed. Throws
+/// Error.
 ///
 /// The tiles of level k are a uniform cut with about four times the triangles of level k - 1. The cut is clipped at
 /// cells of half the side of level k - 1. The children of a tile replace it (REPLACE). The geometricError of a tile is
 /// the error limit of its cut in metres, or 0 at the finest detail. The depth of its skirts is this limit, and at least
-/// a quarter of the limit of the coarser level. Fields are not exported. Throws Error.
+/// a quarter of the limit of the coarser level. Fields are not exported.
 ExportedTileset exportTileset(
     const std::string& model, const TilesetOptions& options, const std::string& folder, Progress& progress);
 

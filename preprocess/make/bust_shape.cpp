@@ -11,14 +11,15 @@ namespace {
 
 using glm::dvec3;
 
-/// Returns the distance to the smooth union of two shapes with the distances `a` and `b`. The crease between the shapes
-/// is rounded over `k` metres.
+/// Returns the distance to the smooth union of two shapes. `a` and `b` are the distances to the shapes. The crease
+/// between them is rounded over `k` metres.
 double blend(double a, double b, double k) {
     const double h = std::max(k - std::abs(a - b), 0.0) / k;
     return std::min(a, b) - h * h * k * 0.25;
 }
 
-/// Returns the distance to shape a minus shape b (smooth difference). The edge is rounded over `k` metres.
+/// Returns the distance to the first shape minus the second shape (smooth difference). `a` and `b` are the distances to
+/// the shapes. The edge is rounded over `k` metres.
 double carve(double a, double b, double k) {
     return -blend(-a, b, k);
 }
@@ -41,7 +42,7 @@ double roundedBox(const dvec3& p, const dvec3& center, const dvec3& half, double
     return glm::length(glm::max(q, dvec3(0))) + std::min(std::max({q.x, q.y, q.z}), 0.0) - radius;
 }
 
-/// Returns 0 below `low`, 1 above `high`, and a smooth transition between them.
+/// Returns 0 for `x` below `low`, 1 for `x` above `high`, and a smooth transition between them.
 double ramp(double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -92,7 +93,7 @@ double BustShape::folds(const dvec3& p) const {
     const dvec3 clasp{0.14, 0.435, 0.05};
     const dvec3 q = p - clasp;
     const double fall = glm::length(q);
-    const double side = p.z >= -0.02 ? 0 : 0.37; // the back has its own folds
+    const double side = p.z >= -0.02 ? 0 : 0.37; // gives the back its own folds
     const double turns = diamondTurns(q.x, q.y) + side;
     const dvec3 at = p + dvec3(32.0 / 9.0);
     const auto wander = static_cast<double>(gradientNoise(

@@ -1,5 +1,5 @@
-// The shape of the statue without the grain of its stone, as a signed distance field. The statue is a bearded, draped
-// bust on a plinth.
+// The shape of the test model "statue" as a signed distance field, without the grain of its stone. The statue is a
+// bearded, draped bust on a plinth.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,15 +8,15 @@
 
 namespace gnomon::make {
 
-/// A bust of 0.8 m height. The y axis points up, the flat base is at y = 0, and the bust faces +z. The seed varies its
-/// proportions, hair and folds.
+/// A signed distance field of a bust of 0.8 m height. The y axis points up, the flat base is at y = 0, and the bust
+/// faces +z. The seed varies its proportions, hair and folds.
 class BustShape {
 public:
     explicit BustShape(std::uint64_t seed);
 
-    /// Returns the approximate distance in metres from `p` to the surface, negative inside. Near the surface the slope
-    /// of the result is below 1.6 at 95% of all points. A ray march with steps of 0.6 times the distance therefore
-    /// misses only the sharpest folds.
+    /// Returns the approximate distance in metres from `p` to the surface of the bust. It is negative inside. Near the
+    /// surface the slope of the result is below 1.6 at 95% of all points. A ray march with steps of 0.6 times the
+    /// distance therefore misses only the sharpest folds.
     double distance(const glm::dvec3& p) const;
 
 private:

@@ -1,5 +1,5 @@
-// A procedural model as a sequence of blocks. The blocks can be computed in parallel and written in order in bounded
-// memory.
+// The interface of procedural test models. A model is a sequence of blocks that can be computed in parallel and written
+// in order, in bounded memory.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,10 +11,10 @@
 
 namespace gnomon::make {
 
-/// The corners of a triangle as vertex indices of the whole model. They are counter-clockwise, seen from outside.
+/// The corners of a triangle, as vertex indices of the whole model. They are counter-clockwise, seen from outside.
 using MadeTriangle = std::array<std::uint64_t, 3>;
 
-/// Receives the vertices and the triangles of a block, both in order.
+/// Receives the vertices and the triangles of one block of a model, both in order.
 class MeshSink {
 public:
     MeshSink() = default;
@@ -28,7 +28,7 @@ public:
     virtual void addTriangles(std::span<const MadeTriangle> triangles) = 0;
 };
 
-/// The number of vertices and triangles of a block or a model.
+/// The numbers of vertices and triangles of a block or of a whole model.
 struct MeshSize {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
@@ -42,8 +42,8 @@ struct MeshSize {
     auto operator<=>(const MeshSize&) const = default;
 };
 
-/// A model that is computed block by block. A block depends only on the model, so the bytes do not depend on the order
-/// of the blocks or on the threads.
+/// A procedural model that is computed block by block. Each block depends only on the model's parameters. The output is
+/// therefore identical for any order of the blocks and any number of threads.
 class MadeModel {
 public:
     MadeModel() = default;
@@ -55,8 +55,8 @@ public:
 
     virtual std::size_t blockCount() const = 0;
 
-    /// Returns the size of a block. The function must be cheap, because the file layout needs all sizes before the
-    /// first block is computed.
+    /// Returns the numbers of vertices and triangles of a block. The function must be fast, because the file layout
+    /// needs all sizes before the first block is computed.
     virtual MeshSize blockSize(std::size_t block) const = 0;
 
     /// Writes exactly `blockSize(block)` vertices and triangles to `sink`. `firstVertex` is the number of vertices in
@@ -64,7 +64,7 @@ public:
     virtual void makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& sink) const = 0;
 };
 
-/// Returns the total size of all blocks.
+/// Returns the total numbers of vertices and triangles of all blocks of `model`.
 MeshSize modelSize(const MadeModel& model);
 
 } // namespace gnomon::make

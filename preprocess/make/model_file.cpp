@@ -23,14 +23,14 @@ static_assert(sizeof(glm::vec3) == 12);
 constexpr std::uint64_t kVertexBytes = sizeof(glm::vec3);
 constexpr std::uint64_t kTriangleBytes = 1 + 3 * sizeof(std::uint32_t);
 
-/// A buffered writer of one region of a file.
+/// A buffered writer of one contiguous region of a file.
 class RegionWriter {
 public:
     RegionWriter(File& file, std::uint64_t offset) : file_(file), offset_(offset) {
         buffer_.reserve(kWriteBuffer.count);
     }
 
-    /// Returns a buffer for `size` bytes (at most kWriteBuffer). The caller must fill it before the next call.
+    /// Returns a buffer for the next `size` bytes (at most kWriteBuffer). The caller must fill it before the next call.
     std::byte* room(std::size_t size) {
         if (buffer_.size() + size > kWriteBuffer.count) flush();
         const std::size_t at = buffer_.size();
@@ -50,7 +50,7 @@ private:
     std::vector<std::byte> buffer_;
 };
 
-/// Writes the vertices and the triangles of one block to their two regions of the file.
+/// Writes the vertices and triangles of one block to two regions of the PLY file.
 class FileSink final : public MeshSink {
 public:
     FileSink(File& file, std::uint64_t vertexOffset, std::uint64_t triangleOffset)
@@ -109,7 +109,8 @@ MeshSize modelSize(const MadeModel& model) {
 
 MeshSize writeMadeModel(
     const MadeModel& model, const std::string& path, const std::string& comment, int threads, Progress& progress) {
-    std::vector<MeshSize> before(model.blockCount()); // per block: total size of all earlier blocks
+    // per block: numbers of vertices and triangles of all earlier blocks
+    std::vector<MeshSize> before(model.blockCount());
     MeshSize size;
     for (std::size_t block = 0; block < before.size(); ++block) {
         before[block] = size;
@@ -141,7 +142,7 @@ MeshSize writeMadeModel(
         progress.advance(made.triangles);
     };
     const int cores = tbb::this_task_arena::max_concurrency();
-    // The number of threads is limited to the cores, because TBB prints a warning for more threads.
+    // The number of threads is at most the number of cores, because TBB prints a warning for more threads.
     tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, before.size(), writeBlock); });
     output.commit();

@@ -1,4 +1,4 @@
-// Writes a procedural model as a binary PLY file. The writer uses all cores and bounded memory.
+// Writes a procedural model as a binary PLY file, on all cores and in bounded memory.
 #pragma once
 
 #include "core/progress.h"
@@ -9,12 +9,13 @@
 
 namespace gnomon::make {
 
-/// The max size of a write buffer. Each thread has one buffer for vertices and one for triangles.
+/// The max size of a write buffer. Each thread has one buffer for vertices and one buffer for triangles.
 inline constexpr Bytes kWriteBuffer = mebibytes(1);
 
-/// Writes `model` to `path` as a little-endian PLY file with float positions and 32-bit indices. `comment` is one line
-/// of the header. The bytes do not depend on `threads`, the number of threads (0: all cores). Throws Error if the file
-/// cannot be written, or if the model has too many vertices for 32-bit indices. After an error no partial file remains.
+/// Writes `model` to the file `path` as a little-endian PLY file with float positions and 32-bit indices. `comment` is
+/// one line of the header. `threads` is the number of threads (0: all cores). It does not change the bytes of the file.
+/// Throws Error if the file cannot be written, or if the model has too many vertices for 32-bit indices. After an error
+/// no partial file remains.
 MeshSize writeMadeModel(
     const MadeModel& model, const std::string& path, const std::string& comment, int threads, Progress& progress);
 

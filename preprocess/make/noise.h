@@ -1,5 +1,5 @@
 // Noise, sine and cosine functions that use only additions and multiplications. Each machine therefore computes the
-// same model.
+// same test model.
 #pragma once
 
 #include "core/random.h"
@@ -11,8 +11,8 @@
 
 namespace gnomon::make {
 
-/// Returns the sine of an angle of `turns` full turns. The error is below 1e-9. The result is identical on all CPUs,
-/// unlike the result of the C library.
+/// Returns the sine of an angle, which is given in full turns. The error is below 1e-9. The result is identical on all
+/// CPUs, unlike the result of the C library.
 inline double sinTurns(double turns) {
     double x = turns - std::floor(turns + 0.5); // in [-1/2, 1/2)
     if (x > 0.25) x = 0.5 - x;
@@ -22,13 +22,14 @@ inline double sinTurns(double turns) {
     return a * (1 - b / 6 * (1 - b / 20 * (1 - b / 42 * (1 - b / 72 * (1 - b / 110 * (1 - b / 156 * (1 - b / 210)))))));
 }
 
-/// Returns the cosine of an angle of `turns` full turns.
+/// Returns the cosine of an angle, which is given in full turns. The accuracy is that of sinTurns.
 inline double cosTurns(double turns) {
     return sinTurns(turns + 0.25);
 }
 
-/// Returns gradient noise (Perlin 2002) at a point with coordinates in [0, 2^22). Its mean is zero and its standard
-/// deviation is about kNoiseDeviation. The lattice spacing is 1. The function is twice continuously differentiable.
+/// Returns gradient noise (Perlin 2002) at a point with coordinates in [0, 2^22). The lattice spacing is 1. The mean
+/// over space is zero, and the standard deviation is about kNoiseDeviation. The function is twice continuously
+/// differentiable.
 inline float gradientNoise(float x, float y, float z, std::uint32_t seed) {
     const auto ix = static_cast<std::int32_t>(x);
     const auto iy = static_cast<std::int32_t>(y);
@@ -59,7 +60,7 @@ inline float gradientNoise(float x, float y, float z, std::uint32_t seed) {
     return mix(bottom, top, w) * (1.0F / 127.5F);
 }
 
-/// The standard deviation of gradientNoise over space.
+/// The standard deviation over space of the values of gradientNoise.
 inline constexpr double kNoiseDeviation = 0.1915;
 
 } // namespace gnomon::make

@@ -17,8 +17,8 @@ dvec3 sideways(const dvec3& direction) {
     return glm::normalize(glm::cross(helper, direction));
 }
 
-/// Adds the quads between two rings of `sides` vertices. The vertices of the rings start at `a` and `b`. Seen from ring
-/// `b`, the vertices of both rings are in counter-clockwise order.
+/// Adds the quads between two rings of `sides` vertices. The first vertex of each ring has the number `a` or `b`. Seen
+/// from ring `b`, the vertices of both rings are in counter-clockwise order.
 void addRingQuads(PartSink& sink, std::uint64_t a, std::uint64_t b, std::uint64_t sides) {
     for (std::uint64_t i = 0; i < sides; ++i) {
         const std::uint64_t j = (i + 1) % sides;
@@ -51,12 +51,13 @@ std::array<dvec3, 8> boxCorners(const dvec3& min, const dvec3& max) {
     return corners;
 }
 
-/// The corners of each face of a box, counter-clockwise seen from outside. The bits 0, 1 and 2 of a corner select the
-/// min or max x, y and z.
+/// The corners of each face of a box, counter-clockwise seen from outside. Bits 0, 1 and 2 of a corner number select
+/// the min or max x, y and z.
 constexpr std::array<std::array<std::size_t, 4>, 6> kBoxFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-/// Adds the triangles of one side of a panel. The back has the triangles of the front with reversed corners.
+/// Adds the triangles of one side of the rectangle `panel`. The back side has the triangles of the front side with
+/// reversed corners.
 void addPanelSide(PartSink& sink, const Panel& panel, bool back) {
     const std::uint64_t n = panel.cellsU;
     const std::uint64_t m = panel.cellsV;
@@ -83,7 +84,7 @@ void addPanelSide(PartSink& sink, const Panel& panel, bool back) {
         }
 }
 
-/// Returns the numbers of vertices and triangles of a body of revolution.
+/// Returns the numbers of vertices and triangles of a body of revolution with the profile `profile`.
 MeshSize latheSize(std::span<const Station> profile, std::uint64_t sides) {
     MeshSize size;
     for (std::size_t i = 0; i < profile.size(); ++i) {

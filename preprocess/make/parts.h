@@ -1,4 +1,5 @@
-// Simple solids and sheets for the plant and the aeroplanes. The same code can count their vertices or create them.
+// Simple solids and sheets, from which the test models plant and planes are built. The same code can count their
+// vertices or create them.
 #pragma once
 
 #include "preprocess/make/made_model.h"
@@ -7,26 +8,29 @@
 
 namespace gnomon::make {
 
-/// Receives parts and either only counts them or writes them. The counted size therefore always agrees with the written
-/// size. A part is a list of vertices and the triangles between them.
+/// Receives the solids and sheets (parts) of a test model. It either only counts their vertices and triangles, or also
+/// writes them. The counted size therefore always agrees with the written size. A part is a list of vertices and the
+/// triangles between them.
 class PartSink {
 public:
-    /// Creates a sink that only counts.
+    /// Creates a sink that only counts the vertices and triangles of the parts.
     PartSink() = default;
 
-    /// Creates a sink that writes parts to `sink`. The next vertex has the index `firstVertex` in the whole model.
+    /// Creates a sink that writes parts to `sink`. The first vertex has the index `firstVertex` in the whole model.
     PartSink(MeshSink& sink, std::uint64_t firstVertex) : sink_(&sink), firstVertex_(firstVertex) {}
 
-    /// Sets the frame of the next parts: the origin, and the axes as the columns of the rotation `axes`.
+    /// Sets the coordinate frame of the next parts: the origin, and the axes as the columns of the rotation matrix
+    /// `axes`.
     void place(const glm::dvec3& origin, const glm::dmat3& axes);
 
-    /// Begins a part with these numbers of vertices and triangles. Returns false if the sink only counts. The caller
-    /// must then add neither vertices nor triangles.
+    /// Begins a part with `vertices` vertices and `triangles` triangles. Returns false if the sink only counts. The
+    /// caller must then add neither vertices nor triangles.
     bool begin(std::uint64_t vertices, std::uint64_t triangles);
 
     void vertex(const glm::dvec3& position);
 
-    /// Adds a triangle, counter-clockwise seen from outside. Corners are vertex numbers within the part.
+    /// Adds a triangle with counter-clockwise corners, seen from outside. The corners are vertex numbers within the
+    /// part.
     void triangle(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
         if (triangles_.size() >= kHeldBack) finish();
         triangles_.push_back({part_ + a, part_ + b, part_ + c});
@@ -43,11 +47,11 @@ public:
     const MeshSize& size() const { return size_; }
 
 private:
-    static constexpr std::size_t kHeldBack = 4096; // max buffered vertices and triangles
+    static constexpr std::size_t kHeldBack = 4096; // max number of buffered vertices and of buffered triangles
 
     MeshSink* sink_ = nullptr;
     std::uint64_t firstVertex_ = 0;
-    std::uint64_t part_ = 0; // index of the part's first vertex
+    std::uint64_t part_ = 0; // index in the whole model of the part's first vertex
     glm::dvec3 origin_{0};
     glm::dmat3 axes_{1};
     MeshSize size_;
@@ -55,29 +59,29 @@ private:
     std::vector<MadeTriangle> triangles_;
 };
 
-/// Returns the rotation by `turns` quarter turns about the y axis, as a matrix with exact numbers. One quarter turn
+/// Returns the rotation matrix for `turns` quarter turns about the y axis, without rounding errors. One quarter turn
 /// maps x to -z.
 glm::dmat3 quarterTurned(int turns);
 
-/// Whether a sheet has triangles on one side or on both. Many exporters write both sides.
+/// Says whether a sheet has triangles on one side or on both sides. Many exporters write both sides.
 enum class Sides { One, Both };
 
-/// Whether the ends of a tube are open or closed.
+/// Says whether the ends of a tube are open or closed.
 enum class Ends { Open, Closed };
 
-/// Adds an axis-aligned box of 12 triangles.
+/// Adds an axis-aligned box of 12 triangles that share their corner vertices.
 void addBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max);
 
-/// Adds an axis-aligned box of 12 triangles. Its six sides share no vertices.
+/// Adds an axis-aligned box of 12 triangles. Its six sides do not share vertices.
 void addUnweldedBox(PartSink& sink, const glm::dvec3& min, const glm::dvec3& max);
 
-/// Adds a rectangle of 2 triangles with the corner `corner` and the edges `u` and `v`. Its front is on the side of u x
-/// v.
+/// Adds a rectangle of 2 triangles with the corner `corner` and the edges `u` and `v`. Its front side faces the
+/// direction u x v.
 void addSheet(
     PartSink& sink, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, Sides sides = Sides::One);
 
-/// A rectangle of n by m cells, optionally with waves. The waves displace the vertices by up to `waveDepth` along u x
-/// v, with one ridge per two cells along u.
+/// A rectangle that is divided into cellsU by cellsV quads, optionally with waves. The waves displace the vertices by
+/// up to `waveDepth` along u x v, with one ridge per two cells along u.
 struct Panel {
     glm::dvec3 corner{0};
     glm::dvec3 u{0};
@@ -88,22 +92,22 @@ struct Panel {
     Sides sides = Sides::One;
 };
 
-/// Adds the triangles of `panel`.
+/// Adds the triangles of the rectangle `panel`.
 void addPanel(PartSink& sink, const Panel& panel);
 
-/// Adds a steel I-beam from `a` to `b` with open ends. Its height along `up` is `depth`. It has 24 triangles.
+/// Adds a steel I-beam of 24 triangles from `a` to `b`, with open ends. Its height along `up` is `depth`.
 void addIBeam(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& up, double depth);
 
-/// Adds an angle beam from `a` to `b`: two sheets with a common edge on this line. It has 4 triangles.
+/// Adds an L-shaped beam of 4 triangles from `a` to `b`: two sheets with a common edge on this line.
 void addAngle(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& up, double width);
 
-/// Adds a tube with `sides` sides along `path`.
+/// Adds a tube with `sides` sides along the points of `path`.
 void addTube(PartSink& sink, std::span<const glm::dvec3> path, double radius, std::uint64_t sides, Ends ends);
 
-/// Adds a straight tube from `a` to `b`.
+/// Adds a straight tube with `sides` sides from `a` to `b`.
 void addRod(PartSink& sink, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint64_t sides, Ends ends);
 
-/// Adds a torus around `axis` through `center`.
+/// Adds a torus with the centre `center` around the direction `axis`.
 void addRing(
     PartSink& sink,
     const glm::dvec3& center,
@@ -112,14 +116,14 @@ void addRing(
     double thickness,
     std::uint64_t segments);
 
-/// A point of the profile of a body of revolution: its position along the axis and its radius.
+/// One point of the profile of a body of revolution: its position along the axis and its radius.
 struct Station {
     double along = 0;
     double radius = 0;
 };
 
-/// Adds a body of revolution around the line from `origin` along the unit vector `axis`. `turn` rotates its first side.
-/// An end of radius 0 becomes a point and closes the body.
+/// Adds a body of revolution around the line from `origin` along the unit vector `axis`. `turn` rotates the body about
+/// this line. An end of radius 0 becomes a point and closes the body.
 void addLathe(
     PartSink& sink,
     const glm::dvec3& origin,
@@ -128,8 +132,8 @@ void addLathe(
     std::uint64_t sides,
     double turn = 0);
 
-/// Adds a closed skin over `rings` rings of `around` points. The points of ring i are shape(i / (rings - 1), j /
-/// around). They are counter-clockwise, seen from the last ring. A fan of triangles closes each end.
+/// Adds a closed surface through `rings` rings of `around` points each. The points of ring i are shape(i / (rings - 1),
+/// j / around). They are counter-clockwise, seen from the last ring. A fan of triangles closes each end.
 template <class Shape>
 void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Shape& shape) {
     if (!sink.begin(rings * around + 2, 2 * around * rings)) return;
@@ -155,7 +159,8 @@ void addSkin(PartSink& sink, std::uint64_t rings, std::uint64_t around, const Sh
     }
 }
 
-/// Returns the path through `corners` with rounded right angles. Each arc has the radius `radius` and `steps` steps.
+/// Returns a path through `corners`, whose right angles are rounded to arcs. Each arc has the radius `radius` and
+/// `steps` steps.
 std::vector<glm::dvec3> roundedPath(std::span<const glm::dvec3> corners, double radius, std::uint64_t steps);
 
 } // namespace gnomon::make

@@ -12,7 +12,8 @@ using glm::dvec3;
 
 namespace {
 
-/// A cross-section of the fuselage at `z`. It extends from `low` to `high` in y. `width` is half its width.
+/// A cross-section of an aeroplane's fuselage at the position `z`. It extends from `low` to `high` in y. `width` is
+/// half its width.
 struct Section {
     double z = 0;
     double width = 0;
@@ -34,8 +35,8 @@ constexpr std::array<Section, 10> kFuselage{{
     {3.8, 0.30, -0.30, 0.30},
 }};
 
-/// Returns the cross-section of the fuselage at `u` in [0, 1]. It interpolates kFuselage with a spline (Catmull, Rom
-/// 1974).
+/// Returns the cross-section of the fuselage at `u`, from 0 at the tail to 1 at the nose. It interpolates kFuselage
+/// with a spline (Catmull, Rom 1974).
 Section sectionAt(double u) {
     const double x = u * static_cast<double>(kFuselage.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(x), kFuselage.size() - 2);
@@ -52,14 +53,14 @@ Section sectionAt(double u) {
     return {spline(&Section::z), spline(&Section::width), spline(&Section::low), spline(&Section::high)};
 }
 
-/// Returns half the thickness of a symmetric four-digit NACA wing section at the position `x` of its chord. The full
-/// thickness of the section is scaled to 1. The section is closed at both ends.
+/// Returns half the thickness of a symmetric four-digit NACA wing section at the position `x` of its chord, from 0 to
+/// 1. The max thickness of the section is scaled to 1. The section is closed at both ends.
 double nacaHalfThickness(double x) {
     return std::max(0.0, 5 * (0.2969 * std::sqrt(x) - x * (0.1260 + x * (0.3516 - x * (0.2843 - x * 0.1036)))));
 }
 
-/// A wing, a tailplane or a fin. Its sections follow each other along `span`. Their chords extend from the leading edge
-/// to -z.
+/// A wing, a tailplane or a fin of an aeroplane. Its sections follow each other along `span`. Their chords extend from
+/// the leading edge to -z.
 struct Foil {
     dvec3 root{0};  // root end of the leading edge
     dvec3 span{0};  // from the root end to the tip of the leading edge
@@ -104,7 +105,7 @@ private:
             const double half = up > 0 ? s.high : -s.low;
             return dvec3(s.width * cosTurns(v), up * half, s.z);
         });
-        // The first skin is the bubble canopy. The second skin is the radiator below the fuselage.
+        // The first call adds the bubble canopy. The second call adds the radiator below the fuselage.
         addSkin(parts_, steps(26, 4), steps(24, 6), [](double u, double v) {
             const double r = std::sqrt(std::max(0.004, 1 - (2 * u - 1) * (2 * u - 1)));
             return dvec3(0.33 * r * cosTurns(v), 0.58 + 0.46 * r * sinTurns(v), -1.4 + 2.5 * u);
@@ -185,8 +186,8 @@ private:
 constexpr double kPlaneShare = 0.98;
 constexpr double kGroundHalf = 250;
 
-/// Returns the axes of an aeroplane in level flight, turned by small angles in course, pitch and bank. All angles are
-/// in turns.
+/// Returns the axes of a flying aeroplane as a rotation matrix. The three angles rotate level flight in course, pitch
+/// and bank. All angles are in turns.
 glm::dmat3 flightAxes(double courseTurns, double pitchTurns, double bankTurns) {
     const dvec3 nose = glm::normalize(dvec3(sinTurns(courseTurns), sinTurns(pitchTurns), cosTurns(courseTurns)));
     const dvec3 level = glm::normalize(glm::cross(dvec3(0, 1, 0), nose));
@@ -204,7 +205,7 @@ Planes::Planes(std::uint64_t triangles, std::uint64_t seed)
     for (std::size_t i = 0; i < kCount; ++i) {
         const auto column = static_cast<double>(i % 5) - 2;
         const std::size_t row = i / 5;
-        // Braces guarantee the order in which the random numbers are drawn. Parentheses do not.
+        // Braces guarantee that the random numbers are drawn from left to right. Parentheses do not.
         const dvec3 origin{
             17 * column + random.uniform(-2, 2),
             random.uniform(4, 14),

@@ -1,4 +1,4 @@
-// Test model: fifteen aeroplanes above the ground, like the scene of Lloyd et al. 2006, figure 14.
+// A test model of fifteen aeroplanes above the ground, like the scene of Lloyd et al. 2006, figure 14.
 #pragma once
 
 #include "preprocess/make/parts.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::make {
 
-/// A loose formation of single-engine fighters. Their span is 11 m, and they are 4 to 14 m above rolling ground of 500
-/// m. The y axis points up, and the unit is metres. 98% of the triangles belong to the aeroplanes.
+/// A loose formation of single-engine fighter aeroplanes. Their span is 11 m, and they fly 4 to 14 m above hilly ground
+/// of 500 m side length. The y axis points up, and the unit is metres. 98% of the triangles belong to the aeroplanes.
 class Planes final : public MadeModel {
 public:
     static constexpr std::size_t kCount = 15;
@@ -31,7 +31,7 @@ private:
     };
 
     std::vector<Place> places_;
-    double fineness_ = 1; // factor of the detail; at 1 an aeroplane has about 18,000 triangles
+    double fineness_ = 1; // detail factor; at 1 an aeroplane has about 18,000 triangles
     MeshSize planeSize_;
     std::uint64_t groundColumns_ = 1;
     std::uint64_t groundRows_ = 1;

@@ -16,15 +16,15 @@ using glm::dvec3;
 
 namespace {
 
-/// The units on the lots, from north to south and from west to east. K: tanks, P: pipes on sleepers, R: pipe rack, T:
-/// turbine hall, B: boiler house, C: chimney, X: transformers, H: heat exchangers, A: cooling tower, G: gas turbine, Y:
-/// store.
+/// The units on the lots of the plant, one letter per lot, from north to south and from west to east. K: tanks, P:
+/// pipes on sleepers, R: pipe rack, T: turbine hall, B: boiler house, C: chimney, X: transformers, H: heat exchangers,
+/// A: cooling tower, G: gas turbine, Y: store.
 constexpr std::array<std::string_view, 8> kMap{
     "KKPRYGGX", "KKPRTTTX", "KKPRTTTX", "HHPRBBCX", "HHPRBBCY", "HHPRGGYY", "AAARHHKK", "AAARYYKK"};
 constexpr std::size_t kLots = 64;
 constexpr double kYardHalf = 200;
 
-/// A bed of gravel, given by its centre and its half extents. Beds are below transformers and along the inside of the
+/// A bed of gravel, given by its centre and half its extents. Beds are below transformers and along the inside of the
 /// fence.
 struct Bed {
     dvec3 center{0};
@@ -87,13 +87,13 @@ void addYardEdge(Site& site, std::uint64_t /*piece*/) {
 constexpr std::uint64_t kStoneTriangles = 24;
 constexpr std::uint64_t kStoneVertices = 17;
 constexpr std::uint64_t kStonesPerJob = 8192;
-constexpr std::uint64_t kStonesPerCopy = 40; // one copy per this number of stones
+constexpr std::uint64_t kStonesPerCopy = 40; // one of this number of stones is a copy of the stone before
 
-/// Adds a stone on the ground. It is a dome of two rings and a tip, without a bottom.
+/// Adds a stone of the gravel. It is a dome of two rings and a tip on the ground, without a bottom.
 void addStone(PartSink& parts, const Bed& bed, double radius, std::uint64_t seed) {
     if (!parts.begin(kStoneVertices, kStoneTriangles)) return;
     Random random(mix64(seed));
-    // Braces guarantee the order in which the random numbers are drawn. Parentheses do not.
+    // Braces guarantee that the random numbers are drawn from left to right. Parentheses do not.
     const dvec3 place{bed.halfX * random.uniform(-1, 1), 0, bed.halfZ * random.uniform(-1, 1)};
     const dvec3 center = bed.center + place;
     const double size = radius * random.uniform(0.5, 1.2);
@@ -120,7 +120,7 @@ void addStones(PartSink& parts, std::uint64_t count, double radius, std::uint64_
     }
 }
 
-/// The share of all triangles for parts other than gravel. Gravel uses the rest.
+/// The share of all triangles that belong to parts other than gravel. Gravel uses the rest.
 constexpr double kPartShare = 0.94;
 constexpr double kHighestLevel = 4096;
 constexpr double kLowestLevel = 1.0 / 64;
@@ -130,8 +130,8 @@ constexpr double kLowestLevel = 1.0 / 64;
 Plant::Plant(std::uint64_t triangles, std::uint64_t seed) {
     GNOMON_CHECK_OP(triangles, >=, kMinTriangles);
     const auto aim = static_cast<std::uint64_t>(kPartShare * static_cast<double>(triangles));
-    // The code first finds the max number of lots that fits at the lowest level of detail. Then it finds the highest
-    // level that fits for these lots.
+    // The code first finds the max number of lots whose triangles fit at the lowest level of detail. Then it finds the
+    // highest level of detail that fits for these lots.
     std::size_t lots = kLots;
     for (layOut(seed, lots); lots > 0 && countParts(kLowestLevel) > aim; layOut(seed, lots))
         lots = lots > 8 ? lots - 8 : lots - 1;
@@ -186,7 +186,7 @@ void Plant::layOut(std::uint64_t seed, std::size_t lotsBuilt) {
             kLotPitch * (static_cast<double>(column) - 3.5), 0, kLotPitch * (static_cast<double>(row) - 3.5));
         const std::uint64_t lotSeed = mix64(seed * kLots + lot);
         jobs_.push_back({addGround, 0, center, static_cast<int>(lotSeed & 3U), lotSeed, {}});
-        // The lots of a small plant are spread over the whole yard, because 27 and 64 have no common factor.
+        // The used lots of a small plant are spread over the whole yard, because 27 and 64 have no common factor.
         if (lot * 27 % kLots < lotsBuilt) addLot(kMap.at(row).at(column), center, lotSeed);
     }
 }

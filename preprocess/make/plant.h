@@ -1,5 +1,4 @@
-// Test model: a power plant. Its units are on lots in a wide, fenced yard. It has many small, open, unwelded and
-// duplicate parts.
+// A test model of a power plant in a wide, fenced yard. It has many small, open, unwelded and duplicate parts.
 #pragma once
 
 #include "preprocess/make/plant_kit.h"
@@ -8,9 +7,9 @@
 
 namespace gnomon::make {
 
-/// A power plant of 320 m in a yard of 400 m. The y axis points up, the ground is at y = 0, and the unit is metres.
-/// With more triangles the plant first gets more parts (bars, bolts, tubes, fins, gravel), and then rounder parts. With
-/// fewer than about 300,000 triangles some lots are empty.
+/// A power plant of 320 m side length in a yard of 400 m. The y axis points up, the ground is at y = 0, and the unit is
+/// metres. With more triangles the plant first gets more parts (bars, bolts, tubes, fins, gravel), and then rounder
+/// parts. With fewer than about 300,000 triangles some lots of the yard are empty.
 class Plant final : public MadeModel {
 public:
     static constexpr std::uint64_t kMinTriangles = 20'000;
@@ -27,10 +26,10 @@ public:
 private:
     using MakeParts = void (*)(Site& site, std::uint64_t piece);
 
-    /// The content of a block: one unit, one piece of a unit, or a bed of gravel.
+    /// The content of one block of the model: one building or machine (unit), one piece of a unit, or a bed of gravel.
     struct Job {
         MakeParts make = nullptr; // null for gravel
-        std::uint64_t piece = 0;  // index of the piece of the unit; for gravel the number of stones
+        std::uint64_t piece = 0;  // index of the piece of the unit; for gravel: number of stones
         glm::dvec3 origin{0};
         int quarterTurns = 0;
         std::uint64_t seed = 0;

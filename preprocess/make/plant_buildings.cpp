@@ -43,8 +43,8 @@ void addTurbineHall(Site& site) {
             addAngle(site.parts, {x, kEaves - 0.5, z0}, {x, h1, z1}, kUp, 0.1);
         }
     }
-    // The walls consist of a plinth, cladding above it, and a band of windows towards the road. The gate side is open
-    // below 5 m.
+    // Adds the walls of the turbine hall: a plinth, cladding above it, and a band of windows towards the road. The side
+    // with the gate is open below 5 m.
     for (const double z : {-kZ, kZ}) {
         const double out = z > 0 ? 1 : -1;
         addUnweldedBox(site.parts, {-kX, 0, z - 0.2}, {kX, 1.2, z + 0.2});
@@ -60,7 +60,7 @@ void addTurbineHall(Site& site) {
         const std::array<Station, 5> vent{{{0, 0.8}, {1.2, 0.8}, {1.2, 1.3}, {1.6, 1.3}, {2.0, 0}}};
         addLathe(site.parts, {x, kRidge - 0.3, 0}, kUp, vent, site.detail.sides(1));
     }
-    // Inside the hall are the turbine set, its foundation and the crane.
+    // Adds the turbine set with its foundation, and the crane, inside the hall.
     addBox(site.parts, {-14, 0, -4}, {14, 6, 4});
     const std::array<Station, 9> turbine{
         {{-12, 0}, {-12, 0.8}, {-9, 1.0}, {-8, 2.0}, {-3, 2.4}, {-1, 1.2}, {0, 2.2}, {9, 2.2}, {9.5, 0}}};
@@ -77,7 +77,7 @@ void addTurbineHall(Site& site) {
 
 namespace {
 
-/// Adds the steam drum on its saddles to the top floor, and a roof above it.
+/// Adds the steam drum on its saddles to the top floor of the boiler house, and a roof above it.
 void addBoilerTop(Site& site, double half, double floor) {
     addVessel(site, {-8, floor + 3, 0}, {8, floor + 3, 0}, 1.1);
     for (const double x : {-6.0, 6.0})
@@ -91,7 +91,7 @@ void addBoilerTop(Site& site, double half, double floor) {
     addCladding(site, {-half, floor + 6.2, half}, {2 * half, 0, 0}, {0, 1, -2 * half}, 1.2);
 }
 
-/// Adds one storey of the furnace. Its walls consist of adjacent tubes that beams hold.
+/// Adds one storey of the furnace. Its walls consist of adjacent tubes and of beams that hold them.
 void addFurnace(Site& site, double bottom, double ceiling) {
     const std::uint64_t tubes = site.detail.amount(16, 8, 120);
     const double radius = 5.5 / static_cast<double>(tubes);
@@ -119,7 +119,7 @@ void addBoilerStorey(Site& site, std::uint64_t storey) {
     constexpr std::array<double, 4> kLines{-14, -6, 6, 14};
     for (const double x : kLines)
         for (const double z : kLines) {
-            if (std::abs(x) < 7 && std::abs(z) < 7) continue; // the furnace is there
+            if (std::abs(x) < 7 && std::abs(z) < 7) continue; // skips the place of the furnace
             addIBeam(site.parts, {x, floor, z}, {x, floor + kHeight, z}, {1, 0, 0}, 0.6);
         }
     const double ceiling = floor + kHeight;
@@ -129,7 +129,7 @@ void addBoilerStorey(Site& site, std::uint64_t storey) {
     }
     for (const double z : {-14.0, 14.0})
         addAngle(site.parts, {-14, floor, z}, {-6, ceiling, z}, kUp, 0.2);
-    // The gratings form a ring around the furnace.
+    // The gratings form a ring of floor around the furnace.
     addGrating(site, {-kHalf, ceiling, -kHalf}, {kHalf, ceiling, -7});
     addGrating(site, {-kHalf, ceiling, 7}, {9, ceiling, kHalf});
     addGrating(site, {-kHalf, ceiling, -7}, {-7, ceiling, 7});
@@ -173,7 +173,7 @@ void addChimney(Site& site) {
         }
     }
     addLadder(site, {0, 0, 4.9}, 36);
-    // The duct comes from the boiler and has stiffeners.
+    // Adds the duct from the boiler, with its stiffeners.
     addUnweldedBox(site.parts, {-20, 6, -2}, {-3.8, 10, 2});
     for (std::uint64_t i = 0; i < 8; ++i) {
         const double x = -19.5 + 2 * static_cast<double>(i);

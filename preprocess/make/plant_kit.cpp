@@ -37,11 +37,11 @@ std::uint64_t Detail::bend() const {
 void addGrating(Site& site, const dvec3& min, const dvec3& max) {
     const double width = max.x - min.x;
     const double length = max.z - min.z;
-    // The grating consists of panels of 1 m by about 3 m. Each panel has its own bars, like a real grating.
+    // A grating consists of panels of 1 m by about 3 m. Each panel has its own bars, like a real grating.
     const std::uint64_t across = pieces(width, 3.0);
     const std::uint64_t along = pieces(length, 1.0);
     const std::uint64_t bars = site.detail.amount(1.6, 1, 34);
-    // a bar has vertices at each cross bar that is welded to it
+    // The number of vertices along a bar depends on the cross bars that are welded to the bar.
     const std::uint64_t cuts = site.detail.amount(3, 1, 30);
     const std::uint64_t crossBars = site.detail.amount(1.2, 1, 30);
     const double height = 0.03;
@@ -149,7 +149,7 @@ void addFlange(Site& site, const dvec3& center, const dvec3& axis, double radius
 void addPipe(Site& site, std::span<const dvec3> corners, double radius) {
     std::vector<dvec3> path;
     for (const dvec3& next : roundedPath(corners, 2.5 * radius, site.detail.bend())) {
-        // A long pipe consists of welded pieces. Each weld is a ring of vertices.
+        // A long pipe consists of welded pieces. A ring of vertices represents each weld.
         const dvec3 last = path.empty() ? next : path.back();
         const std::uint64_t lengths = pieces(glm::distance(last, next), kPipeLength);
         for (std::uint64_t i = 1; i < lengths; ++i)
@@ -282,7 +282,7 @@ void addCladding(Site& site, const dvec3& corner, const dvec3& u, const dvec3& v
             panel.u = u / static_cast<double>(sheets);
             panel.v = v / static_cast<double>(courses);
             panel.cellsU = 2 * waves;
-            panel.cellsV = 1 + (i + j) % 2; // the vertices of neighbouring sheets do not match
+            panel.cellsV = 1 + (i + j) % 2; // makes the vertices of neighbouring sheets different
             panel.waveDepth = 0.04;
             panel.sides = i % 4 == 0 ? Sides::Both : Sides::One;
             addPanel(site.parts, panel);

@@ -12,8 +12,8 @@ using glm::dvec3;
 namespace {
 
 void addTank(Site& site, const dvec3& foot, double radius, double height) {
-    // A tank shell has courses of plates. They overlap slightly and start at different angles, so that consecutive
-    // courses share no vertices.
+    // The shell of a tank consists of rings of plates (courses). They overlap slightly and start at different angles,
+    // so that consecutive courses share no vertices.
     const std::uint64_t courses = site.detail.amount(4, 2, 12);
     const std::uint64_t sides = std::max<std::uint64_t>(12, site.detail.sides(radius));
     for (std::uint64_t i = 0; i < courses; ++i) {
@@ -36,7 +36,7 @@ void addTank(Site& site, const dvec3& foot, double radius, double height) {
     }
     for (const double lift : {0.55, 1.1})
         addRing(site.parts, foot + kUp * (height + lift), kUp, radius, 0.03, 2 * sides);
-    // The stair winds around the shell of the tank.
+    // Adds the stair, which winds around the shell of the tank.
     const auto steps = static_cast<std::uint64_t>(height / 0.22);
     for (std::uint64_t i = 0; i < steps; ++i) {
         const double t = share(i, steps) * height * 1.6 / (6.2832 * radius);
@@ -66,7 +66,7 @@ void addBund(Site& site, double half) {
 void addTankFarm(Site& site) {
     addBund(site, 14.5);
     const bool isOne = site.random.below(2) == 0;
-    // Each statement draws only one random number, because the evaluation order of arguments is unspecified.
+    // Each statement draws only one random number, because C++ does not specify in which order arguments are evaluated.
     const double scale = site.random.uniform(0.85, 1.0);
     if (isOne) addTank(site, {0, 0, 0}, 10.5 * scale, site.random.uniform(10, 14));
     for (const double x : {-7.0, 7.0})
@@ -103,14 +103,14 @@ void addTray(Site& site, const dvec3& a, const dvec3& b) {
 
 constexpr double kRackHalf = kLotPitch / 2;
 
-/// Adds the pipes on one level of a rack. Each pipe has a shoe at each bent (support frame).
+/// Adds the pipes on one level of a pipe rack. Each pipe has a shoe at each support frame (bent) of the rack.
 void addRackLevel(Site& site, double level, std::uint64_t bents) {
     const std::uint64_t pipes = site.detail.amount(7, 4, 26);
     for (std::uint64_t i = 0; i < pipes; ++i) {
         const double x = -4.0 + 7.0 * (share(i, pipes) + 0.5 / static_cast<double>(pipes));
         const double r = std::min(3.0 / static_cast<double>(pipes), site.random.uniform(0.05, 0.26));
         const double y = level + r;
-        if (site.random.below(4) == 0) { // this pipe goes down here
+        if (site.random.below(4) == 0) { // on average, one of four pipes goes down here
             const double z = site.random.uniform(-12, 12);
             const std::array<dvec3, 5> down{
                 dvec3(x, y, -kRackHalf),
@@ -171,7 +171,7 @@ void addPipeSleepers(Site& site) {
         const double r = std::min(5.0 / static_cast<double>(pipes), site.random.uniform(0.05, 0.3));
         const double y = 0.32 + r;
         const double z = site.random.uniform(-8, 4);
-        // An expansion loop of a pipe rises above the neighbouring pipes.
+        // Each pipe has an expansion loop, which rises above the neighbouring pipes.
         const double loop = 2 + 3 * share(i, pipes);
         const std::array<dvec3, 6> path{
             dvec3(x, y, -kHalf),
@@ -187,7 +187,7 @@ void addPipeSleepers(Site& site) {
             addPipe(site, straight, r);
         if (i % 4 == 1) addValve(site, {x, y, site.random.uniform(-12, 12)}, {0, 0, 1}, r);
     }
-    // This is a foot bridge.
+    // Adds a foot bridge over the pipes.
     addStairs(site, {-12.4, 0, 11}, {-10, 1.6, 11});
     addStairs(site, {12.4, 0, 11}, {10, 1.6, 11});
     addGrating(site, {-10, 1.6, 10.4}, {10, 1.6, 11.6});

@@ -1,4 +1,5 @@
-// The units of a power plant. Each unit is on a lot of 40 m. The lot includes half the width of the road around it.
+// The buildings and machines (units) of the test plant. Each unit is on a lot of 40 m. The lot includes half the width
+// of the road around it.
 #pragma once
 
 #include "preprocess/make/plant_kit.h"
@@ -7,9 +8,9 @@ namespace gnomon::make {
 
 inline constexpr double kLotPitch = 40;
 
-/// Each function adds one unit at the origin of the site.
+/// Each of these functions adds one unit of the plant at the origin of `site`.
 void addTankFarm(Site& site);
-void addPipeRack(Site& site); // covers the whole length of the lot in z, so that neighbouring racks join
+void addPipeRack(Site& site); // covers the whole lot in z, so that neighbouring racks join
 void addPipeSleepers(Site& site);
 void addExchangers(Site& site);
 void addTransformers(Site& site);

@@ -10,19 +10,20 @@ namespace gnomon::make {
 
 namespace {
 
-/// The number of vertices that are computed together. Such a batch fits into the fastest caches.
+/// The number of vertices that are computed together. The data of such a batch fit into the fastest caches.
 constexpr std::size_t kBatch = 1024;
 
-/// The min number of grid vertices of a block.
+/// The min number of grid vertices in a block of the statue.
 constexpr std::uint64_t kBlockVertices = 1U << 15U;
 
-/// The coarsest lattice spacing of the grain in metres, and the slope of all octaves (deviation / spacing). With a
-/// smaller slope, the height of the finest octave would be below 0.3 edge lengths. A larger slope would hide the
+/// The coarsest lattice spacing of the stone's grain in metres, and the slope of all octaves (deviation / spacing).
+/// With a smaller slope, the height of the finest octave would be below 0.3 edge lengths. A larger slope would hide the
 /// carving.
 constexpr double kCoarsestSpacing = 0.08;
 constexpr double kGrainSlope = 0.042;
 
-/// The min lattice spacing in edge lengths. The triangles could not represent a smaller spacing.
+/// The min lattice spacing of the stone's grain, in edge lengths of the triangles. The triangles could not represent a
+/// smaller spacing.
 constexpr double kFinestSpacingEdges = 2.83;
 
 std::vector<GrainOctave> grain(double meanEdge, std::uint64_t seed) {
@@ -33,8 +34,8 @@ std::vector<GrainOctave> grain(double meanEdge, std::uint64_t seed) {
     return octaves;
 }
 
-/// Returns a random shift in (-0.5, 0.5) * `reach`, computed from bits of a hash. Vertices are shifted because scanners
-/// do not sample on a regular grid.
+/// Returns a random shift in (-0.5, 0.5) * `reach`, computed from bits of a hash. The statue's vertices are shifted
+/// because real scanners do not sample on a regular grid.
 double jitter(std::uint64_t bits, double reach) {
     return (static_cast<double>(bits & 0xFFFFFFU) * 0x1p-24 - 0.5) * reach;
 }
@@ -66,9 +67,9 @@ void Statue::dropFinestOctaves(std::size_t count) {
     octaves_.resize(octaves_.size() - std::min(count, octaves_.size()));
 }
 
-// Returns the grid rows of a block. The parts are in this order: the lid of the base, the side from its lowest to its
-// highest row of vertices, and the lid of the crown. A lid contains only the vertices inside its border, because the
-// side contains the border.
+// Returns which rows of the statue's grid a block contains. The blocks are in this order: the lid of the base, the side
+// from its lowest to its highest row of vertices, and the lid of the crown. A lid contains only the vertices inside its
+// border, because the side contains the border.
 
 Statue::Rows Statue::rowsOf(std::size_t block) const {
     const auto blocksOf = [&](std::uint64_t rows) { return (rows + rowsPerBlock_ - 1) / rowsPerBlock_; };
@@ -94,7 +95,8 @@ MeshSize Statue::blockSize(std::size_t block) const {
         const std::uint64_t cellRows = std::min(rows.end, rows_) - rows.begin;
         return {count * 4 * cells_, cellRows * 8 * cells_};
     }
-    const std::uint64_t inner = count - (rows.begin == 0 ? 1 : 0); // the vertices of row 0 are on the border
+    // the vertices of row 0 are on the border, so the side contains them
+    const std::uint64_t inner = count - (rows.begin == 0 ? 1 : 0);
     return {inner * (cells_ - 1), count * 2 * cells_};
 }
 
@@ -132,7 +134,7 @@ Statue::GridPlace Statue::lidPlace(Part lid, std::uint64_t i, std::uint64_t k) c
     const std::uint64_t bits = mix64(seed_ ^ mix64(lidVertex(lid, i, k)));
     const double x = (static_cast<double>(i) + jitter(bits, kJitterCells)) * 2 / static_cast<double>(cells_) - 1;
     const double z = (static_cast<double>(k) + jitter(bits >> 32U, kJitterCells)) * 2 / static_cast<double>(cells_) - 1;
-    // selects the square ring around the centre that contains the point
+    // `m` selects the square ring around the centre that contains the point (x, z).
     const double m = std::max(std::abs(x), std::abs(z));
     double around = 0;
     if (m > 0) {
@@ -162,7 +164,7 @@ void Statue::carve(std::span<const GridPlace> places, std::span<glm::vec3> posit
         const SurfacePoint point = surface_->at(places[i].along, places[i].around);
         positions[i] = point.position;
         outward[i] = point.outward;
-        x[i] = point.position.x + 1; // the noise needs positive coordinates
+        x[i] = point.position.x + 1; // shifts positions, because the noise needs positive coordinates
         y[i] = point.position.y + 1;
         z[i] = point.position.z + 1;
         height[i] = 0;

@@ -1,5 +1,5 @@
-// Test model: a statue. It is a closed, watertight bust of weathered stone. Its shape does not depend on the number of
-// triangles.
+// A test model of a statue. It is a closed, watertight bust of weathered stone. Its shape does not depend on the number
+// of triangles.
 #pragma once
 
 #include "preprocess/make/made_model.h"
@@ -9,48 +9,49 @@
 
 namespace gnomon::make {
 
-/// One octave of the stone's grain. It is gradient noise with the lattice spacing `spacing` and the standard deviation
-/// `deviation`, both in metres.
+/// One octave of the grain of the statue's stone. It is gradient noise with the lattice spacing `spacing` and the
+/// standard deviation `deviation`, both in metres.
 struct GrainOctave {
     double spacing = 0;
     double deviation = 0;
     std::uint32_t seed = 0;
 };
 
-/// A statue as a closed 2-manifold. Its vertices form the grid of a box: a side of 4 * cells columns and `rows` rows,
+/// A statue as a closed 2-manifold. Its vertices form the grid of a box: a side of 4 * cells_ columns and rows_ rows,
 /// and two square lids.
 class Statue final : public MadeModel {
 public:
     static constexpr std::uint64_t kMinTriangles = 2000;
 
-    /// Creates the statue with `triangles` triangles, within 2%. `triangles` is at least kMinTriangles.
+    /// Creates the statue with `triangles` triangles, within 2%. `triangles` must be at least kMinTriangles.
     Statue(std::uint64_t triangles, std::uint64_t seed);
 
-    /// Creates the statue with an existing surface, which depends only on the seed.
+    /// Creates the statue from an existing surface. The surface must belong to the same seed.
     Statue(std::uint64_t triangles, std::uint64_t seed, std::shared_ptr<const StatueSurface> surface);
 
     std::size_t blockCount() const override;
     MeshSize blockSize(std::size_t block) const override;
     void makeBlock(std::size_t block, std::uint64_t firstVertex, MeshSink& sink) const override;
 
-    /// Returns the edge length of the equilateral triangles that would cover the surface without grain. The number of
-    /// these triangles is that of the statue.
+    /// Returns the mean edge length in metres. Equilateral triangles of this size, as many as the statue has triangles,
+    /// would cover the surface without grain.
     double meanEdge() const { return meanEdge_; }
 
-    /// Returns the octaves of the grain from coarse to fine. All statues of a seed have the same octaves, but a statue
-    /// with more triangles has additional fine ones. The finest spacing is at least 2.8 and below 5.7 mean edges.
+    /// Returns the octaves of the stone's grain from coarse to fine. All statues of a seed have the same octaves, but a
+    /// statue with more triangles has additional fine octaves. The finest spacing is at least 2.8 and below 5.7 mean
+    /// edges.
     const std::vector<GrainOctave>& octaves() const { return octaves_; }
 
-    /// Removes the `count` finest octaves, so that a test can measure their effect.
+    /// Removes the `count` finest octaves of the stone's grain, so that a test can measure their effect.
     void dropFinestOctaves(std::size_t count);
 
 private:
-    /// The part of the grid to which the rows of a block belong: a lid or the side.
+    /// The part of the statue's grid to which the rows of a block belong: one of two lids, or the side.
     enum class Part { Base, Side, Crown };
 
     struct Rows {
         Part part = Part::Side;
-        std::uint64_t begin = 0; // first row of vertices and, except for the last row, of cells
+        std::uint64_t begin = 0; // first row of vertices; except for the last row also of cells
         std::uint64_t end = 0;
     };
 
@@ -70,8 +71,8 @@ private:
 
     std::uint64_t seed_;
     std::shared_ptr<const StatueSurface> surface_;
-    std::uint64_t cells_ = 0; // cells along each edge of the square lids
-    std::uint64_t rows_ = 0;  // rows of cells around the side
+    std::uint64_t cells_ = 0; // number of cells along each edge of the square lids
+    std::uint64_t rows_ = 0;  // number of rows of cells on the side
     std::uint64_t rowsPerBlock_ = 1;
     double meanEdge_ = 0;
     std::vector<GrainOctave> octaves_;

@@ -14,16 +14,16 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t kRows = 576;
-constexpr std::size_t kColumns = 512; // a multiple of 4, so that the corners of the grid's side are on columns
+constexpr std::size_t kColumns = 512; // a multiple of 4, so that each vertical edge of the grid's side is on a column
 
-/// A ray from outside towards the axis of the statue. The surface point is its first hit.
+/// A ray from outside towards the axis of the statue. Its first hit is a point of the statue's surface.
 struct Ray {
     dvec3 origin{0};
     dvec3 outward{0};
 };
 
-/// Returns a ray. `s` is in [0, 3]: the base up to 1, the side up to 2, and then the crown. `around` is in quarter
-/// turns.
+/// Returns the ray for the surface point at (s, around). `s` is from 0 to 1 on the base, from 1 to 2 on the side, and
+/// from 2 to 3 on the crown. `around` is in quarter turns.
 Ray rayAt(double s, double around) {
     constexpr double kBaseSlope = -0.36;
     constexpr double kCrownSlope = 0.62;
@@ -37,7 +37,7 @@ Ray rayAt(double s, double around) {
         ray.outward = ring * s + dvec3(0, -(1 - s * s) + kBaseSlope * s * s, 0);
     } else if (s <= 2) {
         const double t = s - 1;
-        // The slope of the rays changes from the base to the crown. The rays are horizontal at the shoulders. There the
+        // The slope of the rays changes from the base to the crown. The rays are horizontal at the shoulders, where the
         // slope of the stone is between the slopes at both ends.
         const double slope = kBaseSlope + (kCrownSlope - kBaseSlope) * t;
         const double forward = -0.01 + 0.014 * t * t;
@@ -54,7 +54,7 @@ Ray rayAt(double s, double around) {
 
 dvec3 firstHit(const BustShape& shape, const Ray& ray) {
     constexpr int kSteps = 60;
-    constexpr double kNear = 0.006; // metres from the surface; from there on, the secant method replaces the ray march
+    constexpr double kNear = 0.006; // nearer than this (metres), the secant method replaces the ray march
     double t = 0.34;
     double distance = shape.distance(ray.origin + t * ray.outward);
     double slope = 1;
@@ -68,7 +68,7 @@ dvec3 firstHit(const BustShape& shape, const Ray& ray) {
     return ray.origin + std::max(t, 0.02) * ray.outward;
 }
 
-/// Returns the weights of the uniform cubic B-spline at the fraction `t` of an interval.
+/// Returns the four weights of a uniform cubic B-spline at the fraction `t` (0 to 1) of an interval.
 std::array<float, 4> splineWeights(float t) {
     const float s = 1 - t;
     const float sixth = 1.0F / 6;
@@ -103,7 +103,7 @@ void StatueSurface::sampleMeridian(const BustShape& shape) {
     for (std::size_t i = 1; i <= kSamples; ++i) {
         double sum = 0;
         for (std::size_t j = 0; j < kMeridians; ++j)
-            // The limit excludes jumps between two parts of the surface.
+            // The upper limit excludes jumps between separate parts of the surface.
             sum += std::min(0.02, glm::distance(points[i][j], points[i - 1][j]));
         length[i] = length[i - 1] + sum / kMeridians;
     }
@@ -132,8 +132,8 @@ void StatueSurface::castRays(const BustShape& shape) {
 }
 
 void StatueSurface::findOutward() {
-    // The directions are cross products over a few table entries, and then blurred. The direction field must be smooth,
-    // so that the displaced stone does not fold.
+    // Each direction is computed from cross products over a few table entries, and then the directions are blurred.
+    // They must be smooth, so that the displaced stone does not fold.
     constexpr std::size_t kReach = 3;
     std::vector<glm::vec3> raw(texels_.size());
     tbb::parallel_for(std::size_t{0}, kRows, [&](std::size_t row) {
@@ -186,7 +186,8 @@ SurfacePoint StatueSurface::at(float along, float around) const {
     glm::vec4 position(0);
     glm::vec4 outward(0);
     for (std::size_t i = 0; i < 4; ++i) {
-        // Beyond a pole, the meridian continues on the other side, so that the spline is smooth at the pole.
+        // Beyond a pole, the meridian continues on the opposite side of the statue, so that the spline is smooth at the
+        // pole.
         const std::size_t r = row + i; // index of the row plus one
         const bool across = r == 0 || r > kRows;
         const std::size_t tableRow = r == 0 ? 1 : (r > kRows ? kRows - 2 : r - 1);

@@ -14,8 +14,9 @@ namespace gnomon::exporter {
 
 /// The options for exporting a tileset.
 struct TilesetOptions {
-    /// The position on the earth of the centre of the model's lowest level: latitude and longitude in degrees, and
-    /// metres above the WGS84 ellipsoid. The model's -z direction, after its up axis is rotated to +y, is north.
+    /// The place on the earth for the centre of the bottom face of the model's bounding box: latitude and longitude in
+    /// degrees, and metres above the WGS84 ellipsoid. The model's -z direction, after its up axis is rotated to +y, is
+    /// north.
     std::optional<glm::dvec3> place;
     Bytes memory{std::uint64_t{2} << 30U};
     std::uint32_t tileTriangles = 40'000; // approximate number of triangles per tile

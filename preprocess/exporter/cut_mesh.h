@@ -1,4 +1,4 @@
-// The mesh of a cut of a model. A cut is, for example, one level of detail.
+// The triangle mesh of one cut of a model. A cut consists of clusters that cover the whole surface once.
 #pragma once
 
 #include "hierarchy/model.h"

@@ -12,7 +12,7 @@ namespace gnomon::exporter {
 /// Settings for writing a tile of a 3D Tiles tileset as a .glb file.
 struct GlbTile {
     glm::dvec3 anchor{0}; ///< the origin of the file, in world space; positions have their own origin
-    /// whether to compress losslessly by EXT_meshopt_compression, which may rotate the corners of a triangle
+    /// Enables lossless compression by EXT_meshopt_compression, which may rotate the corners of a triangle.
     bool isPacked = false;
 };
 

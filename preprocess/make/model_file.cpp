@@ -109,7 +109,7 @@ MeshSize modelSize(const MadeModel& model) {
 
 MeshSize writeMadeModel(
     const MadeModel& model, const std::string& path, const std::string& comment, int threads, Progress& progress) {
-    // per block: numbers of vertices and triangles of all earlier blocks
+    // Numbers of vertices and triangles in all blocks before each block.
     std::vector<MeshSize> before(model.blockCount());
     MeshSize size;
     for (std::size_t block = 0; block < before.size(); ++block) {

@@ -43,8 +43,7 @@ void addTurbineHall(Site& site) {
             addAngle(site.parts, {x, kEaves - 0.5, z0}, {x, h1, z1}, kUp, 0.1);
         }
     }
-    // Adds the walls of the turbine hall: a plinth, cladding above it, and a band of windows towards the road. The side
-    // with the gate is open below 5 m.
+    // Adds the walls of the turbine hall: a plinth, cladding above it, and a band of windows towards the road.
     for (const double z : {-kZ, kZ}) {
         const double out = z > 0 ? 1 : -1;
         addUnweldedBox(site.parts, {-kX, 0, z - 0.2}, {kX, 1.2, z + 0.2});
@@ -91,7 +90,7 @@ void addBoilerTop(Site& site, double half, double floor) {
     addCladding(site, {-half, floor + 6.2, half}, {2 * half, 0, 0}, {0, 1, -2 * half}, 1.2);
 }
 
-/// Adds one storey of the furnace. Its walls consist of adjacent tubes and of beams that hold them.
+/// Adds one storey of the boiler's furnace. Its walls consist of adjacent tubes, held by beams.
 void addFurnace(Site& site, double bottom, double ceiling) {
     const std::uint64_t tubes = site.detail.amount(16, 8, 120);
     const double radius = 5.5 / static_cast<double>(tubes);

@@ -171,7 +171,7 @@ void addPipeSleepers(Site& site) {
         const double r = std::min(5.0 / static_cast<double>(pipes), site.random.uniform(0.05, 0.3));
         const double y = 0.32 + r;
         const double z = site.random.uniform(-8, 4);
-        // Each pipe has an expansion loop, which rises above the neighbouring pipes.
+        // The pipe has an expansion loop, which rises above the neighbouring pipes.
         const double loop = 2 + 3 * share(i, pipes);
         const std::array<dvec3, 6> path{
             dvec3(x, y, -kHalf),

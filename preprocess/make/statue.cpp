@@ -95,7 +95,7 @@ MeshSize Statue::blockSize(std::size_t block) const {
         const std::uint64_t cellRows = std::min(rows.end, rows_) - rows.begin;
         return {count * 4 * cells_, cellRows * 8 * cells_};
     }
-    // the vertices of row 0 are on the border, so the side contains them
+    // The vertices of row 0 are on the border of the lid, so they belong to the side.
     const std::uint64_t inner = count - (rows.begin == 0 ? 1 : 0);
     return {inner * (cells_ - 1), count * 2 * cells_};
 }

@@ -39,7 +39,7 @@ public:
 
 private:
     struct Texel {
-        glm::vec4 position{0}; // w is unused; a fourth float allows to load the position by one instruction
+        glm::vec4 position{0}; // w is unused; with four floats, one instruction loads the position
         glm::vec4 outward{0};
     };
 

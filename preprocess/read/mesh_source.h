@@ -55,12 +55,12 @@ struct VertexBlock {
     std::uint64_t firstVertex = 0;
     /// The positions of all vertices that triangles use are finite. The builder rejects other inputs.
     std::span<const glm::dvec3> positions;
-    /// as in the file; a non-finite normal is zero; empty if the input has no normals
+    /// Normals as in the file. A normal that is not finite is zero. The span is empty if the input has no normals.
     std::span<const glm::vec3> normals;
     std::span<const std::uint32_t> colors; ///< RGBA8, red in the lowest byte; empty if the input has no colours
     /// Values of the scalar vertex properties as in the file, vertex by vertex, in the order of MeshSummary::fields.
     std::span<const double> fields;
-    /// number of non-finite normals in this block; 0 if the summary has already counted them
+    /// Number of non-finite normals in this block. It is 0 if the summary has already counted them.
     std::uint64_t badNormals = 0;
 };
 
@@ -110,8 +110,8 @@ struct TriangleBlock {
     }
 };
 
-/// File positions at regular intervals of rows, so that readers can start at any row. An index of one source is valid
-/// in all processes that open the same source.
+/// The file positions of every 65536th row (vertex or face), so that readers can start near any row. The positions are
+/// valid in all processes that open the same source.
 struct RowIndex {
     static constexpr std::uint64_t kRows = std::uint64_t{1} << 16U; ///< number of rows between two stored positions
 

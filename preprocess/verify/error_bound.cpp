@@ -21,9 +21,9 @@ constexpr std::size_t kMaxCuts = 8;
 // The number of random samples per direction and cut. It is also the number of sampled corners.
 constexpr std::size_t kPointSamples = 60'000;
 constexpr std::size_t kDenseGroups = 150; // number of densely sampled groups per cut
-// number of samples per triangle of a densely sampled group, in addition to its corners
+// Number of samples per triangle of a densely sampled group, in addition to its corners.
 constexpr std::uint32_t kDensePoints = 4;
-// max number of sampled corners of level 0 below the densely sampled groups of a cut
+// Max number of sampled corners of level 0 below the densely sampled groups of one cut.
 constexpr std::size_t kDenseCorners = 150'000;
 
 /// The tolerance for comparing distances, relative to the bound and in grid steps. Coordinates are below 2^31 grid
@@ -186,7 +186,7 @@ private:
     /// Returns the triangles of level 0 from which the densely sampled groups were simplified, as ranges of triangles
     /// of the finest cut.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> partsBelow() const {
-        // index of the first triangle, and number of triangles
+        // Pairs of the index of the first triangle and the number of triangles.
         std::vector<std::pair<std::uint32_t, std::uint32_t>> parts;
         std::vector<std::uint32_t> open = dense_;
         std::vector<bool> isKnown(model_.firstGroup.back());
@@ -274,7 +274,7 @@ private:
     TriangleTree sourceTree_;
     UniformCut finest_;
     Random random_;
-    // first triangle in `finest_` per cluster, numbered across pages
+    // The first triangle of each cluster in `finest_`. Clusters are numbered across pages.
     std::map<std::uint32_t, std::uint32_t> finestPart_;
     std::vector<std::uint32_t> groupOfCluster_; // group per cluster, numbered across pages
     std::vector<Sample> sourceSamples_;

@@ -133,7 +133,7 @@ private:
     double skirt_;
     bool hasNormals_;
     CutMesh mesh_;
-    // per vertex of the current cluster: its vertex in the tile's mesh; kNone if there is none yet
+    // The vertex in the tile's mesh for each vertex of the current cluster. The value is kNone if there is none yet.
     std::vector<std::uint32_t> known_;
 };
 

@@ -338,7 +338,7 @@ ExportedTileset exportTileset(
     const bool isNew = !fs::exists(folder, missing);
     try {
         return TilesetWriter(file, options, folder).write(progress);
-        // removes the tiles, which are useless without tileset.json; a second attempt requires an empty folder
+        // The tiles are useless without tileset.json, and a second attempt requires an empty folder.
     } catch (...) {
         fs::remove_all(folder + "/tiles", missing);
         if (isNew) fs::remove(folder, missing);

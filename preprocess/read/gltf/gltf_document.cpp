@@ -22,8 +22,8 @@ constexpr std::array<std::string_view, 5> kReadExtensions = {
     "KHR_mesh_quantization",
     "KHR_texture_transform"};
 
-/// glTF extensions that Gnomon does not support but that change neither the surface nor its base colour. A file that
-/// requires them can therefore be read.
+/// Harmless glTF extensions: Gnomon does not support them, but they change neither the surface nor its base colour. A
+/// file that requires them can therefore be read.
 constexpr std::array<std::string_view, 22> kHarmlessExtensions = {
     "EXT_lights_ies",
     "EXT_lights_image_based",
@@ -48,7 +48,7 @@ constexpr std::array<std::string_view, 22> kHarmlessExtensions = {
     "KHR_xmp",
     "KHR_xmp_json_ld"};
 
-/// glTF extensions for textures in unsupported formats. They cause an error only if textures are read.
+/// Extensions of glTF for textures in unsupported formats. They cause an error only if textures are read.
 constexpr std::array<std::string_view, 6> kTextureExtensions = {
     "EXT_texture_avif",
     "EXT_texture_webp",

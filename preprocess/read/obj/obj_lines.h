@@ -58,10 +58,10 @@ struct ObjStretch {
     ObjKinds kinds = 0; ///< kinds of the lines in this range; `usemtl` counts as a face
 };
 
-/// What the first pass over an OBJ file finds out about its lines.
+/// The result of the first pass over all lines of an OBJ file.
 struct ObjSurvey {
     std::vector<ObjStretch> stretches; ///< ranges of lines, about 1 MiB each
-    /// number of lines that are not read, by the name of their data
+    /// Number of lines that are not read, by the name of their data.
     std::map<std::string, std::uint64_t> attributesDropped;
     std::map<std::string, std::uint64_t> unknownKeywords; ///< number of lines per unknown keyword
 };

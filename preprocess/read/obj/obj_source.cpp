@@ -167,7 +167,7 @@ private:
 
     void surveyFace(const ObjLine& face) {
         for (const ObjCorner& corner : face.corners) {
-            // kNoNormal, because the number of normals is not known yet
+            // The argument is kNoNormal because the number of normals is not known yet.
             if (isLookedUp(face, corner, ObjCorner::kNoNormal))
                 // The sum of an invalid index and 1 may wrap to 0, so the index itself is compared too.
                 counts_.vertexEnd = std::max({counts_.vertexEnd, corner.vertex, corner.vertex + 1});

@@ -72,7 +72,7 @@ void ObjVertices::giveNormal(std::uint64_t vertex, std::uint32_t normal) {
 }
 
 void ObjVertices::forgetOthers() {
-    // a table with more buckets is replaced, because clearing it takes longer than reading a face
+    // A hash table with more buckets is replaced, because clearing it takes longer than reading a face.
     constexpr std::size_t kFewBuckets = 1024;
     if (others_.bucket_count() > kFewBuckets)
         others_ = std::unordered_map<std::uint64_t, std::uint32_t>();

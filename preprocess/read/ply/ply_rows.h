@@ -219,7 +219,7 @@ public:
     void read(Values& values) {
         for (std::size_t i = 0; i < slotOf_.size(); ++i) {
             const PlyProperty& property = element_.properties[i];
-            // a scalar field can also be an attribute such as a colour
+            // A scalar field can also be an attribute such as a colour.
             const bool isField = fieldOf_[i] < fields_.size();
             if (slotOf_[i] < 0 && !isField) {
                 skipProperty(values, property);

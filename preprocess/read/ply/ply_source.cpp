@@ -247,7 +247,7 @@ private:
     }
 
     // Calls `body` with a reader of values at the start of element `begin`. If the position of this element is unknown,
-    // the function first skips the elements before it.
+    // the function first skips the elements before it and stores their positions.
     template <class Body>
     void pass(Body body, std::size_t begin) {
         std::size_t known = begin;
@@ -317,7 +317,7 @@ private:
     std::size_t vertices_ = header_.elements.size();   ///< index of the vertex element
     std::size_t firstFaces_ = header_.elements.size(); ///< index of the first element with triangles
     std::optional<PlyRanges> ranges_;                  ///< set if all triangles are in one element
-    /// per element: its file position, if known; last: the end of the data
+    /// File position of each element, if known. The last entry is the end of the data.
     std::vector<std::optional<PlyPlace>> starts_;
 };
 

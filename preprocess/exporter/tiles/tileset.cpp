@@ -338,8 +338,8 @@ ExportedTileset exportTileset(
     const bool isNew = !fs::exists(folder, missing);
     try {
         return TilesetWriter(file, options, folder).write(progress);
-        // The tiles are useless without tileset.json, and a second attempt requires an empty folder.
     } catch (...) {
+        // The tiles are useless without tileset.json, and a second attempt requires an empty folder.
         fs::remove_all(folder + "/tiles", missing);
         if (isNew) fs::remove(folder, missing);
         throw;

@@ -1,5 +1,5 @@
-// Sorts the vertices and triangles of a source mesh into chunks. It reads the source in passes in file order, without
-// random access.
+// Sorts the vertices and triangles of a source mesh into chunks, the parts that are built separately. It reads the
+// source in several passes in file order, without random access.
 #pragma once
 
 #include "core/progress.h"
@@ -10,20 +10,22 @@
 
 namespace gnomon::chunk {
 
-/// Divides the grid into chunks of about `chunkTriangles` triangles each. The function repeats passes over the vertices
-/// until no octree cell is too heavy for a chunk. Throws LimitError if the source needs more than kMaxChunks chunks.
+/// Divides the grid of a source mesh into chunks of about `chunkTriangles` triangles each. The function repeats passes
+/// over the vertices until no octree cell has too many triangles for a chunk. Throws LimitError if the source needs
+/// more than kMaxChunks chunks.
 ChunkTree planChunks(
     read::MeshSource& source, const SourceSurvey& survey, std::uint32_t chunkTriangles, Progress& progress);
 
-/// Returns the chunk tree for the weights `counts`, with at most `limit` weight per chunk. Throws LimitError, which
-/// names `path`, if the tree needs more than kMaxChunks chunks.
+/// Creates chunks from the weights of octree cells in `counts`. A chunk has at most the weight `limit`. Throws
+/// LimitError if the source file `path` needs more than kMaxChunks chunks.
 ChunkTree treeOf(const CellCounts& counts, std::uint64_t limit, const std::string& path);
 
-/// The sizes of a source after its division into chunks.
+/// The size of the largest chunk, and the number of dropped triangles.
 struct BinnedSize {
-    // max triangles and max vertices of a chunk, including vertices and triangles of other chunks
+    // Max number of triangles and max number of vertices over all chunks. Includes the vertices and triangles of other
+    // chunks that a chunk needs.
     PartSize largestChunk;
-    DroppedTriangles dropped; // repeated triangles between heavy points (HeavyPoints); no chunk contains them
+    DroppedTriangles dropped; // triangles that repeat an earlier triangle (HeavyPoints); no chunk contains them
     Strayed strayed;
 };
 
@@ -44,8 +46,8 @@ BinnedSize binSource(
     Progress& progress);
 
 /// Returns the sizes that `binSource` would return, but writes nothing. The function makes at most two passes over the
-/// vertices and one over the triangles. The sizes are larger than those of `binSource` if the corners of a polygon are
-/// in several chunks. Each of these chunks then counts all triangles of the polygon.
+/// vertices and one pass over the triangles. If the corners of a polygon are in several chunks, each of these chunks
+/// counts all triangles of the polygon. The sizes are then larger than those of `binSource`.
 BinnedSize measureBins(read::MeshSource& source, const SourceSurvey& survey, const ChunkTree& tree, Progress& progress);
 
 } // namespace gnomon::chunk

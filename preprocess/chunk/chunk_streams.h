@@ -1,5 +1,5 @@
-// The records of vertices and triangles that the binning writes and the chunks read. Each chunk has one stream per kind
-// of record.
+// The records of vertices and triangles in which a source mesh is sorted into chunks. Each chunk has one byte stream
+// per kind of record.
 #pragma once
 
 #include "core/box.h"
@@ -14,16 +14,18 @@
 
 namespace gnomon::chunk {
 
-/// The max number of source vertices for 4-byte vertex numbers. The number 0xFFFFFFFF marks polygons.
+/// The max number of source vertices for vertex numbers of 4 bytes. The number 0xFFFFFFFF is not a vertex, because it
+/// marks polygons.
 constexpr std::uint64_t kMaxNarrowIndex = 0xFFFFFFFF;
 
-/// The format of a vertex record: the attributes that it stores.
+/// The format of a vertex record, which depends on the attributes of the source mesh.
 struct VertexFormat {
     bool isDouble = false; // whether positions are doubles, because floats would lose precision
     bool hasNormals = false;
     bool hasColors = false;
     hierarchy::FieldLayout fields{};
-    // Whether vertex numbers have 8 bytes instead of 4, because the source has more than kMaxNarrowIndex vertices.
+    // Whether vertex numbers have 8 bytes instead of 4. This is the case if the source has more than kMaxNarrowIndex
+    // vertices.
     bool isWide = false;
 
     bool hasFields() const { return fields.count() > 0; }
@@ -34,7 +36,7 @@ struct VertexFormat {
     }
 };
 
-/// A vertex of the source, as decoded from the stream of a chunk.
+/// A vertex of the source mesh, decoded from the stream of a chunk.
 struct ChunkVertex {
     std::uint64_t index = 0; // index of the vertex in the source
     std::uint32_t fields = 0;
@@ -43,16 +45,16 @@ struct ChunkVertex {
     std::uint32_t color = 0xFFFFFFFFU;
 };
 
-/// A buffer that is large enough for each vertex record.
+/// A buffer that is large enough for every format of a vertex record.
 using VertexBytes = std::array<std::byte, 8 + 3 * sizeof(double) + 12>;
 
-/// Encodes `vertex` into `storage` and returns the bytes of the record.
+/// Encodes `vertex` as a record into `storage` and returns the bytes of the record.
 std::span<const std::byte> encodeVertex(const ChunkVertex& vertex, const VertexFormat& format, VertexBytes& storage);
 
-/// Decodes the records of encodeVertex in `records` and appends the vertices to `vertices`.
+/// Decodes vertex records that encodeVertex wrote, and appends the vertices to `vertices`.
 void decodeVertices(std::span<const std::byte> records, const VertexFormat& format, std::vector<ChunkVertex>& vertices);
 
-/// Decodes the vertex records of a stream and appends the vertices to `vertices`. The vector reserves exactly the
+/// Decodes all vertex records of a stream and appends the vertices to `vertices`. The vector reserves exactly the
 /// memory that it needs.
 void appendVertices(
     const scratch::StreamStore& store,
@@ -60,14 +62,14 @@ void appendVertices(
     const VertexFormat& format,
     std::vector<ChunkVertex>& vertices);
 
-/// The first number of a mark in a stream of triangles. The second number is a count, and the third is 0. The next
-/// `count` triangles are the fan of one polygon.
+/// The first number of a polygon mark in a stream of triangles. The second number of the mark is a count, and the third
+/// is 0. The next `count` triangles are the fan of one polygon.
 constexpr std::uint64_t kPolygonMark = ~std::uint64_t{0};
 
-/// A request of `chunk` for the vertex `vertex` of another chunk.
+/// A request by the chunk `chunk` for the vertex `vertex` of another chunk.
 struct VertexRequest {
     std::uint32_t chunk = 0;
-    std::uint32_t isOwner = 0; // 1: a triangle of `chunk` uses the vertex; 0: only normals of `chunk` need it
+    std::uint32_t isOwner = 0; // 1: a triangle of `chunk` uses the vertex; 0: only normals of `chunk` depend on it
     std::uint64_t vertex = 0;
 
     bool operator==(const VertexRequest&) const = default;
@@ -77,14 +79,14 @@ struct VertexRequest {
     }
 };
 
-/// The normal of a vertex. The chunk of the vertex sends it to another chunk that uses the vertex. Only sources without
-/// normals need such records.
+/// The normal of a vertex that several chunks use. The chunk that contains the vertex sends the normal to the other
+/// chunks. Only sources without normals need such records.
 struct SharedNormal {
     std::uint64_t vertex = 0;
     std::uint32_t normal = hierarchy::kNoNormal;
 };
 
-/// Appends the corners of a triangle, or a polygon mark, to `stream`.
+/// Appends the three corners of a triangle, or a polygon mark, to the stream with the number `stream`.
 inline void putTriangle(
     scratch::StreamStore& store,
     std::uint32_t stream,
@@ -102,7 +104,7 @@ inline void putTriangle(
 /// Returns the number of triangles and polygon marks in a stream.
 std::uint64_t triangleRecords(const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
-/// Calls `take(corners)` for each triangle or polygon mark of a stream, in order. It holds one block of the stream in
+/// Calls `take(corners)` for each triangle or polygon mark of a stream, in order. Only one block of the stream is in
 /// memory.
 template <class Take>
 void forEachTriangle(
@@ -122,27 +124,28 @@ void putRequest(
 std::vector<VertexRequest> readRequests(
     const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
-/// Encodes `normal` and appends its record to `bytes`.
+/// Encodes a shared normal and appends its record to `bytes`.
 void appendNormal(std::vector<std::byte>& bytes, const SharedNormal& normal, const VertexFormat& format);
 
-/// Reads the records of appendNormal from a stream.
+/// Reads all shared normals of a stream, which appendNormal encoded.
 std::vector<SharedNormal> readNormals(
     const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
-/// The number of dropped triangles per reason.
+/// The number of source triangles that the model does not contain, by reason.
 struct DroppedTriangles {
     std::uint64_t degenerate = 0;      // two corners have the same position in the source
     std::uint64_t collapsedByGrid = 0; // two corners have the same position only after snapping to the grid
-    std::uint64_t doubled = 0;         // the same three positions as an earlier triangle
+    std::uint64_t doubled = 0;         // has the same three positions as an earlier triangle
 };
 
-/// The triangles with a corner outside the range of the grid, and the bounds of all such corners.
+/// The number of triangles with a corner outside the range of the grid, and the bounds of all such corners.
 struct Strayed {
     std::uint64_t triangles = 0;
     Box corners;
 };
 
-/// The numbers of triangles and vertices of a part of the model, including those of other parts that this part needs.
+/// The numbers of triangles and vertices of a part of the model. They include the triangles and vertices of other parts
+/// that this part needs.
 struct PartSize {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
@@ -153,26 +156,27 @@ struct PartSize {
     }
 };
 
-/// The streams that the binning writes for each chunk.
+/// The byte streams of each chunk, which the sorting of the source writes.
 enum class BinStream : std::uint32_t {
-    Vertices,  // the vertices in the chunk that triangles use, by source index
+    Vertices,  // the vertices of the chunk that triangles use, in source order
     Triangles, // the triangles that belong to the chunk, in source order
-    Ghosts, // triangles of other chunks with a corner in this chunk, in source order; only for sources without normals
-    Requests, // VertexRequest records of other chunks for vertices of this chunk
+    Ghosts, // triangles of other chunks with a corner in this chunk, in source order; only if the source has no normals
+    Requests, // requests of other chunks for vertices of this chunk (VertexRequest)
     Count
 };
 
-/// The streams that exist once per source, and only during the binning. Their numbers follow the streams of the chunks.
+/// Temporary byte streams of the whole source, which exist only while it is sorted into chunks. Their stream numbers
+/// follow those of the chunks.
 enum class SourceStream : std::uint32_t {
-    Polygons,  // polygons with corners in several chunks: the number of triangles, then the triangles of the fan
-    Triangles, // the final triangulation of these polygons
+    Polygons,  // polygons whose corners are in several chunks: the number of triangles, then the triangles of the fan
+    Triangles, // the final triangulation of the polygons in the stream Polygons
     Count
 };
 
-/// The streams of each chunk that receive data from other chunks.
+/// The byte streams of each chunk that receive data from other chunks.
 enum class BorderStream : std::uint32_t {
     Vertices, // vertices of other chunks that this chunk requested
-    Normals,  // SharedNormal of vertices that triangles of this chunk use; only for sources without normals
+    Normals,  // SharedNormal records for vertices that triangles of this chunk use; only if the source has no normals
     Count
 };
 
@@ -181,7 +185,7 @@ std::uint32_t streamOf(Kind kind, std::uint32_t chunk) {
     return chunk * static_cast<std::uint32_t>(Kind::Count) + static_cast<std::uint32_t>(kind);
 }
 
-/// Returns the number of a stream of the whole source.
+/// Returns the number of a stream that belongs to the whole source. `chunks` is the number of chunks.
 inline std::uint32_t streamOf(SourceStream kind, std::uint32_t chunks) {
     return chunks * static_cast<std::uint32_t>(BinStream::Count) + static_cast<std::uint32_t>(kind);
 }

@@ -1,4 +1,4 @@
-// The assignment of grid points to chunks: an adaptive octree with a weight per cell. Chunks are runs of cells in
+// Assigns grid points to chunks with an adaptive octree. Each octree cell has a weight. A chunk is a run of cells in
 // Morton order.
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace gnomon::chunk {
 
-/// The max number of chunks of a model. The limit exists because stream numbers have 32 bits and each chunk has several
-/// streams.
+/// The max number of chunks of a model. Stream numbers have 32 bits, and each chunk has several streams.
 constexpr std::uint32_t kMaxChunks = (1U << 29U) - 1;
 
-/// The max number of chunks for which 16-bit chunk numbers are sufficient.
+/// The max number of chunks whose numbers fit into 16 bits.
 constexpr std::uint32_t kNarrowChunks = 0xFFFF;
 
-/// The chunk number of vertices outside the range of the grid. No chunk contains them. As a 16-bit number it is 0xFFFF.
+/// The chunk number of a vertex outside the range of the grid. No chunk contains such vertices. As a 16-bit number it
+/// is 0xFFFF.
 constexpr std::uint32_t kOutsideGrid = 0xFFFFFFFF;
 
-/// Returns the argument `rootBits` of CellCounts for a source with `vertices` vertices. A small source receives few
-/// root cells, because each thread has its own CellCounts.
+/// Returns log2 of the number of root cells per axis that CellCounts uses for a source with `vertices` vertices. A
+/// small source uses few root cells, because each thread has its own CellCounts.
 int rootBitsFor(std::uint64_t vertices);
 
 /// Counts weights per octree cell of the grid. The class divides cells that are too heavy, and the caller then adds the
@@ -33,46 +33,47 @@ class CellCounts {
 public:
     static constexpr int kMaxRootBits = 7;
 
-    /// Creates cells for points with coordinates up to those of `furthest`. The root cells form a grid of 2^`rootBits`
-    /// cells per axis. `rootBits` is at most 7. It affects only the number of counting passes, not the result.
+    /// Creates octree cells for points with coordinates up to those of `furthest`. The root cells form a grid of
+    /// 2^`rootBits` cells per axis. `rootBits` is at most 7. It affects only the number of counting passes, not the
+    /// result.
     explicit CellCounts(const hierarchy::GridPoint& furthest, int rootBits = kMaxRootBits);
 
-    /// Adds `weight` to the cell that contains `point` if this cell is open. Cells are open if the last `refine`
-    /// created them.
+    /// Adds `weight` to the octree cell that contains `point`, if the last call of `refine` created this cell (an open
+    /// cell).
     void add(const hierarchy::GridPoint& point, std::uint32_t weight);
 
-    /// Divides the cells that are heavier than `limit`, except cells of a single grid point. Returns true if it divided
-    /// a cell. The caller must then add all points again.
+    /// Divides the octree cells that are heavier than `limit`, except cells of a single grid point. Returns true if it
+    /// divided a cell. The caller must then add all points again.
     bool refine(std::uint64_t limit);
 
-    /// Returns the division into cells as bytes. Another process can then count into the same cells.
+    /// Returns the division of the grid into octree cells, encoded as bytes. Another process can then count into the
+    /// same cells.
     std::vector<std::byte> shape() const;
 
-    /// Creates the cells that `shape` encodes, with zero weights. `furthest` and `rootBits` must be the same as in the
-    /// process that called `shape()`. Throws hierarchy::Damage if the bytes are malformed.
+    /// Creates the octree cells that `shape` encodes, with zero weights. `furthest` and `rootBits` must be the same as
+    /// in the process that called `shape()`. Throws hierarchy::Damage if the bytes are malformed.
     CellCounts(const hierarchy::GridPoint& furthest, std::span<const std::byte> shape, int rootBits = kMaxRootBits);
 
-    /// Returns the weights of the open cells as bytes. `addOpenWeights` adds such weights to the same cells of another
-    /// object. It throws hierarchy::Damage if the bytes are malformed.
+    /// Returns the weights of the open cells, which the last `refine` created, as bytes. `addOpenWeights` adds these
+    /// weights to the same cells of another object. It throws hierarchy::Damage if the bytes are malformed.
     std::vector<std::byte> openWeights() const;
     void addOpenWeights(std::span<const std::byte> weights);
 
-    /// Returns the grid points that are heavier than `limit`. The last call of `refine(limit)` must have returned
-    /// false.
+    /// Returns the grid points whose weight exceeds `limit`. The last call of `refine(limit)` must have returned false.
     std::vector<hierarchy::GridPoint> pointsAbove(std::uint64_t limit) const;
 
 private:
     friend class ChunkTree;
 
-    /// The cells of one size inside one parent cell, in Morton order (lowest bit x, then y, then z).
+    /// A table of octree cells of one size inside one parent cell, in Morton order (lowest bit x, then y, then z).
     struct Table {
-        int bits = 0;  // bits per coordinate that select a cell of this table
-        int shift = 0; // bits per coordinate below the selecting bits
+        int bits = 0;  // bits per coordinate that index the cells of this table
+        int shift = 0; // bits per coordinate below the index bits
         std::vector<std::uint64_t> weights;
-        std::vector<std::int32_t> finer; // per cell: the table of its finer cells, or -1; empty if no cell is divided
+        std::vector<std::int32_t> finer; // per cell: the table of its child cells, or -1; empty if no cell is divided
     };
 
-    /// The parent cell of a table. The root table has no parent.
+    /// The table and the cell that a table of finer cells divides. The root table has no parent.
     struct Parent {
         std::uint32_t table = 0;
         std::uint32_t cell = 0;
@@ -96,31 +97,31 @@ private:
     std::size_t firstOpen_ = 0;
 };
 
-/// The finished octree. It returns the chunk of each grid point.
+/// The finished octree, which maps each grid point to a chunk.
 class ChunkTree {
 public:
-    /// Creates chunks from runs of cells in Morton order, with at most `limit` weight each. A cell is not divided if
-    /// its weight is at most `limit` / 8. Only a chunk of a single grid point can exceed `limit`.
+    /// Creates chunks from runs of octree cells in Morton order. A chunk has at most the weight `limit`. A cell is not
+    /// divided if its weight is at most `limit` / 8. Only a chunk of a single grid point can exceed `limit`.
     ChunkTree(const CellCounts& counts, std::uint64_t limit);
 
-    /// Decodes a tree from the bytes of `encoded`, which do not contain its heavy points. Throws hierarchy::Damage if
-    /// the bytes are malformed.
+    /// Decodes a tree from the bytes that `encoded` returned. The heavy points are not in these bytes. Throws
+    /// hierarchy::Damage if the bytes are malformed.
     explicit ChunkTree(std::span<const std::byte> bytes);
     std::vector<std::byte> encoded() const;
 
     std::uint32_t chunkCount() const { return static_cast<std::uint32_t>(weights_.size()); }
 
-    /// Returns the grid points that are heavier than an eighth of the weight limit of a chunk.
+    /// Returns the grid points whose weight exceeds an eighth of the weight limit of a chunk.
     const std::vector<hierarchy::GridPoint>& heavyPoints() const { return heavyPoints_; }
 
-    /// Returns the chunk of a grid point. The point must have been counted when the tree was built.
+    /// Returns the chunk that contains `point`. The point must have been counted when the tree was built.
     std::uint32_t chunkOf(const hierarchy::GridPoint& point) const;
 
 private:
     struct Table {
         int bits = 0;
         int shift = 0;
-        // chunk per cell; values from kFiner on are kFiner plus the number of a finer table
+        // Chunk of each octree cell. A value from kFiner on is kFiner plus the index of a table of finer cells.
         std::vector<std::uint32_t> chunks;
     };
 

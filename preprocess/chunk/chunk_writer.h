@@ -12,10 +12,10 @@
 
 namespace gnomon::chunk {
 
-/// Returns the format of the records for the vertices of a source.
+/// Returns the format of the vertex records for the source mesh that `source` describes.
 VertexFormat formatOf(const read::MeshSummary& source);
 
-/// Returns true if all corners of a polygon lie in one chunk. `fan` contains the triangles of the polygon.
+/// Returns true if all corners of a polygon lie in one chunk. `fan` is the triangulation of the polygon.
 /// `chunkOf(vertex)` returns the chunk of a vertex.
 template <class ChunkOf>
 bool isInOneChunk(std::span<const read::TriangleCorners> fan, ChunkOf chunkOf) {
@@ -25,10 +25,11 @@ bool isInOneChunk(std::span<const read::TriangleCorners> fan, ChunkOf chunkOf) {
     });
 }
 
-/// Writes vertices and triangles to the streams of their chunks, and counts them. Without a store it only counts.
+/// Writes the vertices and triangles of a source to the streams of their chunks, and counts them. A writer without a
+/// store only counts.
 class ChunkWriter {
 public:
-    /// Creates a writer. `fields` and `bins` must outlive it.
+    /// Creates a writer. `fields` and `bins` must outlive it. If `bins` is null, the writer only counts.
     ChunkWriter(
         const VertexFormat& format,
         std::span<const hierarchy::Field> fields,
@@ -39,11 +40,12 @@ public:
     /// Writes vertex `i` of a block to the stream of `chunk`.
     void putVertex(const read::VertexBlock& block, std::size_t i, std::uint32_t chunk);
 
-    /// Writes a triangle. `lies` contains the chunks of its three corners. If one of them is kOutsideGrid, the function
-    /// only counts the triangle.
+    /// Writes a triangle to the stream of its chunk. `lies` contains the chunks of the triangle's three corners. If one
+    /// of them is kOutsideGrid, the function only counts the triangle.
     void putTriangle(const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies);
 
-    /// Writes the triangles of one polygon to `chunk`. If `chunk` is kOutsideGrid, the function only counts them.
+    /// Writes the triangulation `fan` of a polygon to the stream of `chunk`. If `chunk` is kOutsideGrid, the function
+    /// only counts the triangles.
     void putFan(std::span<const read::TriangleCorners> fan, std::uint32_t chunk);
 
     /// Adds the triangles and vertices of `more` to the size of `chunk`.
@@ -52,7 +54,7 @@ public:
         sizes_[chunk].vertices += more.vertices;
     }
 
-    /// Returns the size of each chunk.
+    /// Returns the number of triangles and vertices of each chunk.
     const std::vector<PartSize>& sizes() const { return sizes_; }
 
     /// Returns the number of triangles with a corner outside the range of the grid. No chunk contains these triangles.

@@ -1,4 +1,5 @@
-// Removes the hidden parts of coplanar faces of different colours. The earlier face of the source is visible.
+// Removes the hidden parts of coplanar faces with different colours. The face that is earlier in the source remains
+// visible.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"

@@ -1,4 +1,4 @@
-// Computes many results in parallel and consumes them in order.
+// Computes many results in parallel, and passes them on in order.
 #pragma once
 
 #include <tbb/parallel_pipeline.h>
@@ -9,8 +9,8 @@
 
 namespace gnomon::chunk {
 
-/// Calls `make(i)` in parallel for each i in [first, end). Calls `take(i, result)` in ascending order of i, one call at
-/// a time. At most `atOnce` results are in memory.
+/// Calls `make(i)` in parallel for each i in [first, end), and `take(i, result)` with the results in ascending order of
+/// i. Only one call of `take` runs at a time. At most `atOnce` results are in memory.
 template <class Make, class Take>
 void makeInOrder(std::size_t first, std::size_t end, std::size_t atOnce, const Make& make, const Take& take) {
     using Result = decltype(make(first));

@@ -1,20 +1,22 @@
-// The vertices that a chunk contains or uses, with a lookup by source index.
+// The vertices of one chunk, and the vertices of other chunks that it uses. They can be found by their index in the
+// source.
 #pragma once
 
 #include "preprocess/chunk/chunk_streams.h"
 
 namespace gnomon::chunk {
 
-/// A list of vertices: first the vertices in the chunk, then the vertices of other chunks.
+/// A list of vertices with a lookup by source index. The vertices of the chunk are first, then the vertices of other
+/// chunks.
 class IndexedVertices {
 public:
-    /// Moves `vertices` into the object. The first `ownCount` vertices are in the chunk and must have ascending source
+    /// Creates the list from `vertices`. The first `ownCount` vertices are in the chunk and must have ascending source
     /// indices. The other vertices may have any order. Source indices are unique.
     IndexedVertices(std::vector<ChunkVertex> vertices, std::size_t ownCount);
 
     std::size_t size() const { return vertices_.size(); }
 
-    /// Returns the number of vertices that are in the chunk.
+    /// Returns the number of vertices that are in the chunk itself.
     std::size_t ownCount() const { return ownCount_; }
 
     const ChunkVertex& operator[](std::uint32_t vertex) const { return vertices_[vertex]; }
@@ -26,8 +28,8 @@ public:
         return std::move(vertices_);
     }
 
-    /// Returns the index in this list of the vertex with the source index `sourceIndex`. A check fails if the list does
-    /// not contain it.
+    /// Returns the list index of the vertex that has the index `sourceIndex` in the source. A check fails if the list
+    /// does not contain the vertex.
     std::uint32_t find(std::uint64_t sourceIndex) const;
 
     simplify::Triangle find(const read::TriangleCorners& corners) const {
@@ -35,8 +37,8 @@ public:
     }
 
 private:
-    /// A run of vertices that are consecutive both in the source and in this list. The mesh of a 3D scan has few long
-    /// runs.
+    /// A run of vertices with consecutive indices both in the source and in this list. The mesh of a 3D scan has few
+    /// long runs.
     struct Run {
         std::uint64_t index = 0;
         std::uint32_t vertex = 0;
@@ -55,7 +57,7 @@ private:
     std::size_t ownCount_;
     std::vector<Run> runs_; // by ascending source index
     std::uint32_t bucketShift_ = 0;
-    // per bucket of 2^bucketShift_ source indices: the first run that starts in or after it
+    // Per bucket of 2^bucketShift_ source indices: the first run that starts in this bucket or a later one.
     std::vector<std::uint32_t> firstRun_;
 };
 

@@ -1,4 +1,4 @@
-// The survey of a source mesh before the binning: counts, grid, and the number of triangle corners per vertex.
+// Measures a source mesh before it is sorted into chunks: counts, grid, and the number of triangle corners per vertex.
 #pragma once
 
 #include "core/progress.h"
@@ -12,34 +12,35 @@
 
 namespace gnomon::chunk {
 
-/// The treatment of strays, which are triangles far outside the main part of a source. Leave excludes them, and Keep
-/// includes them.
+/// The treatment of triangles far outside the main part of a source (strays). Leave excludes them from the grid, and
+/// Keep includes them.
 enum class Strays : std::uint8_t { Leave, Keep };
 
-/// The properties of a source that the binning needs.
+/// The properties of a source mesh that are measured before it is sorted into chunks.
 struct SourceSurvey {
     hierarchy::Grid grid;
-    hierarchy::GridPoint furthest; // max coordinates of the snapped vertices that triangles use
-    // bounds without strays; without strays in the source it contains all vertices of triangles
+    hierarchy::GridPoint furthest; // max grid coordinates of the vertices that triangles use
+    // Bounds of the source without strays (triangles far outside). Without strays the bounds contain all vertices of
+    // triangles.
     Box mainPart;
     double medianEdge = 0; // median length of the sampled edges; 0 without edges
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
-    std::uint64_t badNormals = 0;      // normals that are not finite, if the source's summary does not count them
+    std::uint64_t badNormals = 0;      // normals that are not finite, unless the source's summary counts them
     bool hasPolygons = false;          // whether there are faces with more than three corners
-    VertexTable<std::uint8_t> valence; // per vertex: number of triangle corners, at most 255
+    VertexTable<std::uint8_t> valence; // number of triangle corners per vertex, at most 255
     std::vector<hierarchy::Field> fields;
 };
 
-/// Surveys `source` in one pass over the triangles and two passes over the vertices. If the source has fields, the
+/// Measures `source` in one pass over the triangles and two passes over the vertices. If the source has fields, the
 /// function makes a third pass over the vertices. It uses one byte per vertex and about 60 MiB. Errors of the source
 /// are thrown to the caller.
 SourceSurvey surveySource(read::MeshSource& source, Progress& progress, Strays strays = Strays::Leave);
 
-/// A sample of triangles whose edge lengths determine the grid step. For a source of up to 512 Ki triangles the sample
-/// contains all triangles. For a larger source it contains at least 256 Ki triangles. The hash of the triangle index
-/// selects them, so that the sample is deterministic.
+/// A sample of the source triangles, whose edge lengths determine the grid step. A source of up to 512 Ki triangles is
+/// sampled completely. For a larger source the sample contains at least 256 Ki triangles. The hash of the triangle
+/// index selects them, so that the sample is deterministic.
 class EdgeSample {
 public:
     struct Entry {
@@ -49,19 +50,19 @@ public:
 
     EdgeSample() = default;
 
-    /// Creates a sample for one part of a source. `triangles` is the number of triangles of the whole source. The
-    /// samples of all parts together contain the sample of the source, and only few more triangles.
+    /// Creates a sample for one part of a source that has `triangles` triangles in total. The samples of all parts
+    /// together contain the sample of the source, and only few more triangles.
     explicit EdgeSample(std::uint64_t triangles);
 
-    /// Adds the triangle `index` if its hash is below the threshold of the sample.
+    /// Adds the triangle with the index `index` if the hash of this index is below the threshold of the sample.
     void offer(std::uint64_t index, const read::TriangleCorners& corners);
 
-    /// Adds an entry of another sample if its hash is below the threshold.
+    /// Adds a triangle from another sample if the hash of its index is below the threshold of this sample.
     void take(const Entry& entry);
 
     const std::vector<Entry>& entries() const { return entries_; }
 
-    /// Returns the vertices of all sampled triangles.
+    /// Returns the source indices of the vertices of all sampled triangles.
     std::vector<std::uint64_t> vertices() const;
 
     /// A histogram of edge lengths with 16 bins per power of two. The result does not depend on the order of the edges.
@@ -69,8 +70,8 @@ public:
     public:
         void add(double length);
 
-        /// Returns the lower end of the bin that contains the quantile `fraction`. The result is at most the quantile
-        /// and more than 16/17 of it. Returns 0 without edges.
+        /// Returns the quantile `fraction` of the edge lengths, rounded down to the start of its bin. The result is
+        /// more than 16/17 of the exact quantile. Returns 0 without edges.
         double quantile(double fraction) const;
 
     private:
@@ -78,7 +79,7 @@ public:
         std::uint64_t total_ = 0;
     };
 
-    /// Returns the lengths of the sampled edges. `positions` must contain the positions of `vertices()`.
+    /// Returns a histogram of the lengths of all sampled edges. `positions` must contain the positions of `vertices()`.
     Lengths measure(const VertexLookup& positions) const;
 
     /// Returns the part of `box` that contains the sampled triangles without strays. Triangles are strays in two cases:
@@ -96,13 +97,13 @@ private:
     std::uint64_t threshold_ = ~std::uint64_t{0};
 };
 
-/// Extends `box` by the vertices of a block that triangles use (`valence` above 0). Unused vertices must not influence
-/// the grid step. Throws Error if a position is not finite.
+/// Extends `box` by the vertices of a block. Only vertices of triangles count, which have a `valence` above 0. Unused
+/// vertices must not influence the grid step. Throws Error if a position is not finite.
 void addUsed(
     read::MeshSource& source, const read::VertexBlock& block, const VertexTable<std::uint8_t>& valence, Box& box);
 
-/// Computes the grid, the main part and the median edge of a survey. `box` contains the vertices that triangles use.
-/// `positions` contains the positions of the sample's vertices. Throws Error if coordinates are too large.
+/// Computes the grid, the main part and the median edge length of `survey`. `box` contains all vertices of triangles.
+/// `positions` contains the vertex positions of the edge sample. Throws Error if coordinates are too large.
 void setGrid(
     SourceSurvey& survey,
     const std::string& path,

@@ -1,5 +1,5 @@
-// Reads the positions of chosen vertices of a source in one pass. The memory is proportional to the number of chosen
-// vertices.
+// Reads the positions of selected vertices of a source mesh in one pass. The memory is proportional to the number of
+// selected vertices.
 #pragma once
 
 #include "core/check.h"
@@ -11,7 +11,7 @@
 
 namespace gnomon::chunk {
 
-/// The positions of chosen vertices, found by source index.
+/// The positions of selected vertices of a source mesh. They can be found by the index of the vertex in the source.
 class VertexLookup {
 public:
     /// Reads the positions of `vertices` in one pass over the source. The list may be unsorted and contain repeats.
@@ -26,7 +26,8 @@ public:
     /// Reads the positions of `vertices` from a source with indexed rows. The function does not read long gaps between
     /// the vertices.
     static VertexLookup byRanges(read::MeshSource& source, std::vector<std::uint64_t> vertices) {
-        // rows; a gap of this length is about as long as one read of the file
+        // Max number of skipped vertex rows that are read anyway. A gap of this length is about as long as one read of
+        // the file.
         constexpr std::uint64_t kLittle = read::RowIndex::kRows;
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -44,7 +45,7 @@ public:
         return {std::move(vertices), std::move(positions)};
     }
 
-    /// Creates a lookup from ascending `vertices` and their positions.
+    /// Creates a lookup from vertex indices in ascending order and the positions of these vertices.
     VertexLookup(std::vector<std::uint64_t> vertices, std::vector<glm::dvec3> positions)
         : vertices_(std::move(vertices)), positions_(std::move(positions)) {
         GNOMON_CHECK_OP(positions_.size(), ==, vertices_.size());
@@ -55,10 +56,10 @@ public:
         return positions_[static_cast<std::size_t>(found - vertices_.begin())];
     }
 
-    /// Returns the positions in ascending order of the vertices.
+    /// Returns the positions of the selected vertices, in ascending order of the vertex index.
     std::span<const glm::dvec3> positions() const { return positions_; }
 
-    /// Appends the positions of those next vertices of `vertices` (ascending) that the block contains.
+    /// Appends the positions of those vertices in `vertices` (ascending) that come next and are in the block.
     static void take(
         const read::VertexBlock& block,
         const std::vector<std::uint64_t>& vertices,

@@ -1,4 +1,5 @@
-// A table with one number per source vertex, in pages. A page is allocated when a number in it is first written.
+// A table with one number per vertex of the source, divided into pages. A page is allocated when one of its numbers is
+// first written.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace gnomon::chunk {
 
-/// A paged table whose numbers are initially zero.
+/// A table of numbers that are initially zero. Its pages are allocated when they are first written.
 template <class T>
 class VertexTable {
 public:
@@ -25,7 +26,7 @@ public:
         return page != nullptr ? page[vertex % kPageVertices] : T{};
     }
 
-    /// Returns a writable reference to the number of a vertex. Allocates its page.
+    /// Returns a writable reference to the number of `vertex`. Allocates the page of the number if needed.
     T& at(std::uint64_t vertex) {
         std::unique_ptr<T[]>& page = pages_[vertex >> kPageBits];
         if (page == nullptr) {
@@ -37,12 +38,13 @@ public:
 
     std::size_t pageCount() const { return pages_.size(); }
 
-    /// Returns the numbers of the kPageVertices vertices of a page, or an empty span if the page is not allocated.
+    /// Returns the kPageVertices numbers of the page with index `page`. Returns an empty span if the page is not
+    /// allocated.
     std::span<const T> page(std::size_t page) const {
         return pages_[page] == nullptr ? std::span<const T>() : std::span<const T>(pages_[page].get(), kPageVertices);
     }
 
-    /// Returns the writable numbers of a page, and allocates the page if needed.
+    /// Returns the writable numbers of the page with index `page`. Allocates the page if needed.
     std::span<T> pageAt(std::size_t page) {
         at(page << kPageBits);
         return {pages_[page].get(), kPageVertices};
@@ -63,10 +65,10 @@ private:
     std::size_t held_ = 0;
 };
 
-/// A paged table of vertex numbers with 16 bits, or with 32 bits if the largest number needs them.
+/// A paged table with one number per vertex. The numbers have 16 bits, or 32 bits if the largest number needs them.
 class VertexNumbers {
 public:
-    /// Creates a table for `vertices` vertices whose numbers are from 0 to `largest`.
+    /// Creates a table for `vertices` vertices. Their numbers are at most `largest`.
     VertexNumbers(std::uint64_t vertices, std::uint64_t largest)
         : isWide_(largest > 0xFFFF), narrow_(isWide_ ? 0 : vertices), wide_(isWide_ ? vertices : 0) {}
 

@@ -1,4 +1,4 @@
-// The helper processes of a distributed build.
+// The helper processes of a distributed build, which run tasks of the leading process.
 #pragma once
 
 #include "preprocess/distributed/mailbox.h"
@@ -6,28 +6,28 @@
 
 namespace gnomon::distributed {
 
-/// A helper: a process of a rank other than 0 that runs the tasks of the leader.
+/// A helper process of a distributed build (MPI rank above 0). It runs the tasks that the leader assigns.
 class Helper {
 public:
     explicit Helper(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-    /// Reports this process to the leader and runs tasks on `source` until the leader sends Stop. The function polls
-    /// `progress` for interruptions. It sends errors to the leader, and the leader reports them to the user.
+    /// Connects to the leader and runs its tasks on `source` until the leader sends the message Stop. The function
+    /// polls `progress` for interruptions. It sends errors to the leader, and the leader reports them to the user.
     void serve(read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress);
 
-    /// Sends the leader the reason why this process cannot continue. Only the first call has an effect.
+    /// Sends the leader the reason `why` this process cannot continue. Only the first call has an effect.
     void fail(const std::string& why);
 
-    /// Records that other code of this process received the message Stop, so that `leave` does not wait for it.
+    /// Records that this process has already received the message Stop, so that `leave` does not wait for it.
     void noteStop() { isStopped_ = true; }
 
-    /// Waits for Stop if it has not arrived yet, and then sends Bye to the leader.
+    /// Waits for the leader's message Stop if it has not arrived yet. Then sends the message Bye to the leader.
     void leave();
 
 private:
     class Work;
 
-    /// Processes one message of the leader or the result of one finished task. Returns false if there was neither.
+    /// Processes one message of the leader, or the result of one finished task. Returns false if there was neither.
     /// Throws the error of a failed task.
     bool isBusy(Work& work);
 

@@ -1,5 +1,5 @@
-// The leader of a distributed build: the process of rank 0. It stores the state of the build and assigns tasks to all
-// processes.
+// The leader of a distributed build: the process with MPI rank 0. It stores the state of the build and assigns tasks to
+// all processes.
 #pragma once
 
 #include "preprocess/distributed/mailbox.h"
@@ -11,8 +11,8 @@
 
 namespace gnomon::distributed {
 
-/// A team of processes. It assigns each task to a process with a free thread, the largest task first. The leader also
-/// runs tasks.
+/// Runs the tasks of a build in a team of processes. It assigns each task to a process with a free thread, the largest
+/// task first. The leader also runs tasks.
 class Leader final : public pipeline::ProcessTeam {
 public:
     explicit Leader(Mailbox& mailbox);
@@ -25,38 +25,38 @@ public:
     void run(const pipeline::TaskPhase& phase, const pipeline::Perform& perform) override;
     pipeline::TeamShare endPhase() override;
 
-    /// Sends Stop to all other processes and waits up to one minute for their last messages. After this minute it ends
-    /// all processes of the job.
+    /// Sends the message Stop to all other processes and waits up to one minute for their last messages. After this
+    /// minute it ends all processes of the job.
     void dismiss();
 
-    /// Returns one report per process. Call it after `dismiss`, because the reports are incomplete before. They do not
-    /// contain the bytes that the leader itself read and wrote.
+    /// Returns one report per process. The reports are complete only after `dismiss`. They do not contain the bytes
+    /// that the leader itself read and wrote.
     std::vector<pipeline::ProcessReport> reports() const;
 
 private:
     struct Member {
         pipeline::ProcessReport report;
-        bool isThere = false; // whether the process sent Hello
+        bool isThere = false; // whether the process has sent its message Hello
         bool isReady = false;
         bool isGone = false;
         std::size_t running = 0;
-        double busySeconds = 0; // seconds of its tasks in this phase
+        double busySeconds = 0; // time of its tasks in this phase, in seconds
     };
 
-    /// Assigns tasks from `queue` to free threads. Returns true if it assigned at least one task.
+    /// Assigns tasks from `queue` to free threads of all processes. Returns true if it assigned at least one task.
     bool handOut(std::deque<std::uint32_t>& queue, const pipeline::TaskPhase& phase, const pipeline::Perform& perform);
 
     Member* freeMember(std::size_t atOnce);
 
     void count(Member& member, double seconds);
 
-    /// Receives messages until one of them contains the result of a task or no message is left. Throws the error of a
-    /// failed helper.
+    /// Receives messages until a message contains the result of a task, or no message is left. Throws the error of a
+    /// failed helper process.
     std::optional<Outcome> receiveOutcome();
 
     void take(const Letter& letter);
 
-    /// Waits until `isDone(member)` is true for all members of the team.
+    /// Waits until `isDone(member)` is true for all processes of the team.
     template <class IsDone>
     void waitForAll(const IsDone& isDone, Progress& progress);
 
@@ -67,7 +67,7 @@ private:
     std::optional<TaskPool> pool_;
     Progress* progress_ = nullptr;
     std::string key_;
-    double phaseSeconds_ = 0; // seconds of all runs since the last endPhase
+    double phaseSeconds_ = 0; // time of all runs since the last endPhase, in seconds
     pipeline::TeamShare share_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace gnomon::distributed {
 
-/// The subject of a message. It is the MPI tag and determines the type of the content.
+/// The subject of a message between two processes. It is the MPI tag and determines the type of the content.
 enum class Subject : std::uint8_t {
     Hello,  // helper to leader; content: Hello
     Begin,  // leader to helper; content: Beginning
@@ -23,20 +23,20 @@ enum class Subject : std::uint8_t {
     Bye,    // last message of a helper to the leader; content: Farewell
 };
 
-/// A received message with the rank of its sender.
+/// A received message, with the MPI rank of the sender.
 struct Letter {
     std::uint32_t from = 0;
     Subject subject = Subject::Stop;
     std::vector<std::byte> bytes;
 };
 
-/// The connection of this process to its MPI job. It lasts from MPI_Init to MPI_Finalize. A process has one mailbox,
-/// and only one thread uses it.
+/// The connection of this process to its MPI job, from MPI_Init to MPI_Finalize. A process has one mailbox, and only
+/// one thread uses it.
 class Mailbox {
 public:
     Mailbox(int* argc, char*** argv);
 
-    /// Calls MPI_Finalize. All processes of the job must destroy their mailbox.
+    /// Calls MPI_Finalize. All processes of the MPI job must destroy their mailboxes.
     ~Mailbox();
     Mailbox(const Mailbox&) = delete;
     Mailbox& operator=(const Mailbox&) = delete;
@@ -50,20 +50,20 @@ public:
     /// Returns the host name of this process.
     const std::string& host() const { return host_; }
 
-    /// Starts to send a message and returns without waiting. Messages to one receiver arrive in order. Throws Error if
-    /// `bytes` exceeds 2 GiB.
+    /// Starts to send a message to the process `to` and returns without waiting. Messages to one receiver arrive in
+    /// order. Throws Error if `bytes` exceeds 2 GiB.
     void send(std::uint32_t to, Subject subject, std::vector<std::byte> bytes);
 
-    /// Returns the next message, or nullopt if none has arrived.
+    /// Returns the next received message, or nullopt if no message has arrived.
     std::optional<Letter> receive();
 
-    /// Returns true if MPI has finished all sends.
+    /// Returns true if MPI has finished sending all messages of this process.
     bool hasSentAll();
 
     /// Returns the total size in bytes of all messages that this process sent.
     std::uint64_t bytesSent() const { return bytesSent_; }
 
-    /// Ends all processes of the job at once.
+    /// Ends all processes of the MPI job at once.
     [[noreturn]] void abort();
 
 private:
@@ -76,8 +76,8 @@ private:
     std::uint64_t bytesSent_ = 0;
 };
 
-/// Increasing sleep times for a process that polls for messages. The sleep doubles from 20 microseconds up to 1000, so
-/// that a waiting process leaves its core to other processes.
+/// Increasing sleep times between two polls for messages. The time doubles from 20 microseconds up to 1000, so that a
+/// waiting process leaves its core to other processes.
 class Backoff {
 public:
     void wait();

@@ -1,4 +1,4 @@
-// Runs the tasks of this process in threads, while the main thread exchanges messages.
+// Runs the tasks of this process in a thread pool, while the main thread exchanges messages.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace gnomon::distributed {
 
-/// A finished task with its result or its exception.
+/// A finished task, with its result or the exception that it threw.
 struct Finished {
     std::uint32_t task = 0;
     std::vector<std::byte> result;
@@ -19,27 +19,27 @@ struct Finished {
     std::exception_ptr error;
 };
 
-/// A thread pool for tasks.
+/// A thread pool that runs build tasks.
 class TaskPool {
 public:
     /// Creates a pool of `threads` threads. While the pool exists, TBB uses only these threads and the thread that
     /// created the pool.
     explicit TaskPool(std::size_t threads);
 
-    /// Waits until the running tasks have finished.
+    /// Waits until all running tasks have finished.
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
     TaskPool& operator=(const TaskPool&) = delete;
     TaskPool(TaskPool&&) = delete;
     TaskPool& operator=(TaskPool&&) = delete;
 
-    /// Returns the number of started tasks whose results the caller has not yet received from `finished`.
+    /// Returns the number of tasks whose results are still pending or not yet fetched with `finished`.
     std::size_t running() const { return running_; }
 
-    /// Queues `work` for a thread of the pool.
+    /// Starts `work` in a thread of the pool as the task with the number `task`. The task waits until a thread is free.
     void start(std::uint32_t task, std::function<std::vector<std::byte>()> work);
 
-    /// Returns a finished task, or nullopt if there is none.
+    /// Returns the next finished task, or nullopt if no task has finished.
     std::optional<Finished> finished();
 
     /// Waits until all started tasks have finished, and discards their results.

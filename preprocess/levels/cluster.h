@@ -1,4 +1,4 @@
-// Divides triangles into compact clusters. A small connected piece of the mesh is not split.
+// Divides the triangles of a mesh into compact clusters. A small connected piece of the mesh is not split.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -18,9 +18,9 @@ struct Clustering {
 
 constexpr std::uint32_t kMaxClusterVertices = 256;
 
-/// Divides `triangles` (vertex indices) into clusters. A cluster has at most `maxTriangles` triangles and at most
-/// kMaxClusterVertices vertices. `positionOf` maps vertices to positions, and `positions` contains their coordinates. A
-/// connected piece of at most `maxTriangles` triangles is not split unless it has too many vertices.
+/// Divides `triangles`, which contain vertex indices, into clusters. A cluster has at most `maxTriangles` triangles and
+/// at most kMaxClusterVertices vertices. `positionOf` maps vertices to positions, and `positions` contains their
+/// coordinates. A connected piece of at most `maxTriangles` triangles is not split unless it has too many vertices.
 Clustering clusterTriangles(
     std::span<const simplify::Triangle> triangles,
     std::span<const std::uint32_t> positionOf,

@@ -1,5 +1,5 @@
-// Converts a group of a level to a patch. The patch has its own numbering, and positions shared with other groups are
-// locked.
+// Converts a group of clusters to a patch, the input of the simplification. A patch has its own vertex numbers.
+// Positions that other groups share are locked.
 #pragma once
 
 #include "preprocess/levels/level.h"
@@ -10,8 +10,8 @@
 
 namespace gnomon::levels {
 
-/// The owner of each position of the mesh. The owner is one group, or the position is shared if several groups or
-/// triangles outside the mesh use it.
+/// Tells which positions of a mesh are shared. A position is shared if several groups, or triangles outside the mesh,
+/// use it.
 class PositionOwners {
 public:
     PositionOwners(const simplify::Mesh& mesh, const Level& level);
@@ -24,13 +24,14 @@ private:
     std::vector<std::uint32_t> owners_;
 };
 
-/// A patch, and for each of its vertices the mesh vertex.
+/// A patch, and the mesh vertex of each patch vertex.
 struct GroupPatch {
     simplify::Patch patch;
     std::vector<std::uint32_t> globalVertex; // per patch vertex: the mesh vertex
 };
 
-/// Tables that map vertices and positions of a mesh to their numbers in a patch. They are reused for many patches.
+/// Tables that map the vertices and positions of a mesh to their numbers in a patch. The tables are reused for many
+/// patches.
 struct PatchNumbers {
     explicit PatchNumbers(const simplify::Mesh& mesh) : vertices(mesh.vertices.size()), positions(mesh.positionCount) {}
 
@@ -38,8 +39,8 @@ struct PatchNumbers {
     LocalNumbers positions;
 };
 
-/// Returns a patch of `triangles`, whose corners are vertices of `mesh`. The function overwrites `numbers` with the
-/// numbers of this patch.
+/// Returns a patch of `triangles`, whose corners are vertices of `mesh`. `numbers` receives the numbers of vertices and
+/// positions in this patch.
 GroupPatch makeGroupPatch(
     const simplify::Mesh& mesh,
     std::span<const simplify::Triangle> triangles,

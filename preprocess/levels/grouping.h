@@ -8,7 +8,7 @@
 
 namespace gnomon::levels {
 
-/// An error and the number of triangles that have it.
+/// A simplification error and the number of triangles that have this error.
 struct WeightedError {
     double error = 0; // world units
     std::uint64_t triangles = 0;
@@ -18,18 +18,18 @@ struct WeightedError {
 /// infinity for an empty list.
 double errorQuantile(std::vector<WeightedError> errors, double share);
 
-/// Forms the groups of `level` and reorders its clusters and triangles by group. `number` is the index of the level.
-/// The groups are divided at other places than in the previous level, so that locked borders become interior. If
-/// `mayDefer` is true, a cluster is deferred if its error is more than twice the error that two thirds of the triangles
-/// do not exceed. Each deferred cluster becomes a group of its own, after the other groups. In this case all clusters
-/// must have a refinement.
+/// Forms the groups of `level` from neighbouring clusters, and reorders its clusters and triangles by group. `number`
+/// is the index of the level. The group borders differ from those of the previous level, so that locked borders become
+/// interior. If `mayDefer` is true, clusters with large errors are deferred: the next level contains them unchanged.
+/// These are the clusters with more than twice the error that two thirds of the triangles do not exceed. Each deferred
+/// cluster becomes a group of its own, after the other groups. In this case all clusters must have a refinement.
 void formGroups(
     Level& level, const hierarchy::Grid& grid, const LevelOptions& options, std::uint32_t number, bool mayDefer);
 
-/// Removes the deferred groups from `level`.
+/// Removes from `level` the groups of deferred clusters, which the next level contains.
 void dropDeferred(Level& level);
 
-/// Appends the clusters of the deferred groups of `level` to `next`, with their refinements.
+/// Appends the deferred clusters of `level` and their refinements to the coarser level `next`.
 void appendDeferred(const Level& level, Level& next);
 
 } // namespace gnomon::levels

@@ -1,4 +1,4 @@
-// Finds a wide gap between points. A cut through the gap separates distant points.
+// Finds a wide gap between points, where a dividing plane separates distant points.
 #pragma once
 
 #include "preprocess/levels/kd_cut.h"

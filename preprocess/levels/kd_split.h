@@ -1,4 +1,4 @@
-// Splits weighted points into compact parts of bounded weight. Each cut is an axis-aligned plane.
+// Splits weighted points into compact parts of limited weight by axis-aligned planes, like a kd-tree.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,11 +9,11 @@
 
 namespace gnomon::levels {
 
-/// A point with finite coordinates that represents `weight` triangles.
+/// A point with finite coordinates and a weight in triangles.
 struct KdItem {
     glm::vec3 center{0};
     std::uint32_t weight = 1; // at least 1
-    // unique index that the caller chooses; it breaks ties, so that the result is deterministic
+    // unique index; it breaks ties, so that the result is deterministic
     std::uint32_t index = 0;
 };
 

@@ -1,4 +1,4 @@
-// A level of detail during the build. It has triangles, clusters of triangles, and groups of clusters.
+// One level of detail during the build, with its triangles, clusters of triangles, and groups of clusters.
 #pragma once
 
 #include "core/words.h"
@@ -28,14 +28,14 @@ inline constexpr std::array kErrorKinds = {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity(); // an error limit that permits all errors
 
-/// The options that shape the hierarchy. The .gnm file stores them.
+/// The build options that affect the hierarchy of clusters. The .gnm file stores them.
 struct LevelOptions {
     std::uint32_t clusterTriangles = 128;
     simplify::Simplifier simplifier = simplify::Simplifier::Quadric;
     ErrorKind error = ErrorKind::Measured;
 };
 
-/// The place of a group in the model: its level, the page within the level, and the group within the page.
+/// The location of a group in the model: its level, the page within the level, and the group within the page.
 struct GroupPlace {
     std::uint32_t level = 0;
     std::uint32_t page = 0;
@@ -44,7 +44,7 @@ struct GroupPlace {
     bool operator==(const GroupPlace&) const = default;
 };
 
-/// A refinement of clusters: the finer group that they were simplified from.
+/// The refinement of clusters: the finer group from which the clusters were simplified.
 struct LevelRefinement {
     GroupPlace place;
     Sphere bounds;             // local space
@@ -54,13 +54,13 @@ struct LevelRefinement {
     double drawnError() const { return std::max(error, attributeError); }
 };
 
-/// A vertex of the mesh that moves. From a level on, it has the position of vertex `at`.
+/// A mesh vertex that moves to the position of vertex `at` in this level and all coarser levels.
 struct MovedVertex {
     std::uint32_t vertex = 0;
     std::uint32_t at = 0;
 };
 
-/// A cluster of a level. Its triangles are a contiguous range of the level's triangles.
+/// A cluster of a level of detail. Its triangles are contiguous in the level's list.
 struct LevelCluster {
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
@@ -70,7 +70,7 @@ struct LevelCluster {
     hierarchy::GridBox box;
 };
 
-/// A group of a level. Its clusters are a contiguous range of the level's clusters.
+/// A group of clusters. Its clusters are contiguous in the level's list.
 struct LevelGroup {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;
@@ -79,13 +79,13 @@ struct LevelGroup {
     double error = kNoLimit;   // world units; kNoLimit for a root group
     double attributeError = 0; // world units; 0 for a root group
     GroupPlace place;
-    bool isDeferred = false; // whether its clusters continue unchanged in the next level
+    bool isDeferred = false; // whether the next level contains its clusters unchanged
 };
 
-/// A level of detail. The clusters of a group and the triangles of a cluster are contiguous.
+/// One level of detail. The clusters of a group and the triangles of a cluster are contiguous.
 struct Level {
     std::vector<simplify::Triangle> triangles;   // vertex indices of the Mesh
-    std::vector<simplify::TriangleError> errors; // per triangle
+    std::vector<simplify::TriangleError> errors; // error bounds of each triangle
     std::vector<LevelCluster> clusters;
     std::vector<LevelGroup> groups;
     std::vector<LevelRefinement> refinements;

@@ -1,4 +1,4 @@
-// Creates the next coarser level. It simplifies each group and divides the result into clusters.
+// Creates the next coarser level of detail. It simplifies each group and divides the result into clusters.
 #pragma once
 
 #include "core/progress.h"
@@ -6,11 +6,10 @@
 
 namespace gnomon::levels {
 
-/// Simplifies each group of `level` to half of its triangles, as far as `limit` permits, and sets the errors of the
-/// groups. Returns the next level without groups: the new clusters, followed by the clusters of deferred groups. A
-/// group with mostly locked borders may not reach its target within `limit`. It remains for the next level, where the
-/// borders are at other places.
-///
+/// Simplifies each group of `level` to half of its triangles, as far as the error limit `limit` permits, and sets the
+/// errors of the groups. Returns the next level without groups: the new clusters, followed by the clusters of deferred
+/// groups. A group with mostly locked borders may not reach its target within `limit`. Its clusters then remain for the
+/// next level, where the group borders differ.
 /// If `mayDefer` is true, a group is deferred if its added error exceeds four times the median of the level, weighted
 /// by triangles. Other neighbours may reduce this error in a later level. The refinements of the result begin with the
 /// groups that are not deferred, in order. The result for a group depends only on its triangles and its shared

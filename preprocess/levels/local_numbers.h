@@ -1,4 +1,5 @@
-// A table that numbers the elements of one part of a mesh. Numbers start at 0, in the order of first use.
+// A table that assigns consecutive numbers to the ids of one part of a mesh. Numbers start at 0, in the order of first
+// use.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 
 namespace gnomon::levels {
 
-/// Local numbers for one part of a mesh after another. A new part does not clear the table: the stored numbers of
-/// earlier parts have smaller values and are therefore recognisable.
+/// Assigns local numbers to the ids of one part of a mesh after another. A new part does not clear the table. Numbers
+/// of earlier parts are recognisable because their stored values are smaller.
 class LocalNumbers {
 public:
     static constexpr std::uint32_t kMaxNumbers = std::numeric_limits<std::uint32_t>::max() / 2;
@@ -20,7 +21,8 @@ public:
     explicit LocalNumbers(std::size_t count, std::uint32_t maxNumbers = kMaxNumbers)
         : known_(count, 0), maxNumbers_(maxNumbers) {}
 
-    /// Starts a new part and forgets the numbers of the previous one. A part has at most kMaxNumbers elements.
+    /// Starts a new part of the mesh, and forgets the numbers of the previous part. A part has at most kMaxNumbers
+    /// elements.
     void begin() {
         first_ += static_cast<std::uint32_t>(ids_.size());
         ids_.clear();
@@ -29,7 +31,7 @@ public:
         first_ = 1;
     }
 
-    /// Returns the local number of `id`. A new id gets the next number.
+    /// Returns the local number of `id`. A new id receives the next unused number.
     std::uint32_t of(std::uint32_t id) {
         std::uint32_t& known = known_[id];
         if (known < first_) {
@@ -43,7 +45,7 @@ public:
     std::span<const std::uint32_t> ids() const { return ids_; }
 
 private:
-    // per id: its local number plus the value of `first_` when the number was assigned
+    // for each id, its local number plus the value of `first_` at the time of the assignment
     std::vector<std::uint32_t> known_;
     std::vector<std::uint32_t> ids_;
     std::uint32_t maxNumbers_;

@@ -5,13 +5,13 @@
 
 namespace gnomon::levels {
 
-/// A vertex of a patch or a mesh, by its index, with its new packed normal.
+/// A vertex index and the new packed normal of this vertex.
 struct TransferredNormal {
     std::uint32_t vertex = 0;
     std::uint32_t normal = 0;
 };
 
-/// Returns the changed normals of the vertices of `simplified`, by ascending vertex. The function makes one step of a
+/// Returns the changed vertex normals of `simplified`, by ascending vertex. The function makes one step of a
 /// least-squares fit of the interpolated normals to the original normals over the area of `patch`. If the
 /// simplification removes the relief of a surface, shading therefore uses the mean of the original normals. Without the
 /// fit it would use the normals that happen to be at the remaining vertices. Vertices at locked positions and vertices

@@ -10,29 +10,31 @@
 
 namespace gnomon::levels {
 
-/// Returns barycentric coordinates in `t` of a point that is approximately the nearest one to `p`. Their sum is 1.
+/// Returns the barycentric coordinates of a point in the triangle `t` that is approximately nearest to `p`. Their sum
+/// is 1.
 glm::dvec3 weightsAt(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t);
 
-/// The triangles of a simplified patch and their adjacency. Both patches must outlive the object.
+/// The triangles of a simplified patch and the lists of triangles around each position. The original and the simplified
+/// patch must outlive the object.
 class SimplifiedSurface {
 public:
     SimplifiedSurface(const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified);
 
-    /// Returns the positions of the corners of `t`, which is a triangle of the original patch.
+    /// Returns the corner coordinates of `t`, which is a triangle of the original patch.
     std::array<glm::dvec3, 3> placesOf(const simplify::Triangle& t) const { return places(patch_.corners(t)); }
 
-    /// Returns the positions of the corners of the simplified triangle `number`.
+    /// Returns the corner coordinates of triangle `number` of the simplified patch.
     std::array<glm::dvec3, 3> placesOfSimplified(std::uint32_t number) const {
         return places(simplified_.corners(patch_, simplified_.triangles[number]));
     }
 
-    /// Returns the simplified triangles around the position that `position` was collapsed into.
+    /// Returns the simplified triangles around the position onto which `position` was collapsed.
     std::span<const std::uint32_t> around(std::uint32_t position) const {
         return adjacency_.around(simplified_.movedTo[position]);
     }
 
-    /// Returns the simplified triangle in the list `among` that is nearest to `p`. Among equal distances it returns the
-    /// first triangle. Returns kNone if `among` is empty.
+    /// Returns the triangle in the list `among` that is nearest to `p`. The list contains simplified triangles. Among
+    /// equal distances the first triangle is returned. Returns kNone if `among` is empty.
     std::uint32_t nearest(const glm::dvec3& p, std::span<const std::uint32_t> among);
 
 private:

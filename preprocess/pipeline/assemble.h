@@ -1,4 +1,4 @@
-// Prepares the last phase of a build, which writes the pages in their final order and then the tables of the file.
+// Prepares the last phase of a build. This phase writes the pages in their final order and then the tables of the file.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -10,25 +10,26 @@
 
 namespace gnomon::pipeline {
 
-/// The totals of a model, added up over the records of all nodes.
+/// The totals of a model, summed over all parts that were built separately (nodes).
 struct Totals {
     hierarchy::ModelSummary summary;
     std::uint64_t pages = 0;
     std::uint64_t irreducibleTriangles = 0;
 };
 
-/// Returns the numbers of dropped source triangles: degenerate, doubled, collapsed by the grid, covered.
+/// Returns the numbers of source triangles that the build dropped: degenerate, doubled, collapsed by the grid, covered.
 DroppedCounts droppedTriangles(const CheckpointLog& log);
 
-/// Returns the totals of a build. `options` are the options that affect the bytes of the model; the summary contains
-/// them.
+/// Returns the totals of a finished build from its checkpoint log. `options` are the options that affect the bytes of
+/// the model. The summary contains them.
 Totals totalsOf(const CheckpointLog& log, std::map<std::string, std::string> options);
 
-/// Returns the page table rows of all pages, one span per node.
+/// Returns the rows of the page table for all pages, one span per node (part of the model that was built separately).
 std::vector<std::span<const hierarchy::PageInfo>> pagesOf(const CheckpointLog& log);
 
-/// Calls `take(page, place in the scratch file)` for all pages in file order: the coarsest level first, and each level
-/// in the order of its nodes. The children of a page are final page ids. The offset of a page is not final.
+/// Calls `take(page, position in the scratch file)` for all pages in the order of the model file: the coarsest level
+/// first, and each level in the order of its nodes. The children of a page are final page ids. The offset of a page is
+/// not final.
 void forEachPage(const CheckpointLog& log, const std::function<void(const hierarchy::PageInfo&, std::uint64_t)>& take);
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-// The key of a build. Two builds with equal keys produce the same model.
+// The key of a build, computed from its input and options. Two builds with equal keys produce the same model.
 #pragma once
 
 #include "preprocess/pipeline/build_options.h"
@@ -8,11 +8,11 @@
 
 namespace gnomon::pipeline {
 
-/// Returns the options that affect the bytes of the model.
+/// Returns the build options that affect the bytes of the model, by name.
 std::map<std::string, std::string> optionsOf(const BuildOptions& options);
 
-/// Returns the key of a build: the input and the options as one line of entries "name value", separated by commas. A
-/// build can only resume work that has the same key.
+/// Returns the key of a build as one line. The line contains entries "name value" for the input and the options,
+/// separated by commas. A build can only resume work that has the same key.
 std::string keyOf(const BuildOptions& options);
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-// Builds a .gnm model from a MeshSource. It runs the phases of `gnomon build` in order.
+// Builds a .gnm model from a source mesh. It runs the phases of `gnomon build` in order.
 #pragma once
 
 #include "core/progress.h"
@@ -12,21 +12,21 @@
 
 namespace gnomon::pipeline {
 
-/// The time and the transferred bytes of one phase.
+/// The duration of one build phase and the number of bytes that it read and wrote.
 struct BuildPhase {
     std::string name;
     double seconds = 0;
     std::uint64_t bytesRead = 0;
     std::uint64_t bytesWritten = 0;
-    TeamShare team; // distribution over the processes, if several processes build
+    TeamShare team; // work of each process in this phase, if several processes build
 };
 
-/// The size of a round. Round 0 has no report.
+/// The number of nodes and triangles in one round of a build. Round 0 has no report.
 struct RoundReport {
     std::uint64_t nodes = 0;
     std::uint64_t triangles = 0;
     std::uint64_t locked = 0;       // number of locked positions
-    std::uint64_t lockedBefore = 0; // number of these positions that were also locked in the previous round
+    std::uint64_t lockedBefore = 0; // number of positions that were locked both in this round and in the previous round
 };
 
 /// The result and the cost of a build.
@@ -35,18 +35,18 @@ struct BuildReport {
     std::uint64_t pages = 0;
     std::uint64_t irreducibleTriangles = 0;
     std::uint64_t fileBytes = 0;
-    std::uint64_t temporaryBytes = 0; // peak size of the temporary files
+    std::uint64_t temporaryBytes = 0; // peak size of the temporary files in bytes
     std::uint64_t scratchRead = 0;    // bytes that this process read from temporary files
     std::uint64_t scratchWritten = 0;
-    std::uint64_t tableBytes = 0; // peak size of the per-vertex tables of this process
+    std::uint64_t tableBytes = 0; // peak size of the per-vertex tables of this process in bytes
     double seconds = 0;
     std::vector<BuildPhase> phases;
     std::vector<RoundReport> rounds;
     std::string contentHash;
     std::vector<ProcessReport> processes; // one report per process, if several processes build
-    Box strays;                           // bounds of the corners outside the grid's range
-    double medianEdge = 0;                // median edge length of the source
-    std::uint64_t badNormals = 0;         // invalid normals of the source, if its summary does not count them
+    Box strays;                           // bounds of the triangle corners outside the range of the grid
+    double medianEdge = 0;                // median edge length of the source mesh
+    std::uint64_t badNormals = 0;         // number of invalid normals in the source, if its summary does not count them
 };
 
 /// Builds the model `options.output` from `source` out of core. The memory of the process stays below `memory` for any
@@ -62,7 +62,8 @@ struct BuildReport {
 /// After an error there is no file with the name of the output.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, Progress& progress);
 
-/// Builds a model with the processes of `team`. The other arguments, the result and the errors are as above.
+/// Builds a model with several processes, which are the members of `team`. The other arguments, the result and the
+/// errors are those of the function with one process.
 BuildReport buildModel(read::MeshSource& source, const BuildOptions& options, ProcessTeam& team, Progress& progress);
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,5 @@
-// The checkpoint log: the records of the finished steps of a build. Another process can resume the build from them.
+// The checkpoint log of a build. It contains a record of each finished step, from which another process can resume the
+// build.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -15,22 +16,22 @@
 
 namespace gnomon::pipeline {
 
-/// The version of the records. It increases when their format changes. A build can only resume records of the same
-/// version.
+/// The version of the records in the checkpoint log. It increases when their format changes. A build can only resume
+/// records of the same version.
 constexpr int kCheckpointVersion = 12;
 
-/// The numbers of dropped source triangles: degenerate, doubled, collapsed by the grid, and (partly or wholly) covered
-/// by earlier coplanar triangles.
+/// The numbers of source triangles that the build dropped: degenerate, doubled, collapsed by the grid, and (partly or
+/// wholly) covered by earlier coplanar triangles.
 using DroppedCounts = std::array<std::uint64_t, 4>;
 
-/// The number of streams per node in rounds after the first (round_bins.h).
+/// The number of byte streams per node, a part of the model, in rounds after the first (round_bins.h).
 constexpr std::uint32_t kStreamsOfNode = 3;
 
-/// The record of a finished binning. The source is then sorted into chunks.
+/// The checkpoint after the first phase of a build, which sorts the source into chunks.
 struct BinnedRecord {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest; // max grid coordinates of the positions
-    Box mainPart;                  // main part of the source, without strays
+    Box mainPart;                  // bounds of the source without strays (triangles far outside)
     double medianEdge = 0;
     chunk::Strayed strayed;
     chunk::VertexFormat format;
@@ -38,25 +39,25 @@ struct BinnedRecord {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint64_t notAPolygon = 0;
-    std::uint64_t badNormals = 0; // number of invalid normals, if the source's summary does not count them
+    std::uint64_t badNormals = 0; // number of invalid normals, if the summary of the source does not count them
     std::uint32_t chunkCount = 0;
     chunk::PartSize largestChunk;
-    DroppedCounts dropped{};          // triangles that were dropped before the binning
+    DroppedCounts dropped{};          // numbers of triangles that were dropped before the sorting
     std::vector<std::byte> directory; // StreamStore::directory of the chunks' streams
 };
 
-/// The record of the finished exchange of shared vertices between chunks.
+/// The checkpoint after the chunks have sent each other the vertices and normals that they share.
 struct BorderedRecord {
     std::vector<std::byte> directory;
 };
 
-/// The record of a finished node of a round.
+/// The checkpoint after one part of the model (a node) was built in a round.
 struct NodeRecord {
     struct LevelOfNode {
         hierarchy::LevelInfo info;
-        /// Page table rows, whose offsets are offsets in the scratch file. Children are provisional ids. In a new
-        /// record, the page numbers of the node's own levels start at 0. When the record is in `nodes`, they start at
-        /// the node's first page of the level.
+        /// Rows of the page table, whose offsets are offsets in the scratch file. The children of a page are
+        /// provisional ids. In a new record, the page numbers of the node's own levels start at 0. When the record is
+        /// in `nodes`, they start at the node's first page of the level.
         std::vector<hierarchy::PageInfo> pages;
     };
 
@@ -64,9 +65,9 @@ struct NodeRecord {
     std::uint32_t node = 0;
     std::uint32_t firstLevel = 0;
     std::vector<LevelOfNode> levels;
-    scratch::Block places;   // ClusterPlaces of the clusters without groups
-    scratch::Block clusters; // records of the clusters without groups
-    ClusterSums pending;     // totals of the clusters without groups
+    scratch::Block places;   // ClusterPlaces of the clusters that have no groups yet
+    scratch::Block clusters; // records of the clusters that have no groups yet
+    ClusterSums pending;     // totals of the clusters that have no groups yet
     std::uint64_t rootTriangles = 0;
     std::uint64_t irreducibleTriangles = 0;
     DroppedCounts dropped{};
@@ -74,8 +75,8 @@ struct NodeRecord {
     bool hasNormals = false; // whether the chunk has normals; only in round 0
 };
 
-/// The record of a binned round. The clusters without groups of the previous round are then in the streams of the new
-/// round's nodes.
+/// The checkpoint after the clusters for a new round have been sorted. The clusters without groups of the previous
+/// round are then in the streams of the new round's nodes.
 struct RoundRecord {
     std::uint32_t round = 0; // number of the round, at least 1
     bool isLast = false;
@@ -84,39 +85,41 @@ struct RoundRecord {
     std::vector<std::byte> directory;
 };
 
-/// All records of a build. The first record of the file contains the key of the build.
+/// All checkpoints of a build. The first record of the file contains the key of the build.
 class CheckpointLog {
 public:
     const std::optional<BinnedRecord>& binned() const { return binned_; }
 
     const std::optional<BorderedRecord>& bordered() const { return bordered_; }
 
-    /// Returns the record of the binning of `round`, or null if there is none. If a round has a record, all earlier
-    /// rounds from 1 on have one too.
+    /// Returns the record that the clusters for `round` were sorted, or null if they were not. If a round has a record,
+    /// all earlier rounds from 1 on have one too.
     const RoundRecord* binnedRound(std::uint32_t round) const;
 
-    /// Returns the built nodes of `round` in order. The list ends before the first node that is not built.
+    /// Returns the records of the finished nodes (parts of the model) of `round`, in order. The list ends before the
+    /// first unfinished node.
     const std::vector<NodeRecord>& nodes(std::uint32_t round) const;
 
-    /// Returns true if a node is built. Earlier nodes of the round may still be unfinished.
+    /// Returns true if the part `node` of the model is finished in `round`. Earlier nodes of the round may still be
+    /// unfinished.
     bool isBuilt(std::uint32_t round, std::uint32_t node) const;
 
-    /// Returns the number of triangles in all levels of the built nodes of `round`.
+    /// Returns the number of triangles in all levels of the nodes of `round` that are finished.
     std::uint64_t builtTriangles(std::uint32_t round) const;
 
     std::uint32_t roundCount() const { return static_cast<std::uint32_t>(rounds_.size()); }
 
-    /// Returns the current number of pages per level, finest level first.
+    /// Returns the number of pages of each level so far, finest level first.
     const std::vector<std::uint32_t>& pageCounts() const { return pageCounts_; }
 
-    /// Returns for each level of a node how many pages of this level precede the node's pages. The levels are
-    /// firstLevel, firstLevel + 1, ...
+    /// Returns the page number of a node's first page for each of its levels: firstLevel, firstLevel + 1, ... The pages
+    /// of earlier nodes precede the node's pages.
     const std::vector<std::uint32_t>& firstPages(std::uint32_t round, std::size_t node) const {
         return firstPages_[round][node];
     }
 
-    /// Reserves memory for all nodes of one round. Other threads can then read existing nodes while this thread adds
-    /// new nodes.
+    /// Reserves memory for the records of all nodes of one round. Other threads can then read existing records while
+    /// this thread adds new records.
     void beginRound(std::uint32_t round);
 
     void add(BinnedRecord record) { binned_ = std::move(record); }
@@ -125,15 +128,15 @@ public:
 
     void add(RoundRecord record);
 
-    /// Adds the record of a node. The nodes of a round may be added in any order. Throws Damage if the node was added
-    /// before.
+    /// Adds the record of a finished node. The nodes of a round may be added in any order. Throws Damage if the node
+    /// was added before.
     void add(NodeRecord record);
 
-    /// Throws Damage if the records are inconsistent, for example if streams, nodes or pages are missing.
+    /// Throws Damage if the records contradict each other, for example if streams, nodes or pages are missing.
     void requireConsistent() const;
 
-    /// Returns for each part of the scratch file how many of its bytes the records use, counted from the start of the
-    /// part. Throws Damage if a block exceeds its part or overlaps another block.
+    /// Returns for each scratch file (part) how many bytes the records use, counted from the start of the file. Throws
+    /// Damage if a block exceeds its file or overlaps another block.
     std::map<std::uint32_t, std::uint64_t> scratchBytes() const;
 
     /// Decodes a record that `encoded` returned and adds it. Throws Damage if the bytes are malformed.
@@ -147,25 +150,25 @@ private:
     std::optional<BorderedRecord> bordered_;
     std::vector<RoundRecord> binnedRounds_; // from round 1 on
     std::vector<std::vector<NodeRecord>> rounds_;
-    // per round: finished nodes with an earlier node that is not finished
+    // per round: records of finished nodes that follow an unfinished node
     std::vector<std::map<std::uint32_t, NodeRecord>> early_;
     std::vector<std::vector<std::vector<std::uint32_t>>> firstPages_;
     std::vector<std::uint32_t> pageCounts_;
 };
 
-/// Encodes a record as bytes.
+/// Encodes a checkpoint record as bytes.
 std::vector<std::byte> encoded(const BinnedRecord& record);
 std::vector<std::byte> encoded(const BorderedRecord& record);
 std::vector<std::byte> encoded(const RoundRecord& record);
 std::vector<std::byte> encoded(const NodeRecord& record);
 
-/// Returns the parts of the scratch file that contain the blocks of `record`, in ascending order.
+/// Returns the numbers of the scratch files (parts) that contain the blocks of `record`, in ascending order.
 std::vector<std::uint32_t> partsOf(const BinnedRecord& record);
 std::vector<std::uint32_t> partsOf(const BorderedRecord& record);
 std::vector<std::uint32_t> partsOf(const RoundRecord& record);
 std::vector<std::uint32_t> partsOf(const NodeRecord& record);
 
-/// Decodes the record of a node. Throws Damage if the bytes are malformed.
+/// Decodes the record of a finished node. Throws Damage if the bytes are malformed.
 NodeRecord decodedNode(std::span<const std::byte> record);
 
 } // namespace gnomon::pipeline

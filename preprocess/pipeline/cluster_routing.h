@@ -1,5 +1,5 @@
-// Sends the clusters of a finished node to the nodes of the next round, and finds the positions that several of these
-// nodes share.
+// Sends the clusters of a finished node to the nodes of the next round. It also finds the positions that several of
+// these nodes share.
 #pragma once
 
 #include "preprocess/levels/open_clusters.h"
@@ -10,10 +10,10 @@
 
 namespace gnomon::pipeline {
 
-/// Bytes per stream number, for streams of one kind.
+/// Bytes to append to streams, by the number of the stream. All streams are of one kind.
 using StreamBytes = std::map<std::uint32_t, std::vector<std::byte>>;
 
-/// One use of a position: a node of the next round has a cluster with this position. The position was a border in the
+/// The fact that a node of the next round has a cluster with this position. The position was on a border in the
 /// previous round.
 struct BorderUse {
     hierarchy::GridPoint position;
@@ -21,36 +21,36 @@ struct BorderUse {
     auto operator<=>(const BorderUse&) const = default;
 };
 
-/// The number of locked positions of a round, and how many of them were also locked in the previous round.
+/// The number of locked positions in a round, and how many of them were also locked in the previous round.
 struct LockCounts {
     std::uint64_t locked = 0;
     std::uint64_t lockedBefore = 0;
 };
 
-/// The result of routing the clusters of a node.
+/// The clusters and border positions of a finished node, sorted by their destination in the next round.
 struct RoutedClusters {
-    StreamBytes records; // per node of the next round: records of its clusters
+    StreamBytes records; // per node of the next round: encoded clusters
     StreamBytes locks;   // per node of the next round: positions that are shared for the first time
-    // BorderUse records per border stream. The stream of a position is the hash of the position modulo the number of
-    // streams.
+    // For each border stream, the BorderUse records of its positions. The stream number is the hash of the position
+    // modulo the number of streams.
     StreamBytes borders;
     LockCounts counts; // numbers of positions in `locks`
 };
 
-/// The clusters without groups that a node has after a round.
+/// The clusters of a finished node that have no groups yet.
 struct LeftClusters {
     std::span<const std::byte> bytes;          // encoded EncodedOpenClusters
-    std::span<const std::uint32_t> nodeOf;     // per cluster: its node in the next round
-    std::uint32_t firstLevel = 0;              // first level that the node built
-    std::span<const std::uint32_t> firstPages; // per level: number of the node's first page
+    std::span<const std::uint32_t> nodeOf;     // per cluster: index of its node in the next round
+    std::uint32_t firstLevel = 0;              // first level of detail that the node built
+    std::span<const std::uint32_t> firstPages; // for each level, the number of the node's first page
 };
 
-/// Distributes the clusters of a node to the nodes of the next round. Distributes the uses of its border positions to
-/// `borderStreams` streams.
+/// Distributes the clusters `left` of a finished node to the nodes of the next round. Distributes the uses of border
+/// positions to `borderStreams` streams.
 RoutedClusters routed(const LeftClusters& left, std::uint32_t borderStreams);
 
-/// Returns per node of the next round the positions of `uses` that several nodes use. `uses` contains all records of
-/// one border stream. The function adds to `counts`.
+/// Returns for each node of the next round the positions in `uses` that several nodes use. `uses` contains all records
+/// of one border stream. The function adds the numbers of these positions to `counts`.
 StreamBytes sharedBorders(std::vector<BorderUse> uses, LockCounts& counts);
 
 } // namespace gnomon::pipeline

@@ -7,7 +7,8 @@
 
 namespace gnomon::pipeline {
 
-/// Returns the report of a build from `source` as JSON. `peakResidentBytes` is the peak resident size of the process.
+/// Returns the report of a build as JSON. `source` describes the source of the build. `peakResidentBytes` is the peak
+/// resident memory of the process.
 nlohmann::ordered_json reportJson(
     const BuildReport& report, const read::MeshSummary& source, std::uint64_t peakResidentBytes);
 

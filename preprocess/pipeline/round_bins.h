@@ -1,4 +1,4 @@
-// Stores the data between two rounds: the clusters of finished nodes, sorted by the nodes of the next round.
+// Stores the data between two rounds of a build: the clusters of finished nodes, sorted by the nodes of the next round.
 #pragma once
 
 #include "preprocess/levels/open_clusters.h"
@@ -9,7 +9,7 @@
 
 namespace gnomon::pipeline {
 
-/// The limits and the task runner for sorting the clusters.
+/// The memory limit and the task runner for sorting clusters into the nodes of the next round.
 struct BinningMeans {
     Bytes room; // memory for the sorting
     std::size_t threads = 1;
@@ -18,26 +18,28 @@ struct BinningMeans {
     const Perform& perform;
 };
 
-/// Sorts the clusters that have no groups after a round by the nodes of the next round.
+/// Sorts clusters between two rounds of a build. The clusters that have no groups after a round become the input of the
+/// next round's nodes.
 class RoundBins {
 public:
-    /// Creates the bins. Both arguments must outlive the object.
+    /// Creates an empty object. `workDirectory` and `progress` must outlive it.
     RoundBins(WorkDirectory& workDirectory, Progress& progress) : workDirectory_(workDirectory), progress_(progress) {}
 
-    /// Returns the round after `round`. All nodes of `round` must be finished. The function sorts their clusters, or
-    /// restores the sorted clusters from the checkpoint log. It then frees the clusters in their old order.
+    /// Returns the round after `round`. All nodes of `round` must be finished. The function sorts their clusters by the
+    /// nodes of the next round, or restores the sorted clusters from the checkpoint log. It then frees the unsorted
+    /// clusters.
     Round next(const Round& round, const BinningMeans& means);
 
-    /// Returns the input for building a node of `round`, which must be a result of `next`. Many threads can call it at
-    /// once.
+    /// Returns the input for building the part `node` of the model in `round`. `round` must be a result of `next`. Many
+    /// threads can call it at once.
     NodeInput input(const Round& round, std::uint32_t node) const;
 
-    /// Returns the scratch file blocks with the clusters of a finished node. They can be freed, because no later phase
-    /// reads them.
+    /// Returns the scratch file blocks with the input clusters of a finished node. The caller can free these blocks,
+    /// because no later phase reads them.
     Blocks takeBlocks(std::uint32_t node);
 
 private:
-    /// The kinds of streams. Each node has one stream of each kind.
+    /// The kinds of byte streams between rounds. Each node has one stream of each kind.
     enum class Stream : std::uint32_t { Records, Locks, Borders, Count };
     static_assert(static_cast<std::uint32_t>(Stream::Count) == kStreamsOfNode);
 
@@ -52,7 +54,7 @@ private:
 
     WorkDirectory& workDirectory_;
     Progress& progress_;
-    std::optional<scratch::StreamStore> bins_; // the sorted clusters of the current round
+    std::optional<scratch::StreamStore> bins_; // the clusters of the current round, sorted by node
 };
 
 } // namespace gnomon::pipeline

@@ -1,5 +1,5 @@
-// Sorts a source into chunks. If the source supports ranges of rows, tasks sort one range each. Otherwise one process
-// sorts the source in whole passes.
+// Sorts a source into chunks. If ranges of the source's rows are readable, tasks sort one range each. Otherwise one
+// process sorts the source in passes over the whole file.
 #pragma once
 
 #include "preprocess/pipeline/build_options.h"
@@ -13,7 +13,7 @@
 
 namespace gnomon::pipeline {
 
-/// The objects that the sorting uses. All must outlive it.
+/// The source, the options and the other objects for sorting a source into chunks. All must outlive the sorting.
 struct SortingMeans {
     read::MeshSource& source;
     const BuildOptions& options;
@@ -23,17 +23,18 @@ struct SortingMeans {
     Progress& progress;
     std::size_t threads = 1;
     std::uint32_t processes = 1;
-    // Is called at the end of each phase with its name and the number of bytes that it read from the source.
+    // This function is called at the end of each phase. Its arguments are the name of the phase and the number of bytes
+    // that the phase read from the source.
     std::function<void(const std::string&, std::uint64_t)> endPhase;
 };
 
-/// Throws LimitError if `needed` exceeds the memory limit in `options`.
+/// Throws LimitError if the memory `needed` exceeds the limit in `options`.
 void requireMemory(const read::MeshSummary& source, const BuildOptions& options, Bytes needed);
 
-/// Returns the memory limit in `options` minus `taken`, or zero.
+/// Returns the memory limit in `options` minus the memory `taken`, or zero if the difference is negative.
 Bytes remainingMemory(const BuildOptions& options, Bytes taken);
 
-/// Sorts the source into chunks and stores the chunks in `bins`. Returns the record of the phase.
+/// Sorts the source into chunks and writes the chunks to `bins`. Returns the checkpoint record of this phase.
 BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::StreamStore>& bins);
 
 } // namespace gnomon::pipeline

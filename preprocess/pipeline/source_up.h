@@ -1,4 +1,4 @@
-// Finds the up axis of a source in its comments, names and file format.
+// Finds the up axis of a source mesh in its comments, names and file format.
 #pragma once
 
 #include "hierarchy/up_guess.h"
@@ -12,13 +12,13 @@
 namespace gnomon::pipeline {
 
 /// Returns the up axis that a comment names, for example "Z up", "-y-up", "zup" or "up axis: z". Upper and lower case
-/// are equal. Returns nullopt if the comment names no axis or several.
+/// are equal. Returns nullopt if the comment names no axis or several axes.
 std::optional<hierarchy::UpAxis> upOfComment(std::string_view comment);
 
-/// The information about the up axis that the files of a source contain.
+/// The information about the up axis in the files of a source.
 struct SourceUp {
-    std::optional<hierarchy::UpAxis> told; // the axis that the format or the comments state
-    // votes for a guess, from the usual axis of this kind of file and of the exporting program
+    std::optional<hierarchy::UpAxis> told; // the axis that the file format or a comment states
+    // Votes for guessing the axis. They come from the usual axis of this kind of file and of the exporting program.
     hierarchy::UpVotes votes{};
 };
 
@@ -27,7 +27,7 @@ struct SourceUp {
 /// `told` is empty if two statements contradict each other. Throws Error if a file cannot be read.
 SourceUp upOfSources(const std::vector<std::string>& paths);
 
-/// Stores the up axis that the files state in `options`. If they state none, stores the votes for a guess.
+/// Stores the up axis that the files `paths` state in `options`. If they state no axis, stores votes for a guess.
 void askForUpOfSources(BuildOptions& options, const std::vector<std::string>& paths);
 
 } // namespace gnomon::pipeline

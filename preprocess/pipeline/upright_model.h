@@ -14,7 +14,7 @@
 
 namespace gnomon::pipeline {
 
-/// The up axis of a model. It is the given axis, or a guess from the shape of the model's coarse pages.
+/// The up axis of a model. It is either given, or a guess from the shape of the model's coarse pages.
 class UprightModel {
 public:
     UprightModel(
@@ -25,14 +25,14 @@ public:
           error_(options.up ? 0 : hierarchy::upError(pages, glm::length(hierarchy::mainPartOf(summary).extent()))),
           survey_(summary.grid, hierarchy::mainPartOf(summary)) {}
 
-    /// Returns true if the guess needs `page`.
+    /// Returns true if the guess of the up axis needs the triangles of `page`.
     bool isSeen(const hierarchy::PageInfo& page) const { return !options_.up && hierarchy::isDrawnOf(page, error_); }
 
     void see(const hierarchy::EncodedPage& page) {
         survey_.add(hierarchy::decodePageBytes(page.bytes, page.info), error_);
     }
 
-    /// Stores the axis, its reason and the confidence of the guess in `summary`.
+    /// Stores the up axis, its reason and the confidence of the guess in `summary`.
     void tell(hierarchy::ModelSummary& summary) const {
         summary.unit = options_.unit;
         const hierarchy::UpGuess up =

@@ -15,28 +15,28 @@
 
 namespace gnomon::pipeline {
 
-/// The options of a work directory.
+/// The options for creating the work directory of a build.
 struct WorkDirectoryOptions {
     std::string output;      // path of the model to build
     std::string folder;      // folder for temporary files; empty: next to the output
     std::string key;         // key of the build ("name value, name value"); a resumed build requires the same key
     bool isInMemory = false; // whether the directory exists only in memory, without files
     bool isResumed = false;  // whether to continue from existing records, if any
-    // receives the folder and the reason if the folder cannot be removed
+    // This function receives the path of the folder and the reason, if the folder cannot be removed.
     std::function<void(const std::string&)> onKept = {};
-    // max rate of reading and writing in bytes per second; 0: no limit
+    // Max rate of reading and writing temporary data, in bytes per second. 0 means no limit.
     std::uint64_t bytesPerSecond = 0;
 };
 
-/// The names of a build's scratch files.
+/// The file names of a build's scratch files.
 struct ScratchPlace {
-    std::string stem;            // common start of the file names
-    std::uint32_t firstPart = 0; // number of the first part that this run writes
+    std::string stem;            // common start of all file names
+    std::uint32_t firstPart = 0; // number of the first scratch file (part) that this run writes
 };
 
-/// A work directory. Its destructor removes all files that builds wrote, but no other files. A killed process leaves
-/// its files in the folder. Only one process at a time can build an output in a folder. If several processes build the
-/// same output in different folders, each of them replaces the whole output at its end.
+/// The folder for the temporary files of a build. The destructor removes all files that builds wrote, but no other
+/// files. A killed process leaves its files in the folder. Only one process at a time can build an output in a folder.
+/// If several processes build the same output in different folders, each of them replaces the whole output at its end.
 class WorkDirectory {
 public:
     /// Opens the directory. Throws Error if another process uses it, or if the folder belongs to another user or is a
@@ -55,18 +55,18 @@ public:
 
     scratch::TemporarySpace& space() { return space_; }
 
-    /// Returns the scratch file. It contains all temporary data except the checkpoint log.
+    /// Returns the scratch file, which contains all temporary data except the checkpoint log.
     scratch::ScratchFile& scratch() { return *scratch_; }
 
-    /// Returns the names of the parts of `scratch`, so that other processes can open them. They are empty if the
+    /// Returns the file names of the scratch file, so that other processes can open it. The names are empty if the
     /// directory exists only in memory.
     const ScratchPlace& scratchPlace() const { return place_; }
 
-    /// Reserves consecutive parts for the scratch files of `count` processes. The first part is the part of this
-    /// process.
+    /// Reserves file numbers (parts) for the scratch files of `count` processes. The numbers are consecutive, and the
+    /// first is for this process.
     void expectProcesses(std::uint32_t count);
 
-    /// Writes all records and preserves all files for another process. The destructor then removes nothing.
+    /// Writes all pending records and preserves all files for another process. The destructor then removes no file.
     void leave();
 
     /// Adds `record` to the checkpoint log. The record's data must already be in the scratch file. The blocks `freed`
@@ -84,9 +84,9 @@ public:
     void release(const scratch::Blocks& blocks);
 
 private:
-    /// The names of the folder and the files of builds. The destructor removes these files unless `leave` was called.
-    /// It removes the checkpoint log first. All files that the log names therefore exist as long as the log exists, and
-    /// a killed build can be resumed.
+    /// The folder and the files of builds that the destructor removes unless `leave` was called. It removes the
+    /// checkpoint log first. All files that the log names therefore exist as long as the log exists, and a killed build
+    /// can be resumed.
     class Names {
     public:
         explicit Names(std::function<void(const std::string&)> onKept) : onKept_(std::move(onKept)) {}
@@ -97,14 +97,14 @@ private:
         Names(Names&&) = delete;
         Names& operator=(Names&&) = delete;
 
-        /// Creates the folder, which the destructor will remove. If the folder exists, the caller must call `takeOver`
-        /// instead.
+        /// Creates the folder at path `folder`, which the destructor will remove. If the folder exists, the caller must
+        /// call `takeOver` instead.
         void make(const std::string& folder);
 
-        /// Adds the existing folder and the files of builds in it. The destructor will remove them.
+        /// Registers the existing folder and the files of builds in it. The destructor will remove them.
         void takeOver(const std::string& folder);
 
-        /// Adds the file at `path`. The destructor will remove it.
+        /// Registers the file at `path`. The destructor will remove it.
         void take(const std::string& path);
 
         void leave();
@@ -112,16 +112,16 @@ private:
     private:
         std::function<void(const std::string&)> onKept_;
         std::vector<std::unique_ptr<TemporaryName>> held_; // the first entry is the folder
-        // the checkpoint log; newer than all names in `held_`, so that it is removed first
+        // The checkpoint log. It is registered after all names in `held_`, so that it is removed first.
         std::unique_ptr<TemporaryName> log_;
     };
 
     /// Opens the existing checkpoint log and restores its records. Returns nullopt if there is no log. Throws Error if
-    /// the log belongs to another build.
+    /// the key of the log differs from `key`.
     std::optional<scratch::RecordLog> resumed(const std::string& key);
 
-    /// Creates the scratch file of this process and removes all files that the log does not name. The new file is the
-    /// next part after the parts in the log.
+    /// Creates the scratch file of this process, and removes all files that the checkpoint log does not name. The
+    /// number of the new file is the next number after those in the log.
     void makeScratch();
 
     scratch::TemporarySpace space_;
@@ -131,7 +131,7 @@ private:
     std::optional<File> lock_;
     CheckpointLog log_;
     std::unique_ptr<scratch::ScratchFile> scratch_;
-    // declared after the lock, so that all files are removed before the lock is released
+    // Declared after the lock, so that all files are removed before the lock is released.
     Names names_;
     std::optional<RecordWriter> writer_; // declared last, so that it never writes to a removed file
 };

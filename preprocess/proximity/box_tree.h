@@ -1,4 +1,5 @@
-// A bounding volume hierarchy of boxes with labels. It finds the boxes that overlap a given box and have another label.
+// A bounding volume hierarchy of boxes, each with a label. It finds the boxes that overlap a query box and have another
+// label.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,7 +13,7 @@
 
 namespace gnomon::proximity {
 
-/// A closed axis-aligned box. A new box is empty.
+/// A closed axis-aligned box, initially empty.
 struct TreeBox {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
@@ -37,7 +38,7 @@ struct TreeBox {
 /// into two halves of equal count.
 class BoxTree {
 public:
-    /// Builds the tree over `boxes`. Box i has the label `labels[i]`. Both arrays must outlive the tree.
+    /// Builds the tree over `boxes`, in which box i has the label `labels[i]`. Both arrays must outlive the tree.
     BoxTree(std::span<const TreeBox> boxes, std::span<const std::uint32_t> labels)
         : boxes_(boxes), labels_(labels), order_(boxes.size()) {
         if (order_.empty()) return;

@@ -1,4 +1,4 @@
-// A kd-tree of points. Each point belongs to a component of a mesh. The tree finds the nearest point of another
+// A kd-tree of points, each of which belongs to a component of a mesh. The tree finds the nearest point of another
 // component.
 #pragma once
 

@@ -13,8 +13,8 @@ inline double squaredLength(const glm::dvec3& v) {
     return glm::dot(v, v);
 }
 
-/// A feature of a triangle (the face, an edge or a corner). It contains the point of the triangle that is nearest to a
-/// query point.
+/// The feature of a triangle (the face, an edge or a corner) that contains the triangle's nearest point to a query
+/// point.
 enum class TriangleFeature : std::uint8_t {
     Face,
     Edge0,
@@ -31,7 +31,7 @@ struct TriangleDistance {
     TriangleFeature feature = TriangleFeature::Face;
 };
 
-/// A triangle with precomputed edges and normals. It is fast for distances from many points. The triangle may be
+/// A triangle with precomputed edges and normals, for fast distance queries from many points. The triangle may be
 /// degenerate.
 class PreparedTriangle {
 public:

@@ -1,4 +1,4 @@
-// Defines the blocks of scratch files.
+// Defines a block, which is a range of bytes in a scratch file.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::scratch {
 
-/// A block of a scratch file: bytes that one call appended. Its offset and its checksum identify it.
+/// A block of a scratch file: the bytes that one call appended. Its offset and its checksum identify it.
 struct Block {
     std::uint64_t offset = 0; // offset of the first byte in the scratch file
     std::uint64_t bytes = 0;
@@ -17,10 +17,10 @@ struct Block {
 
 using Blocks = std::vector<Block>;
 
-/// Encodes `block` and appends it to `out`.
+/// Appends the encoded offset, size and checksum of `block` to `out`.
 void putBlock(hierarchy::ByteWriter& out, const Block& block);
 
-/// Reads a block that `putBlock` wrote. Throws hierarchy::Damage if the bytes are malformed.
+/// Decodes a block that `putBlock` encoded. Throws hierarchy::Damage if the bytes are malformed.
 Block takeBlock(hierarchy::ByteReader& in);
 
 } // namespace gnomon::scratch

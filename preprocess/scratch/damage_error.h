@@ -1,11 +1,11 @@
-// The error of damaged temporary data.
+// The exception for damaged temporary data of a build.
 #pragma once
 
 #include "core/error.h"
 
 namespace gnomon::scratch {
 
-/// The error that temporary data are missing, cut off or changed. A resumed build then starts from the beginning.
+/// The exception that temporary data are missing, truncated or changed. A resumed build then starts from the beginning.
 class DamageError : public Error {
 public:
     using Error::Error;

@@ -1,5 +1,5 @@
-// The scratch files of all processes of a build. Each process appends to its own file, which is called its part, and
-// reads the files of all processes.
+// The scratch files of all processes of a build. Each process appends only to its own file (its part), and reads the
+// files of all processes.
 #pragma once
 
 #include "preprocess/scratch/scratch_file.h"
@@ -10,14 +10,14 @@
 
 namespace gnomon::scratch {
 
-/// The number of bits of an offset within a part. The position of a byte in the whole scratch file is the part number
-/// in the upper 16 bits and the offset within the part in the lower 48 bits.
+/// The number of bits of an offset within the scratch file of one process (a part). A global position has the part
+/// number in the upper 16 bits and the offset within the part in the lower 48 bits.
 constexpr unsigned kPartShift = 48;
 
-/// The max number of parts of a build, counted over all processes that ever worked on it.
+/// The max number of scratch files (parts) of a build, counted over all processes that ever worked on it.
 constexpr std::uint32_t kMaxParts = 1U << (64U - kPartShift);
 
-/// The max size of a part, in bytes.
+/// The max size in bytes of the scratch file of one process.
 constexpr std::uint64_t kMaxPartBytes = std::uint64_t{1} << kPartShift;
 
 constexpr std::uint32_t partOf(std::uint64_t place) {
@@ -28,18 +28,18 @@ constexpr std::uint64_t placeOf(std::uint32_t part, std::uint64_t offset) {
     return (std::uint64_t{part} << kPartShift) + offset;
 }
 
-/// Returns the path of part `part`: `stem` followed by the part number.
+/// Returns the path of the scratch file `part`: `stem` followed by the part number.
 std::string partPath(const std::string& stem, std::uint32_t part);
 
-/// A scratch file with one part per process. A process can read bytes of another process in two steps: the writer calls
-/// `handOver`, and then the reader calls `reopenOthers`. This is sufficient for network file systems with close-to-open
-/// consistency. The class never asks for the size of another process's file.
+/// A scratch file that consists of one file per process (a part). A process can read bytes of another process in two
+/// steps: the writer calls `handOver`, and then the reader calls `reopenOthers`. This is sufficient for network file
+/// systems with close-to-open consistency. The class never asks for the size of another process's file.
 class PartedScratch final : public ScratchFile {
 public:
-    /// Creates the file of `ownPart`.
+    /// Creates the scratch file of this process, with the part number `ownPart`.
     PartedScratch(std::string stem, std::uint32_t ownPart, TemporarySpace& space);
 
-    /// Continues with a part that an earlier process wrote. The first `bytes` bytes remain, and later bytes are cut
+    /// Continues a scratch file that an earlier process wrote. Its first `bytes` bytes remain, and later bytes are cut
     /// off. Throws DamageError if the file is shorter or missing.
     void resume(std::uint32_t part, std::uint64_t bytes);
 

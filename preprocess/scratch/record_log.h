@@ -11,26 +11,26 @@
 
 namespace gnomon::scratch {
 
-/// An append-only file of records. Each record has a length and a checksum. A reader ignores an incomplete last record.
+/// An append-only file of records, each with a length and a checksum. A reader ignores an incomplete last record.
 class RecordLog {
 public:
-    /// Creates an empty log at `path`.
+    /// Creates an empty log file at `path`.
     static RecordLog create(const std::string& path);
 
     /// Opens the log that an earlier process wrote to `path`. Removes the bytes after its last complete record. Returns
     /// nullopt if the file does not exist.
     static std::optional<RecordLog> reopen(const std::string& path);
 
-    /// Returns the records that `reopen` found, in order.
+    /// Returns the records that `reopen` read from the file, in order.
     const std::vector<std::vector<std::byte>>& records() const { return records_; }
 
     /// Appends one record at the end of the file.
     void append(std::span<const std::byte> record);
 
-    /// Flushes the file to the device, so that a power cut does not lose the records.
+    /// Flushes the log file to the device, so that a power cut does not lose the records.
     void sync() { file_.sync(); }
 
-    /// Returns the size of the file in bytes.
+    /// Returns the size of the log file in bytes.
     std::uint64_t bytes() const { return end_; }
 
 private:

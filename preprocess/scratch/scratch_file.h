@@ -26,8 +26,8 @@ public:
     void take(std::uint64_t bytes);
     void giveBack(std::uint64_t bytes);
 
-    /// Adds bytes that other processes wrote. This process may have freed these bytes earlier, so the total can be
-    /// negative for a while.
+    /// Adds bytes that other processes wrote to scratch files. This process may have freed these bytes earlier, so the
+    /// total can be negative for a while.
     void takeOfOthers(std::uint64_t bytes);
 
     std::uint64_t bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(bytes_, 0)); }
@@ -36,16 +36,15 @@ public:
 
     void countRead(std::uint64_t bytes) { read_ += bytes; }
 
-    /// Limits the rate of all reads and writes together to `bytesPerSecond`. The limit simulates a slower disk or
-    /// network.
+    /// Limits the rate of reads and writes together to `bytesPerSecond`. The limit simulates a slower disk or network.
     void limitRate(std::uint64_t bytesPerSecond) { bytesPerSecond_ = bytesPerSecond; }
 
-    /// Waits until the rate limit permits another `bytes` bytes. Returns at once if there is no limit.
+    /// Waits until the rate limit permits the transfer of another `bytes` bytes. Returns at once if there is no limit.
     void pace(std::uint64_t bytes);
 
     std::uint64_t bytesRead() const { return read_; }
 
-    /// Returns the number of bytes that this process has written since its start.
+    /// Returns the number of bytes that this process has written to scratch files since its start.
     std::uint64_t bytesWritten() const { return written_; }
 
 private:
@@ -59,10 +58,10 @@ private:
     std::chrono::steady_clock::time_point free_; // time at which the last permitted transfer would end
 };
 
-/// A scratch file. Any number of threads can append to it and read it at the same time.
+/// An append-only file for temporary data. Any number of threads can append to it and read it at the same time.
 class ScratchFile {
 public:
-    /// Creates a scratch file. The offset of its first byte is `begin`.
+    /// Creates a scratch file whose first byte has the offset `begin`.
     explicit ScratchFile(TemporarySpace& space, std::uint64_t begin = 0) : space_(space), end_(begin) {}
 
     virtual ~ScratchFile() = default;
@@ -71,42 +70,44 @@ public:
     ScratchFile(ScratchFile&&) = delete;
     ScratchFile& operator=(ScratchFile&&) = delete;
 
-    /// Appends `bytes` as one block and returns the block. Throws Error, for example if the disk is full.
+    /// Appends `bytes` as one block, and returns the location of the block. Throws Error, for example if the disk is
+    /// full.
     Block append(std::span<const std::byte> bytes);
 
     /// Reads `block` into `out`, which must have the size of the block. Throws DamageError if the bytes differ from the
     /// bytes that were appended.
     void read(const Block& block, std::span<std::byte> out) const;
 
-    /// Returns the bytes of `blocks`, one block after the other. Throws DamageError like the function above.
+    /// Returns the bytes of `blocks`, one block after the other. Throws DamageError if they differ from the bytes that
+    /// were appended.
     std::vector<std::byte> read(std::span<const Block> blocks) const;
 
-    /// Makes the appended bytes readable by processes on other hosts. This function does nothing if only one process
-    /// uses the file.
+    /// Makes the appended bytes readable by processes on other hosts. Does nothing if only one process uses the scratch
+    /// file.
     virtual void handOver() const {}
 
-    /// Prepares this process to read the bytes that other processes handed over.
+    /// Prepares this process to read bytes that other processes have made readable with `handOver`.
     virtual void reopenOthers() {}
 
-    /// Flushes the data of the given parts to the device, so that a power cut does not lose them. A scratch file with
-    /// one part ignores `parts`.
+    /// Flushes the files of the given parts to the device, so that a power cut does not lose their data. A part is the
+    /// file of one process. A scratch file with one part ignores `parts`.
     virtual void sync(std::span<const std::uint32_t> /*parts*/) {}
 
-    /// Frees the space of `block`. Its bytes can no longer be read.
+    /// Frees the disk space or memory of `block`. Its bytes can no longer be read.
     void release(const Block& block);
 
-    /// Returns the offset that the next appended byte will have.
+    /// Returns the offset of the next appended byte.
     std::uint64_t end() const { return end_; }
 
 protected:
-    /// Reads bytes at `offset` from `file`. Throws DamageError if the file is too short.
+    /// Reads bytes at `offset` from `file` into `out`. Throws DamageError if the file is too short.
     static void loadFrom(const File& file, std::uint64_t offset, std::span<std::byte> out);
 
     virtual void load(std::uint64_t offset, std::span<std::byte> out) const = 0;
     virtual void store(std::uint64_t offset, std::span<const std::byte> bytes) = 0;
     virtual void forget(std::uint64_t offset, std::uint64_t bytes) = 0;
 
-    /// Returns a text for error messages that says where the byte at `offset` is.
+    /// Returns the location of the byte at `offset` as a text for error messages.
     virtual std::string placeText(std::uint64_t offset) const = 0;
 
     TemporarySpace& space() { return space_; }
@@ -116,7 +117,7 @@ private:
     std::atomic<std::uint64_t> end_;
 };
 
-/// Creates a scratch file at `path`.
+/// Creates a scratch file on disk at `path`.
 std::unique_ptr<ScratchFile> scratchOnDisk(const std::string& path, TemporarySpace& space);
 
 /// Creates a scratch file in memory.

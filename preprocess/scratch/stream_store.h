@@ -10,8 +10,8 @@
 
 namespace gnomon::scratch {
 
-/// Calls `take(value)` for each value of type T in `bytes`, in order. The size of `bytes` must be a multiple of
-/// sizeof(T).
+/// Decodes `bytes` as values of type T, and calls `take(value)` for each value in order. The size of `bytes` must be a
+/// multiple of sizeof(T).
 template <class T, class Take>
 void forEachRecord(std::span<const std::byte> bytes, const Take& take) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -22,18 +22,18 @@ void forEachRecord(std::span<const std::byte> bytes, const Take& take) {
     }
 }
 
-/// A set of append-only byte streams, numbered from 0. A stream returns its bytes in the order in which they were
-/// appended. This order does not depend on the block size.
+/// A set of append-only byte streams, numbered from 0, in one scratch file. A stream returns its bytes in the order in
+/// which they were appended. This order does not depend on the block size.
 class StreamStore {
 public:
-    /// Creates `streamCount` empty streams. A stream buffers up to `blockBytes` bytes in memory. `flush` empties the
-    /// buffers.
+    /// Creates `streamCount` empty streams. Each stream buffers up to `blockBytes` bytes in memory. `flush` writes the
+    /// buffers to the scratch file.
     StreamStore(ScratchFile& file, std::uint32_t streamCount, std::size_t blockBytes);
 
-    /// Restores the streams that an earlier process described by `directory`.
+    /// Restores the streams from the bytes that `directory()` returned in an earlier process.
     StreamStore(ScratchFile& file, std::span<const std::byte> directory);
 
-    /// Appends `bytes` to a stream.
+    /// Appends `bytes` to the stream with the number `stream`.
     void append(std::uint32_t stream, std::span<const std::byte> bytes);
 
     template <class T>
@@ -42,11 +42,11 @@ public:
         append(stream, std::as_bytes(std::span(&value, 1)));
     }
 
-    /// Writes all buffered bytes to the scratch file and frees the buffers.
+    /// Writes the buffered bytes of all streams to the scratch file and frees the buffers.
     void flush();
 
-    /// Appends a block that another process wrote to the scratch file. If the stream has buffered bytes, the caller
-    /// must call `flush` first.
+    /// Appends a block to a stream. Another process has already written the block to the scratch file. If the stream
+    /// has buffered bytes, the caller must call `flush` first.
     void adopt(std::uint32_t stream, const Block& block) { streams_[stream].blocks.push_back(block); }
 
     const Blocks& blocks(std::uint32_t stream) const { return streams_[stream].blocks; }
@@ -55,10 +55,10 @@ public:
 
     std::uint64_t bytes(std::uint32_t stream) const;
 
-    /// Returns all bytes of a stream. After `flush`, many threads can call this at once.
+    /// Returns all bytes of a stream. After `flush`, many threads can call this function at once.
     std::vector<std::byte> read(std::uint32_t stream) const;
 
-    /// Returns all values of a stream whose bytes are values of type T.
+    /// Returns all values of a stream that contains values of type T.
     template <class T>
     std::vector<T> readAs(std::uint32_t stream) const {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -68,7 +68,7 @@ public:
     }
 
     /// Calls `take(bytes)` for each block of a stream, in order. All bytes of one `append` are in one block. After
-    /// `flush`, many threads can call this at once.
+    /// `flush`, many threads can call this function at once.
     template <class Take>
     void readBlocks(std::uint32_t stream, const Take& take) const {
         std::vector<std::byte> bytes;
@@ -79,14 +79,15 @@ public:
         }
     }
 
-    /// Reads a stream value by value, with one block in memory. Other streams may grow during the reading.
+    /// Reads the values of one stream one after the other, with one block in memory. Other streams may grow during the
+    /// reading.
     class Reader {
     public:
         Reader(const StreamStore& store, std::uint32_t stream) : store_(store), stream_(stream) {}
 
         bool isAtEnd();
 
-        /// Reads the next value. A check fails at the end of the stream.
+        /// Reads the next value of the stream. An assertion fails at the end of the stream.
         template <class T>
         T take() {
             T value{};
@@ -110,12 +111,12 @@ public:
     /// Frees the space of a stream's blocks.
     void release(std::uint32_t stream);
 
-    /// Returns the blocks of all streams, encoded as bytes. Another process can restore the streams from them. The
+    /// Returns the block lists of all streams, encoded as bytes. Another process can restore the streams from them. The
     /// caller must call `flush` before.
     std::vector<std::byte> directory() const;
 
-    /// Returns the blocks of each stream from the bytes of `directory()`. Throws hierarchy::Damage if the bytes are
-    /// malformed.
+    /// Decodes the block list of each stream from the bytes that `directory()` returned. Throws hierarchy::Damage if
+    /// the bytes are malformed.
     static std::vector<Blocks> blocksOf(std::span<const std::byte> directory);
 
 private:

@@ -1,4 +1,4 @@
-// The priority queue of collapses: a tournament tree over the vertices. The costs of vertices can change.
+// The priority queue of edge collapses. It is a tournament tree over the vertices, in which costs can change.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,10 @@
 
 namespace gnomon::simplify {
 
-/// A queue of vertices by cost. Each vertex is in the queue at most once. Vertices with equal costs are in the order of
-/// their index. Each node of a binary tree over all vertices stores the cheapest vertex below it (the winner). An
-/// update of a vertex stops at the first node where this vertex neither was nor becomes the winner.
+/// A priority queue of vertices, with the cheapest vertex first. Each vertex is in the queue at most once. Vertices
+/// with equal costs are in the order of their index. Each node of a binary tree over all vertices stores the cheapest
+/// vertex below it (the winner). If the cost of a vertex changes, the update goes up the tree. It stops at the first
+/// node whose winner neither was nor is this vertex.
 class CollapseQueue {
 public:
     explicit CollapseQueue(std::size_t vertexCount) {
@@ -28,7 +29,7 @@ public:
 
     bool contains(std::uint32_t vertex) const { return cost_[vertex] != kAbsent; }
 
-    /// Returns the cost of a vertex. The cost is infinite if the vertex is not in the queue.
+    /// Returns the cost of a vertex, or infinity if the vertex is not in the queue.
     double costOf(std::uint32_t vertex) const { return cost_[vertex]; }
 
     /// Returns the lowest cost of all vertices in the queue.
@@ -45,7 +46,7 @@ public:
         }
     }
 
-    /// Replaces the costs of all vertices. Vertices with infinite cost are not in the queue.
+    /// Replaces the costs of all vertices. A vertex with infinite cost is not in the queue.
     void putAll(const std::vector<double>& costs) {
         std::copy(costs.begin(), costs.end(), cost_.begin());
         for (std::size_t node = firstLeaf_; node-- > 1;)
@@ -73,8 +74,8 @@ private:
     }
 
     std::size_t firstLeaf_ = 1;         // a power of two; the children of node n are 2n and 2n + 1
-    std::vector<double> cost_;          // per vertex
-    std::vector<std::uint32_t> winner_; // per node: the cheapest vertex below it
+    std::vector<double> cost_;          // cost of each vertex
+    std::vector<std::uint32_t> winner_; // for each tree node, the cheapest vertex below it
 };
 
 } // namespace gnomon::simplify

@@ -1,4 +1,4 @@
-// Converts a wrong colour to an error in units of length, so that it can be compared with geometric errors.
+// Converts the error of a wrong colour to a length, so that it can be compared with geometric errors.
 #pragma once
 
 #include <algorithm>
@@ -7,24 +7,24 @@
 
 namespace gnomon::simplify {
 
-/// The max difference of a colour channel (share of full scale) that is invisible in a shaded image.
+/// The max difference of a colour channel that is invisible in a shaded image. 1 is the full scale of the channel.
 constexpr double kUnseenDifference = 0.03;
 
-/// The difference of a colour channel (share of full scale) at which the error is equal to the width of the wrong
-/// region.
+/// The difference of a colour channel at which the error is equal to the width of the wrong region. 1 is the full scale
+/// of the channel.
 constexpr double kWrongPixel = 0.3;
 
-/// The min difference of a colour channel (share of full scale) between parts of different colours. Smaller differences
-/// are noise of one surface, and vertices with such differences may replace each other.
+/// The min difference of a colour channel between surfaces of different colours. 1 is the full scale of the channel. A
+/// smaller difference is noise of one surface, so its vertices may replace each other.
 constexpr double kOtherPart = 0.1;
 
-/// Returns the error of a region of width `length` whose colour is wrong by `difference`. The difference is that of a
+/// Returns the error of a region of width `length` whose colour is wrong. `difference` is the difference of a colour
 /// channel, from 0 to 1. The error has the unit of `length`.
 inline double colorCharge(double length, double difference) {
     return length * std::max(difference - kUnseenDifference, 0.0) / kWrongPixel;
 }
 
-/// Returns the max difference of a channel between two RGBA8 colours, from 0 to 1. Alpha is ignored.
+/// Returns the max difference over the red, green and blue channels of two RGBA8 colours, from 0 to 1.
 inline double colorDifference(std::uint32_t a, std::uint32_t b) {
     int largest = 0;
     for (const std::uint32_t shift : {0U, 8U, 16U}) {

@@ -1,4 +1,4 @@
-// Computes the cost estimates for collapses of one position onto several others, one target per SIMD lane.
+// Computes the cost estimates for collapses of one position onto several other positions, one target per SIMD lane.
 #pragma once
 
 #include "preprocess/simplify/quadric.h"
@@ -9,8 +9,8 @@
 
 namespace gnomon::simplify {
 
-/// The position and the attributes that a cost estimate needs. Each is a row of four numbers, of which the last is
-/// unused.
+/// The coordinates and the attributes of a position, for the cost estimate. Each is a row of four numbers, of which the
+/// last is unused.
 struct alignas(32) CostSite {
     using Row = std::array<double, 4>;
 
@@ -26,14 +26,15 @@ inline glm::dvec3 vectorOf(const CostSite::Row& row) {
     return {row[0], row[1], row[2]};
 }
 
-/// The weights of the terms of an edge in the cost. Each term is multiplied by the squared edge length.
+/// The weights of the three edge terms of a collapse cost. Each term is also multiplied by the squared edge length.
 struct EdgeWeights {
     double length = 0;
     double normal = 0; // multiplies the squared difference of the normals, if both ends have a normal
     double color = 0;  // multiplies the squared difference of the colours
 };
 
-/// The edges from one position to several others. The quadric of the position must have a positive weight.
+/// The edges from one position to the possible targets of its collapse. The quadric of the position must have a
+/// positive weight.
 struct EdgeFan {
     const CostSite& from;
     const Quadric& planes;
@@ -41,10 +42,11 @@ struct EdgeFan {
     std::span<const std::uint32_t> to; // indices of `sites`
 };
 
-/// The max number of SIMD lanes. `edgeSquares` may write up to this number of additional values after the last result.
+/// The max number of SIMD lanes. `edgeSquares` may write up to this number of additional values after its last result.
 constexpr std::size_t kMaxCostLanes = 4;
 
-/// Writes the squared cost estimates in the order of `fan.to`. They are bit-identical to CostEstimate::square.
+/// Writes the squared cost estimates of the edges in `fan`, in the order of `fan.to`. The values are bit-identical to
+/// CostEstimate::square.
 void edgeSquares(const EdgeFan& fan, const EdgeWeights& weights, double* squares);
 
 } // namespace gnomon::simplify

@@ -1,5 +1,6 @@
-// Bounds the displacement of a collapse of a fan of triangles. The apex of the fan collapses onto a corner of its rim.
-// The bound comes from a piecewise linear map between the fans before and after (successive mapping).
+// Bounds how far an edge collapse moves the surface of a triangle fan. The apex of the fan collapses onto a corner of
+// its rim. The bound comes from a piecewise linear map between the fans before and after the collapse (successive
+// mapping).
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -8,9 +9,9 @@
 
 namespace gnomon::simplify {
 
-/// The triangles around a collapsing vertex, ordered edge to edge around `apex`. Old triangle i is (apex, rim i, rim i
-/// + 1). A closed rim has one more triangle from its last corner to the first. The apex moves onto rim 0. The new
-/// triangles are (rim 0, rim j, rim j + 1) for j = 1 ... count - 2.
+/// The triangles around a collapsing vertex (the apex), ordered edge to edge. Triangle i before the collapse is (apex,
+/// rim i, rim i + 1). A closed rim has one more triangle from its last corner to the first. The apex moves onto rim 0.
+/// The new triangles are (rim 0, rim j, rim j + 1) for j = 1 ... count - 2.
 struct Fan {
     static constexpr std::uint32_t kMaxRim = 24;
 
@@ -18,11 +19,11 @@ struct Fan {
     std::array<glm::dvec3, kMaxRim> rim{};
     std::uint32_t count = 0; // number of rim corners; at least 3
     bool isClosed = false;
-    std::array<double, kMaxRim> fromSource{}; // errors of the old triangles; TriangleError explains them
+    std::array<double, kMaxRim> fromSource{}; // errors of the triangles before the collapse, as in TriangleError
     std::array<double, kMaxRim> toSource{};
 };
 
-/// The error bounds of the new triangles. In each array the entries [1, count - 1) are valid.
+/// The error bounds of the triangles after the collapse. In each array the entries [1, count - 1) are valid.
 struct FanAfter {
     std::array<double, Fan::kMaxRim> fromSource{};
     std::array<double, Fan::kMaxRim> toSource{};

@@ -1,13 +1,13 @@
-// Measures an upper bound of the two-sided Hausdorff distance between a simplified patch and the source.
+// Computes an upper bound of the two-sided Hausdorff distance between a simplified patch and the source mesh.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
 
 namespace gnomon::simplify {
 
-/// The measured error bounds of a simplified patch.
+/// The upper bounds of the Hausdorff distance between a simplified patch and the source mesh.
 struct HausdorffBound {
-    std::vector<TriangleError> errors; // per simplified triangle
+    std::vector<TriangleError> errors; // errors of each simplified triangle
     double worst = 0;                  // max of both errors of all triangles
 };
 

@@ -1,5 +1,5 @@
-// Checks that a simplified patch preserves the number of faces at each edge between locked positions. Neighbouring
-// groups rely on these faces.
+// Checks that a simplified patch has the same number of triangles at each edge between locked positions. Neighbouring
+// groups rely on these triangles.
 #pragma once
 
 #include "preprocess/simplify/patch.h"
@@ -11,8 +11,8 @@ namespace gnomon::simplify {
 /// group could create the same edge and lose it later.
 bool keepsLockedEdges(const Patch& patch, const std::vector<Triangle>& triangles);
 
-/// Returns one lock per position: the locked positions of the patch, and all neighbours of these positions. A
-/// simplifier that respects these locks preserves the faces at all locked edges.
+/// Returns one flag per position: 1 for the locked positions of the patch and all neighbours of these positions. A
+/// simplifier that moves none of them preserves the faces at all locked edges.
 std::vector<std::uint8_t> lockedWithRing(const Patch& patch);
 
 } // namespace gnomon::simplify

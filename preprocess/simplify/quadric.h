@@ -1,4 +1,4 @@
-// The quadric error metric: the weighted sum of squared distances to a set of planes.
+// The quadric error metric: a weighted sum of squared distances to a set of planes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,8 +7,8 @@
 
 namespace gnomon::simplify {
 
-/// A sum of squared distances to planes as a quadratic form (Garland, Heckbert, "Surface Simplification Using Quadric
-/// Error Metrics", 1997).
+/// A weighted sum of squared distances from a point to planes, as a quadratic form of the point (Garland, Heckbert,
+/// "Surface Simplification Using Quadric Error Metrics", 1997).
 struct Quadric {
     glm::dvec3 diagonal{0}; // coefficients of xx, yy, zz
     glm::dvec3 mixed{0};    // coefficients of xy, yz, zx

@@ -8,13 +8,13 @@
 
 namespace gnomon::simplify {
 
-/// The kind of an edge in the input patch. Open: only one triangle has the edge. Crease: the triangles have different
-/// vertices at the edge (a seam). Smooth: the triangles share the vertices of the edge.
+/// The kind of an edge before the simplification. Open: only one triangle has the edge. Crease: the triangles have
+/// different vertices at the edge (a seam). Smooth: the triangles share the vertices of the edge.
 enum class EdgeKind : std::uint8_t { Open, Crease, Smooth };
 
-/// A mesh for edge collapses. Triangles have the same index as in the patch. Corner i of triangle t has the index 3 t +
-/// i. The corners at a position are a linked list. A traversal of the list removes the corners of deleted triangles
-/// from it. Traversals are therefore not const.
+/// A triangle mesh for edge collapses. Each triangle has the same index as in the original patch. Corner i of triangle
+/// t has the index 3 t + i. The corners at a position form a linked list. A traversal of this list removes the corners
+/// of deleted triangles, so traversals are not const.
 class SimplificationMesh {
 public:
     explicit SimplificationMesh(const Patch& patch);
@@ -24,35 +24,37 @@ public:
     /// Returns true if a collapse or `remove` has deleted the triangle.
     bool isRemoved(std::uint32_t triangle) const { return isRemoved_[triangle] != 0; }
 
-    /// Returns the current positions of a triangle.
+    /// Returns the current corner positions of a triangle.
     const Triangle& positions(std::uint32_t triangle) const { return position_[triangle]; }
 
-    /// Returns the current vertices of a triangle.
+    /// Returns the current corner vertices of a triangle.
     const Triangle& vertices(std::uint32_t triangle) const { return vertex_[triangle]; }
 
-    /// Returns the normal of a triangle before all collapses. Its length is twice the area.
+    /// Returns the normal that a triangle had before all collapses. The length of the normal is twice the area of the
+    /// triangle.
     const glm::dvec3& originalNormal(std::uint32_t triangle) const { return originalNormal_[triangle]; }
 
-    /// Returns the kind of the edge from a corner to the next corner of its triangle, before all collapses.
+    /// Returns the kind that an edge had before all collapses. The edge goes from `corner` to the next corner of its
+    /// triangle.
     EdgeKind originalEdge(std::uint32_t corner) const { return originalEdge_[corner]; }
 
-    /// Returns true if `p`, or a position merged into it, had an open edge in the patch. Edges between two groups do
-    /// not count as open.
+    /// Returns true if position `p`, or a position merged into it, had an open edge in the original patch. Edges
+    /// between two groups do not count as open.
     bool isBorder(std::uint32_t p) const { return isBorder_[p] != 0; }
 
-    /// Calls `visit(corner)` for each corner of a remaining triangle at `p`.
+    /// Calls `visit(corner)` for each triangle corner at position `p`. Skips deleted triangles.
     template <class Visit>
     void forEachCorner(std::uint32_t p, Visit visit);
 
-    /// Returns the positions that share a remaining triangle with `p`, each once, in the order of the traversal. The
-    /// result is valid until the next call.
+    /// Returns all neighbour positions of `p`, which share a triangle with it. Each neighbour occurs once, in the order
+    /// of the corner list. The result is valid until the next call.
     std::span<const std::uint32_t> neighbours(std::uint32_t p);
 
-    /// Returns true if a triangle remains at position `p`.
+    /// Returns true if at least one triangle at position `p` is not deleted.
     bool hasTriangles(std::uint32_t p);
 
-    /// Returns the number of positions that share a remaining triangle with `a` and also a remaining triangle with `b`.
-    /// `a` and `b` themselves do not count.
+    /// Returns the number of common neighbours of positions `a` and `b`. A common neighbour shares a triangle with `a`
+    /// and a triangle with `b`. `a` and `b` themselves do not count.
     std::size_t commonNeighbours(std::uint32_t a, std::uint32_t b);
 
     /// Returns the position that `p` was merged into, directly or through other positions. Returns `p` itself if it was
@@ -63,53 +65,53 @@ public:
         return p;
     }
 
-    /// Returns true if `p` was not merged into another position.
+    /// Returns true if position `p` was not merged into another position.
     bool isRepresentative(std::uint32_t p) const { return mergedInto_[p] == p; }
 
-    /// Returns the position that the partner of `p` in its vertex pair (vertex_pairs.h) was merged into, or the partner
-    /// itself. Returns kNone if `p` has no pair.
+    /// Returns the current position of the partner of `p`. A partner is a nearby position of another component
+    /// (vertex_pairs.h), or the position that it was merged into. Returns kNone if `p` has no partner.
     std::uint32_t pairedWith(std::uint32_t p) const {
         return pair_.empty() || pair_[p] == hierarchy::kNone ? hierarchy::kNone : representative(pair_[p]);
     }
 
-    /// Deletes a triangle. Later traversals remove its corners from their lists.
+    /// Marks a triangle as deleted. Later traversals remove its corners from their lists.
     void remove(std::uint32_t triangle) {
         isRemoved_[triangle] = 1;
         --triangleCount_;
     }
 
-    /// Sets the vertex of a corner. The vertex is at position `p`.
+    /// Replaces the vertex of a triangle corner. The new vertex is at position `p`.
     void setCorner(std::uint32_t corner, std::uint32_t vertex, std::uint32_t p) {
         vertex_[corner / 3][corner % 3] = vertex;
         position_[corner / 3][corner % 3] = p;
     }
 
-    /// Merges position `from` into `to`. `to` receives its corners and its border flag. If `to` has no vertex pair, it
-    /// also receives the pair of `from`.
+    /// Merges position `from` into `to`. `to` receives the triangle corners and the border flag of `from`. If `to` has
+    /// no vertex pair, it also receives the pair of `from`.
     void merge(std::uint32_t from, std::uint32_t to);
 
-    /// Replaces the position that `p` was merged into by `q`.
+    /// Changes the target of the merged position `p` to position `q`.
     void redirect(std::uint32_t p, std::uint32_t q) { mergedInto_[p] = q; }
 
-    /// Two triangles with the same three positions.
+    /// Two triangles with the same three corner positions.
     struct Duplicate {
         std::uint32_t kept;
         std::uint32_t removed;
     };
 
-    /// Returns the triangles at `p` that have the same three positions as an earlier triangle. Triangles at an edge
-    /// between two locked positions are excluded, because such an edge must keep all of its triangles. The result is
-    /// valid until the next call.
+    /// Returns the triangles at `p` that have the same three corner positions as an earlier triangle. Triangles at an
+    /// edge between two locked positions are excluded, because such an edge must keep all of its triangles. The result
+    /// is valid until the next call.
     std::span<const Duplicate> duplicates(std::uint32_t p);
 
 private:
-    /// Per corner of a triangle: the numbers of the other two corners, in order.
+    /// For each corner of a triangle, the numbers of the other two corners in order.
     static constexpr std::array<std::array<std::uint32_t, 2>, 3> kOthers = {{{1, 2}, {2, 0}, {0, 1}}};
 
-    /// The triangles at one position that share an edge from this position. The object is stored for the position at
-    /// the other end of the edge.
+    /// The triangles that share one edge from a position. The object is stored with the position at the other end of
+    /// the edge.
     struct Spoke {
-        std::uint32_t seenFrom = hierarchy::kNone; // the position; the other members are valid only for it
+        std::uint32_t seenFrom = hierarchy::kNone; // the first end; other members are valid only for it
         std::uint32_t triangles = 0;
         std::uint64_t first = 0;   // the two vertices of the first triangle
         std::uint64_t differs = 0; // the bits in which vertices of another triangle differ from `first`
@@ -124,19 +126,19 @@ private:
     std::vector<Triangle> position_;
     std::vector<Triangle> vertex_;
     std::vector<glm::dvec3> originalNormal_;
-    std::vector<EdgeKind> originalEdge_; // per corner
+    std::vector<EdgeKind> originalEdge_; // kind of the edge from each corner to the next
     std::vector<std::uint8_t> isRemoved_;
     std::size_t triangleCount_ = 0;
     std::vector<std::uint32_t> head_; // per position: the first corner in its list
     std::vector<std::uint32_t> tail_; // per position: the last corner in its list, if any
     std::vector<std::uint32_t> next_; // per corner: the next corner in the list
     std::vector<std::uint8_t> isBorder_;
-    std::vector<std::uint32_t> pair_; // per position: its partner; see vertexPairs
+    std::vector<std::uint32_t> pair_; // per position: its partner from vertexPairs, or kNone
     std::vector<std::uint32_t> mergedInto_;
-    std::vector<std::uint32_t> stamp_; // per position
+    std::vector<std::uint32_t> stamp_; // per position: the last query that visited it
     std::uint32_t stampNow_ = 0;
     std::vector<std::array<std::uint32_t, 3>>
-        // per triangle at a position: the lower and the higher end of its opposite edge, and the triangle
+        // per triangle at a position: the lower and the higher end of the edge opposite the position, and the triangle
         oppositeEdges_;
     std::vector<Duplicate> duplicates_;
     std::vector<std::uint32_t> neighbours_; // buffer with space for all positions and one more

@@ -11,7 +11,7 @@
 
 namespace gnomon::simplify {
 
-/// A set of triangles over given positions. The positions must outlive it.
+/// A triangle mesh for distance queries. The array of positions must outlive it.
 class Surface {
 public:
     Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> triangles);
@@ -30,13 +30,13 @@ public:
         return proximity::squaredDistance(p, corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
     }
 
-    /// Returns a triangle across edge `i` of `triangle`, or kNone. Edge i is from corner i to the next corner.
+    /// Returns a triangle that shares edge `i` with `triangle`, or kNone. Edge i goes from corner i to the next corner.
     std::uint32_t across(std::uint32_t triangle, std::uint32_t i) const { return across_[triangle][i]; }
 
-    /// Returns the triangles around a position.
+    /// Returns the triangles that have a corner at `position`.
     std::span<const std::uint32_t> around(std::uint32_t position) const { return adjacency_.around(position); }
 
-    /// Returns the triangle nearest to the point `p`. The first call builds a tree.
+    /// Returns the triangle nearest to the point `p`. The first call builds a search tree.
     std::uint32_t nearest(const glm::dvec3& p);
 
 private:
@@ -48,7 +48,7 @@ private:
     struct Node {
         glm::dvec3 low;
         glm::dvec3 high;
-        std::uint32_t begin; // first triangle in leaves_
+        std::uint32_t begin; // index of the node's first triangle in leaves_
         std::uint32_t end;
         std::uint32_t right; // index of the second child; the first child follows its parent; 0 for a leaf
     };
@@ -60,7 +60,7 @@ private:
     TriangleAdjacency adjacency_;
     std::vector<Triangle> across_;
     std::vector<Node> nodes_;
-    std::vector<Leaf> leaves_; // in tree order
+    std::vector<Leaf> leaves_; // the triangles in tree order
 };
 
 } // namespace gnomon::simplify

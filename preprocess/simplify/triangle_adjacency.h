@@ -1,4 +1,4 @@
-// The triangles around each position, in one array with offsets.
+// Lists of the triangles around each position, stored in one array with offsets.
 #pragma once
 
 #include "preprocess/simplify/mesh.h"
@@ -7,10 +7,10 @@
 
 namespace gnomon::simplify {
 
-/// The adjacency of positions and triangles.
+/// The triangles around each position of a mesh.
 class TriangleAdjacency {
 public:
-    /// Builds the adjacency of `triangles` over the positions 0 to `positionCount` - 1.
+    /// Builds the lists for `triangles`, whose corners are positions 0 to `positionCount` - 1.
     TriangleAdjacency(std::size_t positionCount, std::span<const Triangle> triangles)
         : first_(positionCount + 1, 0), members_(triangles.size() * 3) {
         for (const Triangle& t : triangles)
@@ -24,7 +24,7 @@ public:
                 members_[next[p]++] = t;
     }
 
-    /// Returns the triangles around `position` in ascending order.
+    /// Returns the triangles that have a corner at `position`, in ascending order.
     std::span<const std::uint32_t> around(std::uint32_t position) const {
         return std::span(members_).subspan(first_[position], first_[position + 1] - first_[position]);
     }

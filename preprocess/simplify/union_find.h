@@ -1,5 +1,5 @@
-// Disjoint sets of ids from 0 without gaps. The smallest id represents its set, so that the result does not depend on
-// the order of unions.
+// A union-find structure over the ids 0 to count - 1. The smallest id represents its set, so that the result does not
+// depend on the order of unions.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace gnomon::simplify {
 
-/// A union-find structure with path halving.
+/// Disjoint sets of ids (union-find) with path halving.
 class UnionFind {
 public:
     explicit UnionFind(std::uint32_t count) : parent_(count), count_(count) {
@@ -33,7 +33,7 @@ public:
         --count_;
     }
 
-    /// Returns the number of sets.
+    /// Returns the current number of disjoint sets.
     std::uint32_t count() const { return count_; }
 
 private:

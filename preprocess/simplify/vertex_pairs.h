@@ -6,8 +6,9 @@
 
 namespace gnomon::simplify {
 
-/// Returns for each position of `patch` its partner: the nearest position of another connected component. The partner
-/// is kNone for locked positions and for positions of large components. Returns an empty list if there are no pairs.
+/// Returns for each position of `patch` its partner, which is the nearest position of another connected component. The
+/// partner is kNone for locked positions and for positions of large components. Returns an empty list if there are no
+/// pairs.
 std::vector<std::uint32_t> vertexPairs(const Patch& patch);
 
 } // namespace gnomon::simplify

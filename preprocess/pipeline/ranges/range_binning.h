@@ -1,5 +1,5 @@
-// Sorts a source into chunks with parallel tasks. Each task handles a range of the source's rows. For sources without
-// ranges, chunk/survey and chunk/binning do the same work in one process.
+// Sorts a source into chunks with parallel tasks, each of which processes a range of the source's rows. For sources
+// without ranges, chunk/survey and chunk/binning do the same work in one process.
 #pragma once
 
 #include "preprocess/chunk/binning.h"
@@ -10,7 +10,8 @@
 
 namespace gnomon::pipeline {
 
-/// The objects and limits of the range binning. All objects must outlive it.
+/// The source, the task runner and the limits for sorting a source by ranges of rows. All objects must outlive the
+/// sorting.
 struct RangeMeans {
     read::MeshSource& source;
     scratch::ScratchFile& scratch;
@@ -23,24 +24,26 @@ struct RangeMeans {
     chunk::Strays strays = chunk::Strays::Leave;
 };
 
-/// A binning by ranges of rows. It stores the data of each vertex in the scratch file, in one block per range of
-/// vertices. These data are first the number of triangle corners at the vertex, and later its chunk.
+/// Sorts a source into chunks by ranges of rows. It stores the data of each vertex in the scratch file, in one block
+/// per range of vertices. These data are first the number of triangle corners at the vertex, and later its chunk.
 class RangeBinning {
 public:
     explicit RangeBinning(const RangeMeans& means);
 
-    /// Returns the result of chunk::surveySource, but without the valence. Returns nullopt if the source has a defect
-    /// or does not match its header. The caller must then use whole passes.
+    /// Returns the same measurements as chunk::surveySource, but without the corner count of each vertex (valence).
+    /// Returns nullopt if the source has a defect or does not match its header. The caller must then use passes over
+    /// the whole file.
     std::optional<chunk::SourceSurvey> survey();
 
-    /// Returns the same result as chunk::planChunks.
+    /// Divides the grid into chunks. The result is identical to chunk::planChunks.
     chunk::ChunkTree plan(const chunk::SourceSurvey& survey, std::uint32_t chunkTriangles);
 
-    /// Returns the same result as chunk::binSource. The tree must not have heavy points.
+    /// Sorts the source into the chunks of `tree`. The result is identical to chunk::binSource. The tree must not have
+    /// heavy points, which are grid points with too many triangles for one chunk.
     chunk::BinnedSize bin(const chunk::SourceSurvey& survey, const chunk::ChunkTree& tree, scratch::StreamStore& bins);
 
-    /// Returns the corner counts (valence) for chunk::binSource, which handles trees with heavy points. Frees their
-    /// blocks in the scratch file.
+    /// Returns the corner counts of the vertices for chunk::binSource, which sorts sources with heavy points. Frees the
+    /// scratch file blocks of these counts.
     chunk::VertexTable<std::uint8_t> takeValence();
 
 private:
@@ -50,8 +53,8 @@ private:
     RowRange rangeOf(std::uint32_t task, bool isOfFaces) const;
     std::uint32_t rangeCount(bool isOfFaces) const;
 
-    /// Collects the edge samples of all ranges, and the corner counts of the vertices in `pages`. Returns false if the
-    /// source is irregular (FaceCount::isRegular).
+    /// Collects the sampled edges of all row ranges, and the corner counts of the vertices in `pages`. Returns false if
+    /// the source is irregular (FaceCount::isRegular).
     bool countFaces(chunk::SourceSurvey& survey, chunk::EdgeSample& sample, std::vector<Mail>& pages);
     Box measure(
         const std::vector<Mail>& pages,
@@ -67,9 +70,9 @@ private:
     std::uint64_t tableBytes_ = 0; // peak bytes of the tables of one task
     std::uint64_t verticesOfRange_ = 0;
     std::uint64_t facesOfRange_ = 0;
-    Blocks index_; // row index of the source
+    Blocks index_; // row index of the source, in the scratch file
     bool hasPolygons_ = false;
-    std::vector<Blocks> valence_; // per range of vertices: blocks with the corner counts
+    std::vector<Blocks> valence_; // for each range of vertices, the blocks with the corner counts
 };
 
 } // namespace gnomon::pipeline

@@ -1,4 +1,4 @@
-// The inputs and results of the tasks that sort a source by ranges of its rows. They are encoded as bytes for other
+// The inputs and results of the tasks that sort a source by ranges of rows. They are encoded as bytes and sent between
 // processes.
 #pragma once
 
@@ -11,53 +11,54 @@
 
 namespace gnomon::pipeline {
 
-/// A range of rows of a source.
+/// A range of vertex rows or face rows in the source file.
 struct RowRange {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
     Blocks index; // blocks with the row index of the whole source
 };
 
-/// The input of TaskKind::CountFaces.
+/// The input of TaskKind::CountFaces, which counts triangle corners per vertex.
 struct CountInput {
     RowRange faces;
     std::uint64_t maxPages = 1; // max number of vertex pages in memory
 };
 
-/// The result of TaskKind::CountFaces.
+/// The result of TaskKind::CountFaces: the number of triangle corners per vertex, and an edge sample.
 struct FaceCount {
-    bool isRegular = false; // whether all faces were readable; if false, all following members are invalid
+    bool isRegular = false; // whether all faces were readable; if false, all other members are invalid
     std::uint64_t triangles = 0;
     std::uint64_t notAPolygon = 0; // number of faces that are not polygons
     bool hasPolygons = false;
-    Mail pages;    // per page of vertices: number of corners per vertex, at most 255; a page can occur several times
-    Blocks sample; // entries of an EdgeSample
+    Mail pages;    // for each page of vertices, corner counts up to 255; a page can occur several times
+    Blocks sample; // the sampled edges (entries of an EdgeSample)
 };
 
-/// The input of TaskKind::MeasureVertices.
+/// The input of TaskKind::MeasureVertices, which measures bounds and adds up corner counts.
 struct MeasureInput {
     RowRange vertices;
-    Mail pages;     // corner counts of the vertices of this range
-    Blocks sampled; // ascending numbers of the vertices whose positions are needed
+    Mail pages;     // corner counts of the vertices in this range
+    Blocks sampled; // numbers of the vertices whose positions are requested, ascending
 };
 
-/// The result of TaskKind::MeasureVertices.
+/// The result of TaskKind::MeasureVertices: bounds, corner counts and requested positions.
 struct VertexMeasure {
     Box box; // bounds of the vertices that triangles use
     std::vector<std::array<double, 2>> fields;
-    std::uint64_t badNormals = 0; // number of invalid normals of all vertices of the range
-    Blocks valence;               // one byte per vertex of the range: its corner count
-    Blocks positions;             // positions of the vertices in MeasureInput::sampled
+    std::uint64_t badNormals = 0; // number of invalid normals at vertices of the range
+    Blocks valence;               // corner counts, one byte per vertex of the range
+    Blocks positions;             // positions of the requested vertices (MeasureInput::sampled)
 };
 
-/// The grid of a source, and `furthest`, the max grid coordinates that triangles use. Both are known after the
-/// measurement of the vertices.
+/// The grid of a source, and the max grid coordinates of vertices of triangles (`furthest`). Both are known after the
+/// vertices have been measured.
 struct SortFacts {
     hierarchy::Grid grid;
     hierarchy::GridPoint furthest;
 };
 
-/// The input of TaskKind::CountCells. The result of this task is a block with CellCounts::openWeights.
+/// The input of TaskKind::CountCells, which counts weights of octree cells. The result of this task is a block with
+/// CellCounts::openWeights.
 struct CellsInput {
     RowRange vertices;
     SortFacts facts;
@@ -65,7 +66,7 @@ struct CellsInput {
     Blocks shape; // CellCounts::shape
 };
 
-/// The input of TaskKind::BinVertices.
+/// The input of TaskKind::BinVertices, which sorts vertices into chunks.
 struct BinVerticesInput {
     RowRange vertices;
     SortFacts facts;
@@ -75,26 +76,26 @@ struct BinVerticesInput {
     std::uint64_t blockBytes = 0;
 };
 
-/// The input of TaskKind::BinFaces.
+/// The input of TaskKind::BinFaces, which sorts faces into chunks.
 struct BinFacesInput {
     RowRange faces;
     std::uint32_t chunkCount = 0;
-    Blocks chunks;              // per page of vertices: the chunk of each vertex, in 2 or 4 bytes
-    std::uint64_t maxPages = 1; // max number of these pages in memory
-    // max number of polygon corners in memory, for polygons in several chunks; 0 without polygons
+    Blocks chunks;              // for each page of vertices, the chunk of each vertex in 2 or 4 bytes
+    std::uint64_t maxPages = 1; // max number of vertex pages in memory
+    // Max number of polygon corners in memory, for polygons in several chunks. It is 0 if the source has no polygons.
     std::uint64_t maxCorners = 0;
     std::uint64_t blockBytes = 0;
 };
 
-/// The result of TaskKind::BinVertices and TaskKind::BinFaces.
+/// The result of TaskKind::BinVertices and TaskKind::BinFaces, which sort vertices and faces into chunks.
 struct BinnedRange {
     Mail streams; // blocks to append to the streams of chunks
     std::vector<std::pair<std::uint32_t, chunk::PartSize>> sizes;
     chunk::Strayed strayed; // BinVertices sets only the corners, BinFaces only the triangles
-    Blocks chunks;          // only of BinVertices: chunks of the range's vertices, as in BinFacesInput
+    Blocks chunks;          // only from BinVertices: chunks of the range's vertices, as in BinFacesInput
 };
 
-/// Encode the inputs and results of tasks as bytes.
+/// Encodes the input or the result of a task as bytes.
 std::vector<std::byte> encoded(const read::RowIndex& index);
 std::vector<std::byte> encoded(const CountInput& input);
 std::vector<std::byte> encoded(const FaceCount& count);
@@ -105,7 +106,7 @@ std::vector<std::byte> encoded(const BinVerticesInput& input);
 std::vector<std::byte> encoded(const BinFacesInput& input);
 std::vector<std::byte> encoded(const BinnedRange& range);
 
-/// Decode the bytes that `encoded` returned. The functions throw hierarchy::Damage if the bytes are malformed.
+/// Decodes the bytes that `encoded` returned. The functions throw hierarchy::Damage if the bytes are malformed.
 read::RowIndex decodedRowIndex(std::span<const std::byte> bytes);
 CountInput takeCountInput(hierarchy::ByteReader& in);
 FaceCount decodedFaceCount(std::span<const std::byte> bytes);

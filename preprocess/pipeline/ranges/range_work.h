@@ -1,4 +1,4 @@
-// Runs the tasks that sort a source by ranges of its rows. Each process can run them.
+// Runs the tasks that sort a source by ranges of rows. Each process can run them.
 #pragma once
 
 #include "core/progress.h"
@@ -10,12 +10,12 @@
 
 namespace gnomon::pipeline {
 
-/// The number of vertices per page of corner counts. A range of vertices consists of whole pages. Only the last range
-/// can end inside a page.
+/// The number of vertices per page of a table of corner counts. A range of vertices consists of whole pages. Only the
+/// last range can end inside a page.
 constexpr std::uint64_t kPageVertices = std::uint64_t{1} << 16U;
 
-/// Runs the tasks on ranges of rows. Many threads can call the functions at once. All constructor arguments must
-/// outlive it.
+/// Runs tasks on ranges of source rows. Many threads can call the functions at once. All constructor arguments must
+/// outlive the object.
 class RangeWork {
 public:
     RangeWork(read::MeshSource& source, scratch::ScratchFile& scratch, Progress& progress)
@@ -27,13 +27,14 @@ public:
     BinnedRange binVertices(const BinVerticesInput& input) const;
     BinnedRange binFaces(const BinFacesInput& input) const;
 
-    /// Returns the peak size in bytes of the per-vertex tables of all tasks that ran at the same time.
+    /// Returns the peak size in bytes of the per-vertex tables, summed over all tasks that ran at the same time.
     std::uint64_t maxTableBytes() const { return maxTableBytes_; }
 
 private:
     class Held;
 
-    /// Loads the row index of the source from the scratch file. The source can then read ranges of rows.
+    /// Loads the row index of the source from the blocks `index` of the scratch file. The source can then read ranges
+    /// of rows.
     void useIndex(const Blocks& index) const;
 
     Blocks posted(std::span<const std::byte> bytes) const;

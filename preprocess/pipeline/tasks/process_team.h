@@ -1,4 +1,4 @@
-// The interface through which the leading process uses the other processes that build the same model.
+// The interface with which the leading process uses the other processes of a distributed build.
 #pragma once
 
 #include "core/progress.h"
@@ -10,16 +10,16 @@
 
 namespace gnomon::pipeline {
 
-/// The distribution of the work of one phase over the processes.
+/// The distribution of the tasks of one phase over the processes of a distributed build.
 struct TeamShare {
-    double idle = 0;             // share of the thread time of all processes without a task; 0 to 1
+    double idle = 0;             // share of thread time without a task, over all processes; 0 to 1
     std::uint32_t slowest = 0;   // the process with the longest total task time
     std::uint64_t tasks = 0;     // number of tasks of all processes; 0: the leader worked alone
     std::uint64_t bytesRead = 0; // bytes that the other processes read from scratch files
     std::uint64_t bytesWritten = 0;
 };
 
-/// The work that one process did for a build.
+/// The work of one process of a distributed build.
 struct ProcessReport {
     std::uint32_t rank = 0;
     std::string host;
@@ -28,30 +28,31 @@ struct ProcessReport {
     double busySeconds = 0; // total time of all its tasks
     std::uint64_t peakResidentBytes = 0;
     std::uint64_t tableBytes = 0; // peak size of its per-vertex tables
-    std::uint64_t bytesSent = 0;  // bytes of messages
+    std::uint64_t bytesSent = 0;  // bytes of the messages that it sent
     std::uint64_t bytesRead = 0;  // bytes read from scratch files
     std::uint64_t bytesWritten = 0;
 };
 
-/// A team of processes. It runs tasks after `begin`.
+/// A team of processes that builds one model. It runs tasks after `begin`.
 class ProcessTeam : public TaskRunner {
 public:
-    /// Returns the number of processes, including the leader.
+    /// Returns the number of processes in the team, including the leader.
     virtual std::uint32_t processCount() const = 0;
 
-    /// Waits until all processes have reported the same input and options. `threads` is the number of threads of this
-    /// process. Throws Error.
+    /// Waits until all processes have reported the same input and the same options. `threads` is the number of threads
+    /// of this process. Throws Error.
     virtual void gather(const BuildOptions& options, std::size_t threads, Progress& progress) = 0;
 
-    /// Tells the other processes where the scratch files are. `place` contains the part of this process, and each other
-    /// process uses one of the following parts. The work of other processes advances `progress`, which must outlive all
-    /// runs.
+    /// Sends the location of the scratch files to all other processes. `place` contains the part (file number) of this
+    /// process, and each other process uses one of the following parts. The work of other processes advances
+    /// `progress`, which must outlive all runs.
     virtual void begin(const ScratchPlace& place, Progress& progress) = 0;
 
-    /// Sends `facts` to all processes. Tasks of chunks and nodes need them.
+    /// Sends the grid and the other data in `facts` to all processes. The tasks that build chunks and nodes need these
+    /// data.
     virtual void tell(const TaskFacts& facts) = 0;
 
-    /// Returns the distribution of the work since the previous call.
+    /// Returns the distribution of the tasks over the processes since the previous call.
     virtual TeamShare endPhase() = 0;
 };
 

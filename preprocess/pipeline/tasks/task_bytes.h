@@ -1,4 +1,4 @@
-// The inputs and results of tasks, with the encoding in which they are sent between processes.
+// The inputs and results of build tasks, and their encoding as bytes. Processes send these bytes to each other.
 #pragma once
 
 #include "preprocess/pipeline/cluster_routing.h"
@@ -10,44 +10,45 @@
 
 namespace gnomon::pipeline {
 
-/// The data that each task of a chunk or a node needs.
+/// The grid and the other data that all tasks of chunks and nodes need.
 struct TaskFacts {
     hierarchy::Grid grid;
     chunk::VertexFormat format;
 };
 
-/// Encode and decode TaskFacts. Decoding throws hierarchy::Damage if the bytes are malformed.
+/// Encodes and decodes TaskFacts. Decoding throws hierarchy::Damage if the bytes are malformed.
 std::vector<std::byte> encoded(const TaskFacts& facts);
 TaskFacts decodedFacts(std::span<const std::byte> bytes);
 
-/// The scratch file blocks of a chunk's streams.
+/// The byte streams of one chunk, as blocks of the scratch file.
 struct ChunkStreams {
     std::array<Blocks, static_cast<std::size_t>(chunk::BinStream::Count)> bins;
     std::array<Blocks, static_cast<std::size_t>(chunk::BorderStream::Count)> borders;
 };
 
-/// Returns the streams of `chunk`. `borders` is null before the chunks have exchanged shared vertices.
+/// Returns the streams of `chunk`. `borders` is null until the chunks have exchanged their shared vertices.
 ChunkStreams streamsOfChunk(const scratch::StreamStore& bins, const scratch::StreamStore* borders, std::uint32_t chunk);
 
-/// Encodes the input of TaskKind::AnswerVertices and TaskKind::AnswerNormals. The result of these tasks is Mail for the
-/// streams of chunks.
+/// Encodes the input of TaskKind::AnswerVertices and TaskKind::AnswerNormals. These tasks return vertices and normals
+/// that other chunks use, as Mail for the streams of these chunks.
 std::vector<std::byte> chunkInput(const ChunkStreams& streams);
 
-/// The input of TaskKind::BuildNode. The result of this task is an encoded NodeRecord.
+/// The input of TaskKind::BuildNode, which builds one part of the model (a node). The result of this task is an encoded
+/// NodeRecord.
 struct NodeInput {
     std::uint32_t round = 0;
     std::uint32_t node = 0;
     std::uint32_t firstLevel = 0;
     bool isLast = false; // whether the node is built up to its root
     ChunkStreams chunk;  // only in round 0
-    ClusterSums sums;    // totals of the clusters; only in later rounds
-    Blocks records;      // records of the clusters; only in later rounds
-    Blocks locks;        // locked positions; only in later rounds
+    ClusterSums sums;    // totals of the node's clusters; only in later rounds
+    Blocks records;      // records of the node's clusters; only in later rounds
+    Blocks locks;        // locked positions of the node; only in later rounds
 };
 
 std::vector<std::byte> encoded(const NodeInput& input);
 
-/// The input of TaskKind::RouteClusters.
+/// The input of TaskKind::RouteClusters, which sends the clusters of a finished node to nodes of the next round.
 struct RouteInput {
     Blocks left; // the clusters without groups of the node, and their ClusterPlaces
     std::uint32_t firstLevel = 0;
@@ -58,7 +59,8 @@ struct RouteInput {
 
 std::vector<std::byte> encoded(const RouteInput& input);
 
-/// The result of TaskKind::RouteClusters and TaskKind::ShareLocks. ShareLocks sets only locks and counts.
+/// The result of TaskKind::RouteClusters and TaskKind::ShareLocks, which prepare the next round. ShareLocks sets only
+/// the locks and the counts.
 struct RoutedMail {
     Mail records;
     Mail locks;
@@ -68,10 +70,10 @@ struct RoutedMail {
 
 RoutedMail decodedRoutedMail(std::span<const std::byte> bytes);
 
-/// Encodes the input of TaskKind::ShareLocks.
+/// Encodes the input of TaskKind::ShareLocks, which finds positions that several nodes share.
 std::vector<std::byte> locksInput(const Blocks& borders);
 
-/// The input of TaskKind::WritePages. The result of this task is empty.
+/// The input of TaskKind::WritePages, which writes pages to the model file. The result of this task is empty.
 struct PageRange {
     std::string path;         // path of the unfinished model file
     std::string displayPath;  // path of the model in error messages
@@ -81,7 +83,7 @@ struct PageRange {
 
 std::vector<std::byte> encoded(const PageRange& input);
 
-/// Decode the bytes that `chunkInput` and `encoded` returned. The functions throw hierarchy::Damage if the bytes are
+/// Decodes the bytes that `chunkInput` and `encoded` returned. The functions throw hierarchy::Damage if the bytes are
 /// malformed, or if bytes are left. Only after a chunk other data may follow.
 ChunkStreams takeChunk(hierarchy::ByteReader& in);
 NodeInput takeNode(hierarchy::ByteReader& in);

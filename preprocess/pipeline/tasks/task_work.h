@@ -1,4 +1,4 @@
-// Runs the tasks of a build. Each process can run them.
+// Runs the tasks of a build. Each process of a distributed build can run them.
 #pragma once
 
 #include "core/progress.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::pipeline {
 
-/// Runs tasks. Many threads can call `perform` at once. All constructor arguments must outlive the object.
+/// Runs build tasks. Many threads can call `perform` at once. All constructor arguments must outlive the object.
 class TaskWork {
 public:
     TaskWork(
@@ -21,11 +21,11 @@ public:
     /// Sets the grid and the vertex format that tasks of chunks and nodes use. No task may run during the call.
     void tell(const TaskFacts& facts) { facts_ = facts; }
 
-    /// Returns the peak size in bytes of the per-vertex tables of all tasks that ran at the same time.
+    /// Returns the peak size in bytes of the per-vertex tables, summed over all tasks that ran at the same time.
     std::uint64_t maxTableBytes() const { return ranges_.maxTableBytes(); }
 
-    /// Runs a task and returns its result. Large results are appended to the scratch file, where other processes can
-    /// read them.
+    /// Runs one build task and returns its result. Large results are appended to the scratch file, where other
+    /// processes can read them.
     std::vector<std::byte> perform(TaskKind kind, std::span<const std::byte> input) const;
 
 private:

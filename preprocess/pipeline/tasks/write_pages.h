@@ -1,4 +1,4 @@
-// Copies the pages of a model from scratch files to their places in the model file. One process or all processes copy.
+// Copies the pages of a model from scratch files to the model file. Either one process or all processes copy pages.
 #pragma once
 
 #include "core/progress.h"
@@ -11,21 +11,21 @@
 
 namespace gnomon::pipeline {
 
-/// The scratch file with the pages, their order, and the model file.
+/// The pages to copy and their order (the checkpoint log), their scratch file, and the model file.
 struct PagesToWrite {
     const CheckpointLog& log;
     const scratch::ScratchFile& scratch;
     hierarchy::ModelWriter& writer;
     Progress& progress;
-    std::function<bool(const hierarchy::PageInfo&)> isSeen; // returns whether `see` must receive a page
+    std::function<bool(const hierarchy::PageInfo&)> isSeen; // returns true if `see` must receive the page
     std::function<void(const hierarchy::EncodedPage&)> see;
 };
 
-/// Appends all pages to the model file.
+/// Appends all pages of the model to the model file, in order.
 void appendPages(const PagesToWrite& pages);
 
-/// Writes all pages with tasks of `runner`. Each task writes a range of the file, and each process runs several tasks.
-/// The writer must have an unfinished file. Error messages call the file `displayPath`.
+/// Writes all pages to the model file with tasks of `runner`. Each task writes a range of the file, and each process
+/// runs several tasks. The writer must have an unfinished file. Error messages call the file `displayPath`.
 void writePagesInTasks(
     const PagesToWrite& pages,
     const std::string& displayPath,

@@ -16,13 +16,14 @@ namespace {
 
 using Corners = read::TriangleCorners;
 
-/// Returns the max number of heavy points that a VertexNumbers table can distinguish. With this limit the table needs
-/// 16 bits per vertex if the chunk numbers alone need at most 16 bits.
+/// Returns the max number of heavy points (grid points with very many triangles) that a VertexNumbers table can
+/// distinguish. With this limit the table needs 16 bits per vertex if the chunk numbers alone need at most 16 bits.
 std::size_t maxHeavyPoints(std::uint32_t chunks) {
     return chunks <= kNarrowChunks ? (kNarrowChunks - chunks) / 2 : kNarrowChunks / 2;
 }
 
-/// Writes the vertices and triangles of a source into the streams of their chunks. Without a store it only counts them.
+/// Writes the vertices and triangles of a source into the streams of their chunks. Without a stream store it only
+/// counts them.
 class Binner {
 public:
     Binner(
@@ -51,7 +52,8 @@ public:
         if (heavy_.size() > 0) isNeeded_.resize(source.summary().vertexCount);
     }
 
-    /// Writes the vertices that triangles use, except the vertices at heavy points.
+    /// Writes the vertices of triangles to their chunks, except the vertices at heavy points (grid points with very
+    /// many triangles).
     void binVertices(const SourceSurvey& survey) {
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
         const GridSnap snap(survey.grid);
@@ -80,7 +82,8 @@ public:
         flush();
     }
 
-    /// Writes the vertices at heavy points that triangles use. All triangles must already be in chunks.
+    /// Writes the vertices at heavy points (grid points with very many triangles) that a triangle uses. All triangles
+    /// must already be in chunks.
     void binHeavyVertices() {
         if (heavy_.size() == 0) return;
         progress_.stage("bin", "vertices", source_.summary().vertexCount);
@@ -92,7 +95,8 @@ public:
         flush();
     }
 
-    /// Triangulates the polygons whose corners lie in several chunks. `binTriangles` later reads these triangles.
+    /// Triangulates the polygons whose corners lie in several chunks. `binTriangles` later reads the resulting
+    /// triangles.
     void refinePolygons() {
         progress_.stage("polygons", "faces", source_.summary().faceCount);
         source_.readTriangles([&](const read::TriangleBlock& block) {
@@ -153,7 +157,7 @@ private:
         return place < tree_.chunkCount() ? place : heavyChunks_[(place - tree_.chunkCount()) / 2];
     }
 
-    /// Returns the number in `placeOf_` for vertices that are outside the range of the grid.
+    /// Returns the number that `placeOf_` contains for a vertex outside the range of the grid.
     std::uint32_t outsideGrid() const { return tree_.chunkCount() + static_cast<std::uint32_t>(2 * heavy_.size()); }
 
     template <class T>
@@ -165,8 +169,8 @@ private:
         if (bins_ != nullptr) bins_->flush();
     }
 
-    /// Returns true if all corners lie at heavy points and the triangle repeats an earlier triangle. `binTriangles`
-    /// drops such a triangle.
+    /// Returns true if all corners of a triangle lie at heavy points and the triangle repeats an earlier triangle.
+    /// `binTriangles` drops such a triangle.
     bool isDropped(const Corners& corners) {
         std::array<std::uint32_t, 3> found{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -184,7 +188,8 @@ private:
                 isNeeded_[corner] = true;
     }
 
-    /// Triangulates the next polygons of `reader`, as many as fit in memory. It makes one pass over the vertices.
+    /// Triangulates as many of the next polygons of `reader` as fit in memory. Makes one pass over the vertices of the
+    /// source.
     void refineSome(scratch::StreamStore::Reader& reader) {
         std::vector<read::TriangleCorners> fans;
         std::vector<std::uint32_t> sizes;
@@ -213,7 +218,7 @@ private:
         return refined.take<Corners>();
     }
 
-    /// Throws Error because two passes over the source returned different polygons.
+    /// Throws Error because the source returned different polygons in two passes, so it has changed.
     [[noreturn]] void throwOtherPolygons() const {
         source_.requireUnchanged();
         throw Error(source_.summary().path, "the input changed while it was read");
@@ -259,10 +264,10 @@ private:
     HeavyPoints heavy_;
     std::vector<std::uint32_t> heavyChunks_; // chunk of each heavy point; the last entry is kOutsideGrid
     std::vector<bool> isHeavy_;              // per chunk: whether it contains a heavy point
-    // The place of each vertex. Numbers below chunkCount() are chunks. The next numbers are chunkCount() plus a result
-    // of HeavyPoints::find. The last number is outsideGrid().
+    // The location of each vertex. Numbers below chunkCount() are chunks. The next numbers are chunkCount() plus a
+    // result of HeavyPoints::find. The last number is outsideGrid().
     VertexNumbers placeOf_;
-    // per vertex: whether it is at a heavy point and must be written; empty without heavy points
+    // Per vertex: whether it lies at a heavy point and a triangle uses it. The list is empty without heavy points.
     std::vector<bool> isNeeded_;
     DroppedTriangles dropped_;
     Box strays_;

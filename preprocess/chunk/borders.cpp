@@ -12,20 +12,20 @@ namespace gnomon::chunk {
 
 namespace {
 
-/// Returns the bytes of the message to `chunk`. This is the last message, or a new one. The caller adds messages by
-/// ascending chunk.
+/// Returns the bytes of the message to `chunk`. Appends a new message if the last message is to another chunk. The
+/// caller adds messages in ascending order of the chunks.
 std::vector<std::byte>& messageTo(Messages& messages, std::uint32_t chunk) {
     if (messages.empty() || messages.back().chunk != chunk) messages.push_back({chunk, {}});
     return messages.back().bytes;
 }
 
-/// The vertices and triangles that determine the normals that a chunk sends to other chunks.
+/// The vertices and triangles that affect the normals that a chunk sends to other chunks.
 struct Surroundings {
-    ChunkVertices vertices;   // vertices that other chunks requested, and the corners of the triangles
+    ChunkVertices vertices;   // vertices that other chunks requested, and corners of triangles
     ChunkTriangles triangles; // triangles at the positions of the requested vertices
 };
 
-/// Returns one flag per vertex of `vertices`: 1 if a requested vertex of `asked` has the same snapped position.
+/// Returns one flag per vertex of `vertices`: 1 if it snaps to the same grid point as a requested vertex of `asked`.
 std::vector<std::uint8_t> atPlacesOf(
     std::span<const VertexRequest> asked, const IndexedVertices& vertices, const hierarchy::Grid& grid) {
     const GridSnap snap(grid);
@@ -48,8 +48,8 @@ std::vector<std::uint8_t> atPlacesOf(
     return isThere;
 }
 
-/// Returns the vertices of `vertices` with a nonzero flag in `isChosen`, and renumbers the corners of `triangles`
-/// accordingly. Each corner must be a chosen vertex.
+/// Returns the vertices of `vertices` whose flag in `isChosen` is nonzero. Changes the corners of `triangles` to the
+/// new vertex indices. Each corner must be a chosen vertex.
 IndexedVertices chosen(IndexedVertices vertices, const std::vector<std::uint8_t>& isChosen, ChunkTriangles& triangles) {
     std::size_t ownCount = vertices.ownCount();
     std::vector<ChunkVertex> some = std::move(vertices).take();
@@ -95,7 +95,7 @@ Surroundings surroundingsOf(
     return {ChunkVertices(std::move(needed), source.grid), std::move(triangles)};
 }
 
-/// Returns one normal per place (welded position). Only the normals at requested vertices are correct.
+/// Returns one normal per place (welded position) of `around`. Only the normals at requested vertices are correct.
 std::vector<std::uint32_t> normalsOf(const Surroundings& around) {
     DroppedTriangles ignored;
     return levels::smoothNormals(

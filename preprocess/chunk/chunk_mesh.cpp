@@ -11,7 +11,7 @@ namespace {
 
 using hierarchy::kNone;
 
-/// Triangulates a polygon and overwrites `fan`, its preliminary triangles, with the result.
+/// Triangulates a polygon of the source. `fan` contains its preliminary triangles, and receives the final triangles.
 void refine(const IndexedVertices& vertices, read::PolygonRefiner& refiner, std::span<simplify::Triangle> fan) {
     std::vector<read::TriangleCorners> wide;
     wide.reserve(fan.size());
@@ -23,7 +23,7 @@ void refine(const IndexedVertices& vertices, read::PolygonRefiner& refiner, std:
             fan[i][k] = static_cast<std::uint32_t>(wide[i][k]);
 }
 
-/// The data per place (welded position) that the mesh needs.
+/// The normals and border flags of a mesh, one per place (welded position).
 struct Places {
     std::vector<std::uint32_t> normals; // empty if the source has normals
     std::vector<std::uint8_t> isShared;
@@ -44,10 +44,11 @@ Places placesOf(
     return places;
 }
 
-/// Builds a mesh. It merges source vertices with equal position, normal and colour, and removes unused vertices.
+/// Builds the mesh of a chunk. It merges source vertices with equal position, normal and colour, and removes unused
+/// vertices.
 class MeshMaker {
 public:
-    /// Creates a maker for a mesh of at most `triangleCount` triangles.
+    /// Prepares a mesh of at most `triangleCount` triangles.
     MeshMaker(
         const ChunkVertices& vertices,
         const Places& places,
@@ -104,8 +105,8 @@ private:
     const ChunkVertices& vertices_;
     const Places& places_;
     std::vector<std::uint32_t> vertexOf_;
-    std::vector<std::uint32_t> firstAt_; // the first mesh vertex at each place, usually the only one
-    IndexTable furtherAt_;               // more mesh vertices at a place, if their normals or colours differ
+    std::vector<std::uint32_t> firstAt_; // the first mesh vertex at each welded position, usually the only one
+    IndexTable furtherAt_;               // more mesh vertices at a position, if their normals or colours differ
     simplify::Mesh mesh_;
 };
 
@@ -130,7 +131,7 @@ ChunkTriangles readTriangles(
     triangles.own.reserve(triangleRecords(source.bins, own, source.format));
     read::PolygonRefiner refiner(progress);
     std::size_t fan = 0;  // number of triangles of the current polygon
-    std::size_t left = 0; // number of triangles of the current polygon that are still to be read
+    std::size_t left = 0; // number of triangles of the current polygon that are not read yet
     forEachTriangle(source.bins, own, source.format, [&](const read::TriangleCorners& corners) {
         if (left == 0 && corners[0] == kPolygonMark) {
             fan = left = corners[1];

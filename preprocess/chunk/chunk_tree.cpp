@@ -12,7 +12,8 @@ namespace {
 constexpr int kRootBits = CellCounts::kMaxRootBits;
 constexpr int kFinerBits = 3;
 
-/// Returns the low bits of `value` with two zero bits between neighbouring bits, as one coordinate of a Morton code.
+/// Returns the low bits of `value` with two zero bits between neighbouring bits. The result is one coordinate of a
+/// Morton code.
 constexpr std::uint32_t spread(std::uint32_t value) {
     std::uint32_t result = 0;
     for (std::uint32_t bit = 0; bit < kRootBits; ++bit)
@@ -33,7 +34,7 @@ std::uint32_t mortonCell(const hierarchy::GridPoint& point, int bits, int shift)
            kSpread[point.z >> shift & mask] << 2U;
 }
 
-/// Returns the coordinate of a cell on one axis, from the cell's Morton code.
+/// Returns the coordinate of an octree cell on one axis. `cell` is the Morton code of the cell.
 std::uint32_t gathered(std::uint32_t cell, std::uint32_t axis) {
     std::uint32_t result = 0;
     for (std::uint32_t bit = 0; bit < kRootBits; ++bit)

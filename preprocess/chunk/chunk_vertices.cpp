@@ -10,7 +10,7 @@ namespace gnomon::chunk {
 
 namespace {
 
-// Number of hash keys that are prefetched together. Prefetching helps because the hash table is larger than the caches.
+// The number of hash keys that are prefetched together, because the hash table is larger than the caches.
 constexpr std::size_t kBatch = 16;
 
 simplify::Triangle sorted(simplify::Triangle t) {

@@ -36,7 +36,7 @@ void ChunkWriter::putTriangle(const read::TriangleCorners& corners, const std::a
         return;
     }
     const std::uint32_t owner =
-        // the median of the three chunks
+        // the median of the chunks of the three corners
         std::max(std::min(lies[0], lies[1]), std::min(std::max(lies[0], lies[1]), lies[2]));
     if (bins_ != nullptr) chunk::putTriangle(*bins_, streamOf(BinStream::Triangles, owner), corners, format_);
     ++sizes_[owner].triangles;
@@ -66,7 +66,7 @@ void ChunkWriter::putFan(std::span<const read::TriangleCorners> fan, std::uint32
         chunk::putTriangle(*bins_, stream, t, format_);
 }
 
-/// Requests the corners of a triangle of `chunk` that lie in other chunks.
+/// Requests from other chunks the corners of a triangle of `chunk` that lie in these chunks.
 void ChunkWriter::request(
     const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& lies, std::uint32_t chunk, bool isOwner) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -21,7 +21,7 @@ namespace {
 constexpr double kPlaneTolerance = 1.5;
 constexpr double kMinWidth = 0.5;           // grid steps; narrower remaining parts are invisible and removed
 constexpr double kParallel = 0.99;          // min cosine between the normals of coplanar faces
-constexpr std::size_t kMaxCovering = 256;   // max number of covering triangles of a triangle
+constexpr std::size_t kMaxCovering = 256;   // max number of triangles that cover one triangle
 constexpr std::uint32_t kMaxTested = 16384; // max number of bounding boxes that are tested per triangle
 constexpr std::size_t kMaxParts = 128;      // max number of remaining parts of a triangle
 
@@ -51,8 +51,8 @@ std::uint32_t colorOf(const simplify::Mesh& mesh, std::uint32_t triangle) {
     return mesh.vertices[mesh.triangles[triangle][0]].color;
 }
 
-/// Returns the triangles whose three corners have the same colour, in order. Returns an empty list if all these
-/// triangles have the same colour.
+/// Returns the triangles whose three corners have the same colour, in order. Returns an empty list if the mesh has only
+/// one such colour.
 std::vector<std::uint32_t> plainTriangles(const simplify::Mesh& mesh) {
     std::vector<std::uint32_t> plain;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -72,14 +72,16 @@ glm::dvec3 outwards(const Face& face, std::size_t i) {
 
 bool isInPlaneOf(const Face& small, const Face& large) {
     const glm::dvec3 sides = glm::abs(large.normal);
-    // axis-aligned planes have whole grid coordinates
+    // The constant coordinate of an axis-aligned plane is a whole grid coordinate, so half a step of tolerance is
+    // sufficient.
     const bool isUpright = std::max({sides.x, sides.y, sides.z}) > 1 - 1e-12;
     return std::ranges::all_of(small.corners, [&](const glm::dvec3& p) {
         return std::abs(glm::dot(p - large.corners[0], large.normal)) <= (isUpright ? 0.5 : kPlaneTolerance);
     });
 }
 
-/// Returns true if an edge of `face` has all corners of `other` on its outer side. The tolerance is kMinWidth.
+/// Returns true if an edge of the triangle `face` separates it from `other`. The corners of `other` may be up to
+/// kMinWidth inside the edge.
 bool separates(const Face& face, const Face& other) {
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 away = outwards(face, i);
@@ -89,8 +91,8 @@ bool separates(const Face& face, const Face& other) {
     return false;
 }
 
-/// Returns true if `face` and triangle `t` are coplanar and overlap. The first test is cheap: it rejects most triangles
-/// without a square root.
+/// Returns true if `face` and triangle `t` are coplanar and overlap. A cheap first test rejects most triangles without
+/// a square root.
 bool overlap(const simplify::Mesh& mesh, const Face& face, const simplify::Triangle& t) {
     const glm::dvec3 a = vectorOf(mesh.vertices[t[0]].position);
     const glm::dvec3 b = vectorOf(mesh.vertices[t[1]].position) - a;
@@ -104,8 +106,8 @@ bool overlap(const simplify::Mesh& mesh, const Face& face, const simplify::Trian
     return !separates(face, other) && !separates(other, face);
 }
 
-/// Sorts the indices of `triangles` into four lists: planes of constant x, of constant y, of constant z, and tilted
-/// planes. Most faces of buildings are in the first three lists. Only faces of one list can be coplanar.
+/// Sorts the indices of `triangles` into four lists by the plane of the triangle: constant x, constant y, constant z,
+/// and tilted. Most faces of buildings are in the first three lists. Only faces of one list can be coplanar.
 std::array<std::vector<std::uint32_t>, 4> placesByDirection(
     const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles) {
     std::array<std::vector<std::uint32_t>, 4> places;
@@ -120,7 +122,7 @@ std::array<std::vector<std::uint32_t>, 4> placesByDirection(
     return places;
 }
 
-/// Finds the earlier triangles of other colours that overlap a given triangle.
+/// Finds the triangles that overlap a given triangle, have another colour and are earlier in the source.
 class Coverings {
 public:
     Coverings(const simplify::Mesh& mesh, std::span<const std::uint32_t> triangles)
@@ -130,8 +132,8 @@ public:
           colors_(colorsOf(mesh, triangles)),
           tree_(boxes_, colors_) {}
 
-    /// Returns the triangles that cover the triangle with index `place`, in ascending order. Returns an empty list if
-    /// there are too many.
+    /// Returns the triangles that cover triangle number `place` of the list, in ascending order. Returns an empty list
+    /// if there are too many.
     std::vector<std::uint32_t> of(std::uint32_t place) const {
         proximity::TreeBox box = boxes_[place];
         box.low -= kPlaneTolerance;
@@ -176,7 +178,7 @@ private:
     proximity::BoxTree tree_;
 };
 
-/// Classifies the connected surfaces of the mesh as open or closed.
+/// Classifies the connected surfaces of a mesh as open or closed.
 class OpenSurfaces {
 public:
     explicit OpenSurfaces(const simplify::Mesh& mesh)
@@ -251,7 +253,7 @@ std::array<Polygon, 2> cut(const Polygon& polygon, const glm::dvec3& point, cons
     return parts;
 }
 
-/// Returns true if `polygon` is wider than kMinWidth, so that it is visible.
+/// Returns true if `polygon` is wider than kMinWidth. Narrower polygons are invisible.
 bool counts(const Polygon& polygon) {
     if (polygon.size() < 3) return false;
     glm::dvec3 area(0);
@@ -292,7 +294,7 @@ public:
         }
     }
 
-    /// Returns a mesh vertex at the point `p` of `triangle`. Creates the vertex if there is none.
+    /// Returns a mesh vertex at the point `p` in `triangle`. Creates the vertex if the mesh has none there.
     std::uint32_t vertexAt(const simplify::Triangle& triangle, const glm::dvec3& p) {
         const auto rounded = [](double x) { return static_cast<std::uint32_t>(std::llround(std::max(x, 0.0))); };
         const hierarchy::GridPoint point{rounded(p.x), rounded(p.y), rounded(p.z)};
@@ -344,12 +346,12 @@ private:
     }
 
     simplify::Mesh& mesh_;
-    IndexTable vertexAt_; // an original mesh vertex at each of its positions
+    IndexTable vertexAt_; // a vertex of the original mesh at each of its positions
     std::map<hierarchy::GridPoint, std::uint32_t> newPositionAt_;
     std::map<std::pair<hierarchy::Vertex, std::uint32_t>, std::uint32_t> made_;
 };
 
-/// Appends the triangles of each remaining part of a face to the mesh.
+/// Triangulates the remaining parts of a face and appends the triangles to the mesh.
 void appendParts(
     CornerMaker& maker,
     const simplify::Triangle& triangle,
@@ -374,8 +376,8 @@ bool isAtBorder(const simplify::Mesh& mesh, const simplify::Triangle& t) {
     return std::ranges::count_if(t, [&](std::uint32_t v) { return mesh.isBorder[mesh.positionOf[v]] != 0; }) > 1;
 }
 
-/// Returns the parts of `triangle` that the earlier triangles `covering` do not cover. Returns nullopt if the triangle
-/// does not change.
+/// Returns the parts of `triangle` that the earlier coplanar triangles in `covering` do not cover. Returns nullopt if
+/// the triangle does not change.
 std::optional<std::vector<Polygon>> partsOf(
     const simplify::Mesh& mesh,
     std::uint32_t triangle,
@@ -383,9 +385,9 @@ std::optional<std::vector<Polygon>> partsOf(
     OpenSurfaces& surfaces) {
     const Face face = faceOf(mesh, mesh.triangles[triangle]);
     const std::vector<Polygon> whole{{face.corners.begin(), face.corners.end()}};
-    // parts that faces of the same orientation, and faces between two open surfaces, do not cover
+    // The uncovered parts. Only faces of the same orientation, and faces between two open surfaces, cover.
     std::vector<Polygon> parts = whole;
-    // like `parts`, but faces of the opposite orientation also cover if one surface is open
+    // The uncovered parts if faces of the opposite orientation also cover when one surface is open.
     std::vector<Polygon> unseenParts = whole;
     for (const std::uint32_t other : covering) {
         const Face cover = faceOf(mesh, mesh.triangles[other]);

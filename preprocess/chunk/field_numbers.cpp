@@ -9,7 +9,7 @@ namespace gnomon::chunk {
 
 namespace {
 
-/// Extends the ranges of the fields by the values of one vertex.
+/// Extends the value ranges of the fields (scalar vertex properties) by the values of one vertex.
 void add(
     read::MeshSource& source,
     std::uint64_t vertex,

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kRemembered = std::size_t{1} << 16U;
 
-/// Returns the counter for a dropped triangle between heavy points that repeats an earlier triangle. Returns null if
-/// the reason of the drop depends on positions that are not stored.
+/// Returns the counter in DroppedTriangles for a triangle between heavy points that repeats an earlier triangle.
+/// Returns null if the reason of the drop depends on positions that are not stored.
 std::uint64_t DroppedTriangles::*reasonOf(
     const read::TriangleCorners& corners, const std::array<std::uint32_t, 3>& found) {
     bool isCollapsed = false;
@@ -22,7 +22,7 @@ std::uint64_t DroppedTriangles::*reasonOf(
         const bool isFirst = found[i] % 2 == 0 && found[k] % 2 == 0;
         if (isFirst || corners[i] == corners[k]) return &DroppedTriangles::degenerate;
         isCollapsed = true;
-        // Two corners that both differ from the first position may be equal or different.
+        // Two corners that both differ from the first position at a heavy point may have equal or different positions.
         isUnknown = isUnknown || found[i] == found[k];
     }
     if (isUnknown) return nullptr;
@@ -52,7 +52,7 @@ bool HeavyPoints::isRepeated(
     if (reason == nullptr) return false;
     std::array<std::uint64_t, 3> points{found[0] / 2, found[1] / 2, found[2] / 2};
     std::sort(points.begin(), points.end());
-    // each number of a point is below 2^16
+    // The index of a heavy point is below 2^16, so the key of three indices is unique.
     const std::uint64_t key = 1 + (points[0] << 32U | points[1] << 16U | points[2]);
     std::uint64_t& earlier = earlier_[mix64(key) % kRemembered];
     if (earlier != key) {

@@ -1,5 +1,5 @@
-// Heavy points are grid points with too many triangle corners for one chunk. The class finds repeated triangles between
-// such points.
+// Heavy points are grid points with more triangle corners than an eighth of the limit of a chunk. The class finds
+// repeated triangles between such points.
 #pragma once
 
 #include "preprocess/chunk/chunk_streams.h"

@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t kMaxSampled = std::size_t{1} << 19U;
 constexpr int kExponentBias = 1200;
 constexpr int kBinsPerOctave = 16;
-constexpr std::size_t kMaxStrayShare = 1000; // strays are at most 1 of this many triangles
+constexpr std::size_t kMaxStrayShare = 1000; // strays are at most 1 of this many sampled triangles
 constexpr std::size_t kMaxFewStrays = 16;    // max number of strays in the second case of mainPart
 constexpr std::size_t kMaxFewStrayShare = 8; // strays in the second case are at most 1 of this many triangles
-// min distance of strays in the second case, in widths of the other triangles
+// Min distance of strays in the second case of mainPart, in widths of the other triangles.
 constexpr double kFewStraysDistance = 1000;
-constexpr double kUnsampled = 1.0 / 64; // share of the width by which unsampled vertices may exceed the sample
+constexpr double kUnsampled = 1.0 / 64; // share of the width by which other vertices may exceed the sample
 constexpr int kRangeBits = 30;          // bits of a grid coordinate if the whole source is within the grid's range
 
 double maxAbs(const glm::dvec3& p) {
@@ -34,7 +34,7 @@ double maxExtent(const Box& box) {
     return std::max({extent.x, extent.y, extent.z});
 }
 
-/// Returns `box` extended on each side by `widths` times its width.
+/// Returns `box` extended on each side by `widths` times the width of the box.
 Box grown(const Box& box, double widths) {
     const glm::dvec3 by(widths * maxExtent(box));
     return {box.min - by, box.max + by};
@@ -44,8 +44,8 @@ bool contains(const Box& outer, const Box& inner) {
     return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::greaterThanEqual(outer.max, inner.max));
 }
 
-/// Returns the median of each coordinate, over at most 65,536 positions at regular intervals of the list. `positions`
-/// must not be empty.
+/// Returns the median of each coordinate of `positions`. It uses at most 65,536 positions at regular intervals of the
+/// list. `positions` must not be empty.
 glm::dvec3 medianOf(std::span<const glm::dvec3> positions) {
     glm::dvec3 median(0);
     std::vector<double> values(std::min<std::size_t>(positions.size(), 1U << 16U));
@@ -94,7 +94,7 @@ void requireReach(const std::string& path, const Box& box) {
     throw Error(path, "a coordinate is too large", "at most 1e100", found.data());
 }
 
-/// Returns the bounds of the vertices that triangles use. Counts the invalid normals of all vertices in `survey`.
+/// Returns the bounds of all vertices that triangles use. Adds the invalid normals of all vertices to `survey`.
 Box boundsOf(read::MeshSource& source, SourceSurvey& survey, Progress& progress) {
     progress.stage("measure", "vertices", source.summary().vertexCount);
     Box box;
@@ -226,7 +226,7 @@ hierarchy::Grid chooseGrid(const Box& box, const Box& mainPart, const EdgeSample
     const int coarsest = exponent;
     if (const double shortest = lengths.quantile(2e-5); shortest > 0)
         exponent = std::min(exponent, floorExponent(shortest / 2));
-    // A step smaller than the spacing of doubles at these coordinates would only store rounding noise.
+    // A grid step below the spacing of doubles at these coordinates would only store rounding noise.
     const double largest = std::max(glm::length(mainPart.min), glm::length(mainPart.max));
     exponent = std::max(exponent, floorExponent(largest) - 52);
     const int ofAll = floorExponent(maxExtent(box)) + 1 - kRangeBits;

@@ -18,7 +18,7 @@ namespace gnomon::distributed {
 
 namespace {
 
-/// A progress sink for the tasks of a helper. It counts their progress, and interrupts them after `stop`.
+/// Counts the progress of the tasks of a helper process, and interrupts them after `stop`.
 class CountedProgress final : public Progress {
 public:
     void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}
@@ -30,7 +30,7 @@ public:
 
     void stop() { isStopped_ = true; }
 
-    /// Returns the progress since the last call.
+    /// Returns the number of work units that were done since the last call.
     std::uint64_t take() { return done_.exchange(0); }
 
 private:
@@ -54,7 +54,7 @@ std::string textOf(const std::exception_ptr& error) {
 
 } // namespace
 
-/// The state of a helper that runs tasks: source, options, scratch files and threads.
+/// The source, options, scratch files and threads of a helper process while it runs tasks.
 class Helper::Work {
 public:
     Work(read::MeshSource& source, const pipeline::BuildOptions& options, std::size_t threads)

@@ -11,7 +11,7 @@ namespace gnomon::distributed {
 
 namespace {
 
-/// Waits for all tasks of a pool at the end of a scope, because the tasks refer to local objects of this scope.
+/// Waits at the end of a scope for all tasks of a pool, because the tasks refer to local objects of this scope.
 struct DrainAtEnd {
     explicit DrainAtEnd(TaskPool& drained) : pool(drained) {}
 
@@ -112,8 +112,8 @@ Leader::Member* Leader::freeMember(std::size_t atOnce) {
     Member* best = nullptr;
     for (Member& member : members_) {
         if (member.running >= std::min<std::size_t>(member.report.threads, atOnce)) continue;
-        // Among equally loaded processes the last one receives the task, because the leader (the first) also handles
-        // messages.
+        // Among equally loaded processes the last process receives the task. The leader is the first, and it also
+        // handles messages.
         if (best == nullptr || member.running <= best->running) best = &member;
     }
     return best;
@@ -206,7 +206,7 @@ pipeline::TeamShare Leader::endPhase() {
         available += phaseSeconds_ * member.report.threads;
         if (member.busySeconds > members_[share_.slowest].busySeconds) share_.slowest = member.report.rank;
     }
-    // Tasks share the threads of their process. The sum of their times can therefore exceed the available time.
+    // Tasks share the threads of their process, so the sum of the task times can exceed the available thread time.
     share_.idle = available > 0 ? std::clamp(1 - busy / available, 0.0, 1.0) : 0;
     for (Member& member : members_)
         member.busySeconds = 0;
@@ -226,7 +226,7 @@ void Leader::dismiss() {
         const std::optional<Letter> letter = mailbox_.receive();
         if (letter && letter->subject == Subject::Bye)
             take(*letter);
-        else if (!letter) // messages of other subjects have no effect during the stop
+        else if (!letter) // messages of other subjects have no effect while the job stops
             backoff.wait();
     }
     members_.front().report.peakResidentBytes = telemetry::peakResident().count;

@@ -18,7 +18,7 @@ struct Mailbox::Sending {
     MPI_Request request = MPI_REQUEST_NULL;
 };
 
-// A failed MPI call ends the whole job, because the constructor does not change the default error handler of MPI.
+// A failed MPI call ends the whole job, because the default error handler of MPI is active.
 Mailbox::Mailbox(int* argc, char*** argv) {
     int provided = MPI_THREAD_SINGLE;
     MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);

@@ -18,7 +18,7 @@ struct TaskPool::State {
     }
 
     tbb::global_control limit; // allows one more thread than `threads`: the thread that handles messages
-    tbb::task_arena arena;     // its slots are for the pool only, not for the thread that handles messages
+    tbb::task_arena arena;     // its slots are for the pool threads, not for the thread that handles messages
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<Finished> finished;

@@ -4,12 +4,12 @@ namespace gnomon::levels {
 
 namespace {
 
-/// The barycentric coordinates of the three sample points of a triangle. The points lie between the centroid and each
+/// The barycentric coordinates of the three sample points in a triangle. Each point lies between the centroid and a
 /// corner. A sample therefore never lies on an edge at which the attributes change abruptly.
 constexpr std::array<std::array<float, 3>, 3> kSampleWeights = {
     {{2.0F / 3, 1.0F / 6, 1.0F / 6}, {1.0F / 6, 2.0F / 3, 1.0F / 6}, {1.0F / 6, 1.0F / 6, 2.0F / 3}}};
 
-/// Returns the smallest height of a triangle.
+/// Returns the width of a triangle, which is its smallest height.
 double widthOf(const std::array<glm::dvec3, 3>& t) {
     const double area = glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
     const double longest = std::max({glm::length(t[1] - t[0]), glm::length(t[2] - t[1]), glm::length(t[0] - t[2])});
@@ -99,9 +99,9 @@ void ChannelFit::compareWordsAround() {
     }
 }
 
-/// Returns true if all corners of the simplified triangles around the collapsed corners of `t` have the word of `t`.
-/// The attributes of `t` are then unchanged. This is true for most triangles of a surface with few colours. The test
-/// does not need the list of candidate triangles.
+/// Returns true if the simplification does not change the attributes of triangle `t`. All corners of the simplified
+/// triangles around the collapsed corners of `t` must have the attribute word of `t`. This is true for most triangles
+/// of a surface with few colours. The test does not need the list of candidate triangles.
 bool ChannelFit::isPlain(const simplify::Triangle& t) const {
     const std::uint32_t word = words_[t[0]];
     return std::ranges::all_of(t, [&](std::uint32_t v) {
@@ -111,8 +111,8 @@ bool ChannelFit::isPlain(const simplify::Triangle& t) const {
     });
 }
 
-/// Gathers the simplified triangles around the positions that the corners of `t` were collapsed into, without
-/// repetition.
+/// Gathers the simplified triangles around the positions onto which the corners of `t` were collapsed. Each triangle
+/// occurs once.
 void ChannelFit::gatherCandidates(const simplify::Triangle& t) {
     candidates_.clear();
     for (const std::uint32_t v : t)
@@ -123,7 +123,7 @@ void ChannelFit::gatherCandidates(const simplify::Triangle& t) {
 }
 
 /// Returns the max distance by which a corner of `t` moved. If no corner moved, returns the max distance from a corner
-/// to a position that was collapsed into it.
+/// to a position that was collapsed onto it.
 double ChannelFit::lengthOf(const simplify::Triangle& t) const {
     double moved = 0;
     double reach = 0;
@@ -135,8 +135,8 @@ double ChannelFit::lengthOf(const simplify::Triangle& t) const {
     return moved > 0 ? moved : reach;
 }
 
-/// Takes samples on triangle `number` of the patch. Adds the attribute difference of each sample to the corners of the
-/// simplified triangle that is nearest to the sample.
+/// Takes samples on triangle `number` of the original patch. Adds the attribute difference of each sample to the
+/// corners of the simplified triangle that is nearest to the sample.
 void ChannelFit::compare(std::uint32_t number) {
     const simplify::Triangle& t = patch_.triangles[number];
     const std::array<glm::dvec3, 3> places = surface_.placesOf(t);

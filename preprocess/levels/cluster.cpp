@@ -12,7 +12,8 @@ namespace {
 
 using Positions = std::span<const glm::vec3>;
 
-/// The items that kdSplit orders. A small connected piece is one item. Each triangle of a large piece is one item.
+/// The items that a kd-tree sorts into clusters. A small connected piece is one item. Each triangle of a large piece is
+/// one item.
 struct Items {
     std::vector<KdItem> items;
     std::vector<std::uint32_t> first; // index of each item's first triangle in `members`
@@ -30,8 +31,8 @@ struct ClusterInput {
     }
 };
 
-/// Returns the number of the connected piece for each triangle. Pieces are numbered in the order of their first
-/// triangles.
+/// Returns for each triangle the number of its connected piece. Pieces are numbered in the order of their first
+/// triangles. `count` receives their number.
 std::vector<std::uint32_t> pieces(const ClusterInput& input, std::uint32_t& count) {
     simplify::UnionFind sets(static_cast<std::uint32_t>(input.positions.size()));
     for (const simplify::Triangle& t : input.triangles) {
@@ -90,8 +91,7 @@ std::uint32_t vertexCount(const ClusterInput& input, std::span<const std::uint32
     return static_cast<std::uint32_t>(numbers.ids().size());
 }
 
-/// Appends `cluster` to `out`. If the cluster has too many vertices, the function splits it into halves until each half
-/// has few enough.
+/// Appends `cluster` to `out`. A cluster with too many vertices is split into halves until each half has few enough.
 void appendFitting(
     const ClusterInput& input, std::span<const std::uint32_t> cluster, LocalNumbers& numbers, Clustering& out) {
     if (const std::uint32_t vertices = vertexCount(input, cluster, numbers); vertices <= kMaxClusterVertices) {

@@ -11,7 +11,7 @@ using hierarchy::kNone;
 PositionOwners::PositionOwners(const simplify::Mesh& mesh, const Level& level) : owners_(mesh.positionCount, kNone) {
     for (std::uint32_t position = 0; position < mesh.positionCount; ++position)
         if (mesh.isBorder[position] != 0) owners_[position] = kShared;
-    // The threads claim positions in any order. This order has no effect on whether a position becomes shared.
+    // Threads mark positions for their groups in any order. The order does not affect which positions become shared.
     const auto claim = [&](std::uint32_t position, std::uint32_t group) {
         const std::atomic_ref<std::uint32_t> owner(owners_[position]);
         std::uint32_t found = owner.load(std::memory_order_relaxed);
@@ -49,7 +49,7 @@ GroupPatch makeGroupPatch(
     patch.fields.layout = mesh.fields.layout;
     numbers.positions.begin();
     glm::dvec3 origin(0);
-    // prefetch distance in vertices; the vertices of a group are scattered in the mesh
+    // Prefetch distance in vertices, because the vertices of a group are scattered in the mesh.
     constexpr std::size_t kAhead = 16;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const std::uint32_t v = vertices[i];

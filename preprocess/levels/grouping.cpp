@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::uint32_t kGroupClusters = 16;
 
-/// The fraction of weight on the low side of each kd-tree cut, indexed by the level modulo 3. The fractions differ so
-/// that consecutive levels are divided at different places.
+/// The share of the weight on the low side of each kd-tree cut that forms groups, indexed by the level modulo 3. The
+/// shares differ so that consecutive levels are divided at different places.
 constexpr std::array<double, 3> kGroupCutFractions{0.5, 0.42, 0.58};
 
-// The usual error of a level is the error that this share of its triangles does not exceed. Clusters with up to twice
-// this error are grouped, and other clusters may be deferred.
+// The usual error of a level is the error that this share of its triangles does not exceed. Clusters with up to
+// kMaxUsualRatio times this error are grouped, and other clusters may be deferred to the next level.
 constexpr double kUsualShare = 2.0 / 3;
 constexpr double kMaxUsualRatio = 2;
 
@@ -39,7 +39,8 @@ Sphere enclosing(const Box& box, std::span<const Sphere> children) {
     return sphere;
 }
 
-/// Returns the max error, in world units, of a cluster that is grouped. Clusters with a larger error are deferred.
+/// Returns the max error in world units for which a cluster of `level` is grouped. Clusters with a larger error are
+/// deferred to the next level.
 double greatestGroupedError(const Level& level) {
     std::vector<WeightedError> errors;
     for (const LevelCluster& cluster : level.clusters)
@@ -47,7 +48,7 @@ double greatestGroupedError(const Level& level) {
     return kMaxUsualRatio * errorQuantile(std::move(errors), kUsualShare);
 }
 
-/// Appends `cluster`, which belongs to the level `from`, and its triangles to the level `to`.
+/// Appends `cluster` and its triangles to the level `to`. The cluster belongs to the level `from`.
 void append(const Level& from, LevelCluster cluster, Level& to) {
     const auto first = static_cast<std::ptrdiff_t>(cluster.firstTriangle);
     const auto last = first + static_cast<std::ptrdiff_t>(cluster.triangleCount);
@@ -90,8 +91,8 @@ void formGroups(
             deferred.push_back(c);
     }
     const std::uint64_t maxWeight = std::uint64_t{kGroupClusters} * options.clusterTriangles;
-    // Each side of a gap must have at least half the triangles of a group, because small parts need neighbours to merge
-    // with.
+    // The kd-tree cuts in a gap only if each side has at least half the triangles of a group, because small parts need
+    // neighbours to merge with.
     KdParts parts = kdSplit(items, maxWeight, kGroupCutFractions.at(number % kGroupCutFractions.size()), maxWeight / 2);
     const std::size_t formed = parts.ends.size();
     for (const std::uint32_t c : deferred) {
@@ -146,7 +147,7 @@ void dropDeferred(Level& level) {
 }
 
 void appendDeferred(const Level& level, Level& next) {
-    // The index in `next` of each refinement of `level`.
+    // For each refinement of `level`, its index in `next`.
     std::vector<std::uint32_t> numbers(level.refinements.size(), hierarchy::kNone);
     for (const LevelGroup& group : level.groups) {
         if (!group.isDeferred) continue;

@@ -9,13 +9,14 @@ namespace gnomon::levels {
 
 namespace {
 
-/// A cut position in the sorted order of the points: the low side ends before point `item` at the coordinate `value`.
+/// A cut position in the sorted list of points. The points on the low side are before the coordinate `value`, or at
+/// this coordinate with an index below `item`.
 struct Place {
     float value;
     std::uint64_t item;
     std::uint64_t weightBefore;
 
-    /// Returns true if a point is before the cut position. The comparison has no branches, because the CPU cannot
+    /// Returns true if a point is on the low side of the cut. The comparison has no branches, because the CPU cannot
     /// predict the side of a point.
     bool isAfter(float pointValue, std::uint32_t pointItem) const {
         const unsigned isLess = pointValue < value ? 1 : 0;
@@ -25,13 +26,14 @@ struct Place {
     }
 };
 
-/// Buckets of equal width for coordinates. A larger coordinate never has a lower bucket index, independent of rounding.
+/// Sorts coordinates into buckets of equal width. A larger coordinate never has a lower bucket index, in spite of
+/// rounding.
 class Buckets {
 public:
     static constexpr std::size_t kMaxCount = 256;
 
-    /// Creates buckets for `points` coordinates from `low` to `high`. If the range is too small for a division, all
-    /// coordinates are in one bucket.
+    /// Creates buckets for `points` coordinates from `low` to `high`. If the range is too small for a division, there
+    /// is only one bucket.
     Buckets(float low, float high, std::size_t points)
         : low_(low), count_(std::clamp<std::size_t>(points / 2, 16, kMaxCount)) {
         const float scale = static_cast<float>(count_ - 1) / (high - low);
@@ -55,9 +57,10 @@ struct CutInput {
     std::uint64_t target;
 };
 
-/// Finds the bucket in which the accumulated weight reaches the target, and copies its points to the front of the spare
-/// buffer. `candidates` may already be in the spare buffer. `before` is the weight of all points before the candidates.
-/// The function increases it to the weight before the found bucket. Returns the number of copied points.
+/// Finds the bucket in which the accumulated weight of the candidates reaches the target, and copies the points of the
+/// bucket to the front of the spare buffer. `candidates` may already be in the spare buffer. `before` is the weight of
+/// all points before the candidates. The function increases it to the weight before the found bucket. Returns the
+/// number of copied points.
 template <int kAxis>
 std::size_t narrow(
     const CutInput& input, std::span<const KdPoint> candidates, const KdBounds& bounds, std::uint64_t& before) {
@@ -87,8 +90,8 @@ std::span<const KdPoint> sorted(const CutInput& input, std::span<const KdPoint> 
     return copies;
 }
 
-/// Finds the cut position. It selects the points of the bucket that reaches the target, repeats this with smaller
-/// buckets, and finally sorts the few remaining points.
+/// Finds the cut position for the target weight. The function selects the points of the bucket that reaches the target,
+/// repeats this with smaller buckets, and finally sorts the few remaining points.
 template <int kAxis>
 Place findPlace(const CutInput& input, KdBounds bounds) {
     constexpr std::size_t kFew = 16;
@@ -109,8 +112,8 @@ Place findPlace(const CutInput& input, KdBounds bounds) {
     return {point.center[kAxis], std::uint64_t{point.item} + 1, input.weights[point.item]};
 }
 
-/// Moves the points before `place` to the front and returns their number. The loop writes each point to both sides and
-/// advances only one side. It therefore needs no branches.
+/// Moves the points before the cut position `place` to the front and returns their number. The loop writes each point
+/// to both sides and advances only one side. It therefore needs no branches.
 template <int kAxis>
 std::size_t part(const CutInput& input, const Place place) {
     KdPoint* const low = input.points.data();
@@ -127,8 +130,8 @@ std::size_t part(const CutInput& input, const Place place) {
     return lows;
 }
 
-/// Cuts the points across the axis `kAxis`. The axis is a template parameter so that the short inner loops do not test
-/// it.
+/// Cuts the points perpendicular to the axis `kAxis`. The axis is a template parameter so that the short inner loops do
+/// not test it.
 template <int kAxis>
 KdSide cutAcross(const CutInput& input, const KdBounds& bounds) {
     const Place place = findPlace<kAxis>(input, bounds);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kBuckets = 64;
 constexpr double kMinShare = 0.15;
-// The min gap width as a multiple of 1 / sqrt(n). This is the distance between n points that are evenly spread over a
-// unit square.
+// The min width of a gap, as a multiple of the distance between n points that are evenly spread over a unit square.
+// This distance is 1 / sqrt(n).
 constexpr double kMinSpacings = 1.5;
 
 } // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kParallelPoints = 1U << 15U;
 
-/// Cuts points recursively until each part weighs little enough. The points are sorted by item.
+/// Divides points recursively until no part is heavier than the limit. The points are sorted by item.
 struct Splitter {
     std::span<KdPoint> points;
     std::span<KdPoint> spare; // a buffer of the same size as `points`

@@ -17,7 +17,8 @@ namespace {
 
 using hierarchy::kNone;
 
-// Max error of a group as a multiple of the level's median error. Groups with a larger error are deferred.
+// Max error of a group, as a multiple of the level's median error. Groups with a larger error are deferred to the next
+// level.
 constexpr double kMaxMedianRatio = 4;
 constexpr double kToleranceShare = 0.25; // max error that the measurement may add, as a share of the existing error
 constexpr double kTightShare = 0.5;      // the measurement stops below this share of the collapse bound
@@ -28,16 +29,17 @@ std::uint64_t triangleCount(const Level& level, const LevelGroup& group) {
     return last.firstTriangle + last.triangleCount - first.firstTriangle;
 }
 
-/// The result of simplifying one group.
+/// The simplified clusters of one group and their error.
 struct GroupResult {
     Level clusters; // `firstTriangle` counts from the first triangle of the group
     double error = 0;
     double attributeError = 0;
-    double before = 0; // max error of its clusters before the simplification (geometry and attributes)
+    double before = 0; // max error of the group's clusters before the simplification (geometry and attributes)
 
     double drawnError() const { return std::max(error, attributeError); }
 
-    /// Returns true if the new error is at most `greatest`, or not larger than the error before the simplification.
+    /// Returns true if the error of the simplified group is at most `greatest`, or not larger than the error before the
+    /// simplification.
     bool isWithin(double greatest) const { return drawnError() <= std::max(greatest, before); }
 };
 
@@ -48,9 +50,9 @@ double largestOf(std::span<const simplify::TriangleError> errors) {
     return worst;
 }
 
-/// Measures the error bounds of `simplified` against `patch`. Returns them if their max is lower than the max of the
-/// bounds that the simplifier computed, and the simplifier's bounds otherwise. The simplifier's bounds are sums over
-/// all collapses. They are often too large, because one collapse can undo the displacement of another.
+/// Returns the error bounds of the triangles of `simplified`, by measurement against `patch`. If the max of the
+/// measured bounds is not lower than that of the simplifier's bounds, returns the simplifier's bounds. These are sums
+/// over all collapses. They are often too large, because one collapse can undo the displacement of another.
 std::vector<simplify::TriangleError> tightErrors(
     const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified) {
     const double worst = largestOf(simplified.errors);
@@ -60,8 +62,8 @@ std::vector<simplify::TriangleError> tightErrors(
     return simplified.errors;
 }
 
-/// Returns the max error of the refinements of a group's clusters. `error` selects the member: geometric error or error
-/// of attributes.
+/// Returns the max error of the finer groups from which a group's clusters were simplified. `error` selects the member:
+/// geometric error or error of attributes.
 double worstRefinement(const Level& level, const LevelGroup& group, double LevelRefinement::*error) {
     double worst = 0;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
@@ -96,7 +98,7 @@ public:
             result.error = before + simplified.estimatedError * mesh_.grid.step();
         } else {
             errors = boundedErrors(patch.patch, simplified, before);
-            // The bound is slightly enlarged, because the computed distances are rounded.
+            // The error is slightly enlarged, because the computed distances are rounded.
             const double measured = largestOf(errors) * (1 + 1e-9) * mesh_.grid.step() + mesh_.grid.snapError();
             result.error = std::max(before, measured);
         }
@@ -107,8 +109,8 @@ public:
     }
 
 private:
-    /// Returns upper bounds of the errors of a simplified patch, per triangle. `before` is the error of the group's
-    /// clusters before the simplification, in world units.
+    /// Returns the error bounds of each triangle of a simplified patch. `before` is the error of the group's clusters
+    /// before the simplification, in world units.
     std::vector<simplify::TriangleError> boundedErrors(
         const simplify::Patch& patch, const simplify::SimplifiedPatch& simplified, double before) const {
         if (simplified.errors.empty()) {
@@ -132,7 +134,8 @@ private:
         result.attributeError = colors.error * mesh_.grid.step();
     }
 
-    /// Divides the simplified triangles into clusters, appends them to `out`, and records the moved vertices.
+    /// Divides the simplified triangles of a group into clusters, appends them to `out`, and records the moved
+    /// vertices.
     void cutIntoClusters(
         const GroupPatch& patch,
         const simplify::SimplifiedPatch& simplified,
@@ -143,7 +146,7 @@ private:
         for (const glm::dvec3& p : patch.patch.positions)
             positions.emplace_back(p);
         const auto count = static_cast<std::uint32_t>(patch.patch.vertices.size());
-        std::vector<std::uint32_t> vertexAt(positions.size()); // per position before the move: a mesh vertex there
+        std::vector<std::uint32_t> vertexAt(positions.size()); // per position before the move: a mesh vertex at it
         std::vector<std::uint32_t> positionOf(count);
         for (std::uint32_t v = 0; v < count; ++v) {
             vertexAt[patch.patch.positionOf[v]] = patch.globalVertex[v];
@@ -177,7 +180,7 @@ private:
     PositionOwners owners_;
 };
 
-/// Defers the groups whose error is more than kMaxMedianRatio times the median error of the level.
+/// Defers groups to the next level if their error is more than kMaxMedianRatio times the median error of the level.
 void deferExpensiveGroups(Level& level, const std::vector<GroupResult>& results) {
     std::vector<WeightedError> errors;
     for (std::size_t g = 0; g < results.size(); ++g)

@@ -9,7 +9,8 @@ namespace {
 
 using hierarchy::kNone;
 
-// Only levels below this number may defer clusters, so that the hierarchy reaches its root within kMaxLevels levels.
+// Only levels below this number may defer clusters to the next level, so that the hierarchy reaches its root within
+// kMaxLevels levels.
 constexpr std::uint32_t kDeferringLevels = hierarchy::kMaxLevels / 2;
 constexpr double kMinProgress = 0.95; // max share of a level's triangles in a useful next level
 
@@ -33,16 +34,17 @@ bool isWorthwhile(const Level& next, std::uint64_t triangles) {
            static_cast<double>(next.triangles.size()) <= kMinProgress * static_cast<double>(triangles);
 }
 
-/// The next coarser level, and whether its number of triangles is sufficiently lower.
+/// The next coarser level, and whether it has sufficiently fewer triangles.
 struct Coarser {
     Level level;
     bool isWorthwhile = false;
 };
 
-/// Forms the groups of `level` and simplifies them with a cost limit. `number` is the index of the level. If the result
-/// has too many triangles and `isToRoot` is true, the function repeats the simplification without a limit. Level 0 does
-/// not defer clusters, because each cluster of a higher level must refer to a finer group. High levels do not defer
-/// clusters either, so that enough levels remain to reach the root.
+/// Returns the next coarser level. The function forms the groups of `level` and simplifies them with a cost limit.
+/// `number` is the index of the level. If the result has too many triangles and `isToRoot` is true, the function
+/// repeats the simplification without a limit. Level 0 does not defer clusters, because each cluster of a higher level
+/// must refer to a finer group. High levels do not defer clusters either, so that enough levels remain to reach the
+/// root.
 Coarser coarserLevel(
     const simplify::Mesh& mesh,
     Level& level,
@@ -69,7 +71,8 @@ void endAtRoot(Level& level) {
     }
 }
 
-/// Copies the places of the groups of `level` to the refinements of `next` that were simplified from them.
+/// Copies the page locations of the groups of `level` to the refinements of `next` that were simplified from these
+/// groups.
 void tellPlaces(const Level& level, Level& next) {
     for (std::size_t g = 0; g < level.groups.size(); ++g)
         next.refinements[g].place = level.groups[g].place;

@@ -54,8 +54,8 @@ public:
 private:
     bool hasNormal(std::uint32_t v) const { return patch_.vertices[v].normal != hierarchy::kNoNormal; }
 
-    /// Adds the difference between the normal of the removed vertex `v` and the simplified surface to the corners of
-    /// the nearest simplified triangle.
+    /// Transfers the normal of the removed vertex `v`. Adds its difference from the simplified surface to the corners
+    /// of the nearest simplified triangle.
     void distributeResidual(std::uint32_t v) {
         const std::uint32_t position = patch_.positionOf[v];
         const std::uint32_t triangle = surface_.nearest(patch_.positions[position], surface_.around(position));

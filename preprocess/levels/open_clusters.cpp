@@ -17,8 +17,8 @@ using hierarchy::GridPoint;
 using hierarchy::kNone;
 using hierarchy::Vertex;
 
-/// The first bytes of a cluster's record. After them follow the vertices, their fields if there are any, the errors of
-/// the triangles, and the triangles (three bytes each).
+/// The fixed-size start of an encoded cluster. After it follow the vertices, their fields if there are any, the errors
+/// of the triangles, and the triangles (three bytes each).
 struct RecordHead {
     LevelRefinement refinement; // its level is kNone if the cluster has no refinement
     std::uint32_t triangleCount = 0;
@@ -68,7 +68,7 @@ GridPoint centerOf(const hierarchy::GridBox& box) {
     return {middle(box.min.x, box.max.x), middle(box.min.y, box.max.y), middle(box.min.z, box.max.z)};
 }
 
-/// Encodes the record of a cluster and appends it to `out`.
+/// Encodes one cluster as a record and appends it to `out`.
 void putRecord(
     hierarchy::ByteWriter& out,
     const simplify::Mesh& mesh,
@@ -103,7 +103,7 @@ void putRecord(
     putAll(out, std::span<const SmallTriangle>(triangles));
 }
 
-/// Returns the positions at the border of `mesh` that triangles of `level` use, without repetition.
+/// Returns the border positions of `mesh` that triangles of `level` use, each once.
 std::vector<GridPoint> usedBorders(const simplify::Mesh& mesh, const Level& level) {
     std::vector<GridPoint> borders;
     std::vector<bool> isKnown(mesh.positionCount);
@@ -205,8 +205,8 @@ struct OpenClusterMerger::State {
         return found;
     }
 
-    /// Returns the index of the refinement `given` in the merged level. Clusters of the same finer group share one
-    /// refinement.
+    /// Returns the index of the refinement `given` in the merged level, and adds it if needed. Clusters of the same
+    /// finer group share one refinement.
     std::uint32_t refinementFor(const LevelRefinement& given) {
         if (given.place.level == kNone) return kNone;
         std::vector<LevelRefinement>& known = pending.level.refinements;

@@ -20,7 +20,7 @@ using hierarchy::kNone;
 using hierarchy::Page;
 
 std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
-    // a constant of the format, because it determines which groups share a page
+    // This number is a constant of the format, because it determines which groups share a page.
     constexpr std::uint64_t kGroupBytes = 72;
     std::uint64_t bytes = kGroupBytes;
     for (std::uint32_t c = group.firstCluster; c < group.firstCluster + group.clusterCount; ++c)
@@ -29,8 +29,8 @@ std::uint64_t decodedBytes(const Level& level, const LevelGroup& group) {
     return bytes;
 }
 
-/// Returns the exponent of a group's error, clamped to kMaxExponent. An error of 0 has the lowest exponent, and the
-/// infinite error of a root has the highest.
+/// Returns the binary exponent of a group's error, clamped to kMaxExponent. An error of 0 has the lowest exponent, and
+/// the infinite error of a root has the highest.
 int errorExponent(const LevelGroup& group) {
     constexpr int kMaxExponent = 2048;
     const double error = std::max(group.error, group.attributeError);
@@ -42,9 +42,9 @@ int floorOfQuotient(int value, int by) {
     return value >= 0 ? value / by : -((by - 1 - value) / by);
 }
 
-/// Returns the groups sorted by error class. A class covers a factor of 16 in error, and the median error is in the
-/// middle of its class. Within a class the order does not change. A view often refines only some groups of a region.
-/// With this order the groups that it does not refine are in other pages, which it need not read.
+/// Returns the groups of `level` sorted by error class. A class covers a factor of 16 in error, and the median error is
+/// in the middle of its class. Within a class the order does not change. A view often refines only some groups of a
+/// region. With this order the groups that it does not refine are in other pages, which it need not read.
 std::vector<std::uint32_t> pageOrder(const Level& level) {
     constexpr int kClassBits = 4;
     std::vector<int> exponents;
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> pageOrder(const Level& level) {
     return order;
 }
 
-/// Appends the triangles of a cluster to the page. Vertices are numbered in the order of first use.
+/// Appends the triangles of a cluster to a page. Vertices are numbered in the order of first use.
 void addGeometry(
     const simplify::Mesh& mesh,
     const Level& level,
@@ -86,8 +86,8 @@ void addGeometry(
         fields.words.push_back(mesh.fieldsOf(v));
 }
 
-/// Returns the index in `page` of the refinement with index `refinement` in the level. Adds the refinement to the page
-/// if needed. `known` lists the level's refinements that the page already contains.
+/// Returns the index in `page` of a refinement of `level`. `refinement` is its index in the level. Adds the refinement
+/// to the page if needed. `known` lists the refinements of the level that the page already contains.
 std::uint32_t refinementInPage(
     const Level& level, std::uint32_t refinement, std::vector<std::uint32_t>& known, Page& page) {
     const auto found = std::find(known.begin(), known.end(), refinement);
@@ -108,7 +108,7 @@ struct PageWithFields {
     hierarchy::PageFields fields; // fields of the page's vertices
 };
 
-/// Builds a page from the given groups of the level.
+/// Builds a page that contains the given groups of the level.
 PageWithFields makePage(
     const simplify::Mesh& mesh,
     const Level& level,

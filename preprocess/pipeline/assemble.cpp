@@ -9,7 +9,7 @@ namespace {
 
 using hierarchy::PageInfo;
 
-/// Calls `take(level of the node, level number)` for all levels of all node records.
+/// Calls `take(level of the node, level number)` for each level of detail in each node record.
 template <class Take>
 void forEachLevel(const CheckpointLog& log, const Take& take) {
     for (std::uint32_t round = 0; round < log.roundCount(); ++round)
@@ -18,7 +18,7 @@ void forEachLevel(const CheckpointLog& log, const Take& take) {
                 take(node.levels[i], node.firstLevel + i);
 }
 
-/// Returns for each level the page id that its first page has in the file.
+/// Returns the page id of the first page of each level in the file.
 std::vector<std::uint32_t> firstPageIds(const CheckpointLog& log) {
     const std::vector<std::uint32_t>& counts = log.pageCounts();
     std::vector<std::uint32_t> first(counts.size(), 0);

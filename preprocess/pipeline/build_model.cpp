@@ -27,7 +27,7 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// Returns the seconds since the last call for `watch` (or since the creation of `watch`), and restarts `watch`.
+/// Returns the seconds since `watch` was created or last restarted, and restarts it.
 double lap(Stopwatch& watch) {
     return std::exchange(watch, Stopwatch()).elapsed().count / 1000;
 }
@@ -53,10 +53,10 @@ RoundReport reportOf(const RoundRecord& record) {
     return report;
 }
 
-/// One build. It runs the phases in order and skips those that the checkpoint log lists as finished.
+/// Builds one model. It runs the phases in order, and skips the phases that the checkpoint log lists as finished.
 class Build {
 public:
-    /// Creates a build. `team` is null if this process builds alone.
+    /// Prepares a build. `team` is null if this process builds alone.
     Build(
         read::MeshSource& source,
         const BuildOptions& options,
@@ -89,8 +89,8 @@ public:
         } catch (const hierarchy::Damage& damage) {
             throw scratch::DamageError(options_.output + ": temporary data", damage.what);
         } catch (...) {
-            // A build by several processes preserves its temporary files after an error, because the results of many
-            // machines are worth more than the disk space.
+            // A distributed build preserves its temporary files after an error, because the results of many machines
+            // are worth more than the disk space.
             if (team_ != nullptr && log().binned()) workDirectory_.leave();
             throw;
         }
@@ -136,8 +136,7 @@ private:
              team});
     }
 
-    /// Creates the objects that run tasks. From now on all reading of the source and all building runs in tasks, in any
-    /// process.
+    /// Creates the objects that run tasks. From now on tasks read the source and build the model, in any process.
     void beginTasks() {
         work_.emplace(source_, options_.level, workDirectory_.scratch(), progress_);
         perform_ = [this](TaskKind kind, std::span<const std::byte> input) { return work_->perform(kind, input); };
@@ -171,7 +170,7 @@ private:
         if (isResumed && needed > options_.memory) workDirectory_.leave();
         requireMemory(source_.summary(), options_, needed);
         if (countAtOnce(room(), MemoryNeeds::node(log().binned()->largestChunk, threads_), threads_) < 2)
-            returnFreedMemoryAtOnce(); // frees memory at once, because memory is scarce
+            returnFreedMemoryAtOnce(); // memory is scarce in the following phases
         const TaskFacts facts{log().binned()->grid, log().binned()->format};
         work_->tell(facts);
         workDirectory_.scratch().handOver();
@@ -180,7 +179,7 @@ private:
 
     TaskRunner& runner() { return team_ != nullptr ? static_cast<TaskRunner&>(*team_) : localTasks_; }
 
-    /// Sends the data of vertices that several chunks use from chunk to chunk.
+    /// Exchanges the vertices and normals that several chunks use between these chunks.
     void shareBorders() {
         if (log().bordered()) {
             borders_.emplace(workDirectory_.scratch(), log().bordered()->directory);
@@ -213,13 +212,13 @@ private:
             progress_.advance(1);
         };
         runner().run(phase, perform_);
-        // in chunk order, so that the result does not depend on the order in which tasks finish
+        // The results are stored in chunk order, so that the bytes do not depend on the order in which tasks finish.
         for (const Mail& answers : mail)
             for (const auto& [chunk, block] : answers)
                 borders_->adopt(chunk::streamOf(stream, chunk), block);
     }
 
-    /// Returns the number of bytes that a task reads for a chunk.
+    /// Returns the number of bytes that a task reads to build `chunk`.
     std::uint64_t chunkBytes(std::uint32_t chunk) const {
         std::uint64_t bytes = 0;
         for (std::uint32_t kind = 0; kind < static_cast<std::uint32_t>(chunk::BinStream::Count); ++kind)
@@ -227,8 +226,8 @@ private:
         return bytes;
     }
 
-    /// Returns how many tasks of memory `each` fit into memory at the same time. The result is at least one, because
-    /// one task always fits.
+    /// Returns how many tasks fit into memory at the same time if each needs the memory `each`. The result is at least
+    /// one, because one task always fits.
     std::size_t atOnce(const Bytes& each) const {
         return std::max<std::size_t>(countAtOnce(room(), each, threads_), 1);
     }
@@ -249,8 +248,8 @@ private:
         }
     }
 
-    /// Estimates the total work for the progress display. The estimate assumes that the remaining rounds need the same
-    /// work per triangle as the finished rounds.
+    /// Estimates the remaining work for the progress display. The estimate assumes that the remaining rounds need the
+    /// same work per triangle as the finished rounds.
     void expectWhatIsLeft(const Round& round) {
         const std::uint64_t source = log().binned()->triangles;
         std::uint64_t left = 0;
@@ -296,8 +295,8 @@ private:
         return input;
     }
 
-    /// Returns the scratch file blocks with the inputs of a finished node. They can be freed, because no later phase
-    /// reads them.
+    /// Returns the scratch file blocks that a finished node has read as its input. They can be freed, because no later
+    /// phase reads them.
     Blocks takeInputs(const Round& round, std::uint32_t node) {
         if (round.number > 0) return roundBins_->takeBlocks(node);
         Blocks all;
@@ -326,7 +325,7 @@ private:
                 std::to_string(log().binned()->strayed.triangles) + " beyond its range");
     }
 
-    /// Writes the model file.
+    /// Writes the pages and tables of the model file.
     void assemble() {
         Totals totals = totalsOf(log(), optionsOf(options_));
         hierarchy::ModelSummary& summary = totals.summary;
@@ -392,7 +391,7 @@ BuildReport built(read::MeshSource& source, const BuildOptions& options, Process
     const std::size_t threads =
         options.threads > 0 ? static_cast<std::size_t>(options.threads) : tbb::global_control::active_value(kLimit);
     std::optional<tbb::global_control> limit;
-    if (team == nullptr) limit.emplace(kLimit, threads); // with a team, each process limits its threads itself
+    if (team == nullptr) limit.emplace(kLimit, threads); // in a distributed build each process limits its own threads
     Stopwatch watch;
     const auto run = [&](const BuildOptions& given) { return Build(source, given, threads, team, progress).run(); };
     BuildReport report;

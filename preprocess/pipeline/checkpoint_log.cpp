@@ -20,7 +20,7 @@ using hierarchy::PageInfo;
 
 enum class Kind : std::uint8_t { Binned, Bordered, Round, Node };
 
-/// Each writer has a reader that processes the same members in the same order.
+/// Encodes the members of a record. Taker decodes the same members in the same order.
 struct Putter {
     ByteWriter& out;
 
@@ -61,7 +61,7 @@ struct Taker {
     template <class T>
     void count(std::vector<T>& values) {
         const std::uint64_t count = in.takeVarint();
-        // Each value has at least one byte, so a larger count is damage.
+        // Each element has at least one byte, so a larger count means damaged bytes.
         if (count > in.remaining()) throw hierarchy::Damage{"the bytes end too early"};
         values.resize(count);
     }
@@ -89,8 +89,8 @@ void boxFields(Fields& fields, SomeBox& box) {
     vectorFields(fields, box.max);
 }
 
-/// Encodes or decodes a page table row in the format of the model file. It follows the offset of the page in the
-/// scratch file.
+/// Encodes or decodes a row of the page table in the format of the model file. The row follows the offset of its page
+/// in the scratch file.
 void pageFields(Putter& fields, const PageInfo& info) {
     fields.field(info.offset);
     hierarchy::putPageRow(fields.out, info);
@@ -191,7 +191,7 @@ void nodeFields(Fields& fields, Record& record) {
     fields.field(record.hasNormals);
 }
 
-/// Calls `take(block)` for all blocks of the StreamStore directory `directory`.
+/// Calls `take(block)` for each block in the encoded StreamStore directory `directory`.
 template <class Take>
 void forEachBlock(const std::vector<std::byte>& directory, const Take& take) {
     for (const scratch::Blocks& blocks : scratch::StreamStore::blocksOf(directory))
@@ -223,7 +223,8 @@ void requireStreams(const std::vector<std::byte>& directory, std::uint64_t count
         throw hierarchy::Damage{"streams: expected " + std::to_string(count) + ", found " + std::to_string(found)};
 }
 
-/// Throws Damage if a record contains an unknown node number, or if its numbers of clusters and ClusterPlaces differ.
+/// Throws Damage if the record of a node has an unknown node number, or if its numbers of clusters and ClusterPlaces
+/// differ.
 void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
     if (node.node >= nodeCount) throw hierarchy::Damage{"a record refers to a missing node"};
     if (node.places.bytes % levels::placeBytes(1) != 0 ||
@@ -231,7 +232,7 @@ void requireNode(const NodeRecord& node, std::uint64_t nodeCount) {
         throw hierarchy::Damage{"a node has different numbers of places and clusters"};
 }
 
-/// Appends the kind of the record as its last byte, and returns the bytes.
+/// Appends the kind of a record as its last byte, and returns the bytes of the record.
 std::vector<std::byte> ended(ByteWriter& out, Kind kind) {
     out.put(static_cast<std::uint8_t>(kind));
     return out.take();

@@ -27,7 +27,7 @@ chunk::ChunkTree treeOf(
     return {counts, limit};
 }
 
-/// The state while clusters fill one node after the other.
+/// The node that receives the next clusters, and its number of triangles so far.
 struct Filling {
     std::uint32_t node = 0; // number of the node within its part of the octree
     std::uint64_t triangles = 0;
@@ -57,8 +57,8 @@ ClusterPlan planClusters(
     const std::uint32_t shift = cellShift(furthest, round);
     const chunk::ChunkTree tree = treeOf(places, furthest, shift, nodeTriangles);
     plan.nodeOf.reserve(places.size());
-    // Each part of the octree becomes one node. It becomes several nodes if a single point has more triangles than a
-    // node may have.
+    // Each part of the octree becomes one node. A part becomes several nodes if a single point has more triangles than
+    // a node may have.
     std::vector<Filling> filling(tree.chunkCount());
     for (const levels::ClusterPlace& place : places)
         filling[tree.chunkOf(shifted(place.center, shift))].add(place.triangles, nodeTriangles);

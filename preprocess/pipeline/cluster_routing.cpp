@@ -23,7 +23,7 @@ void put(StreamBytes& streams, std::uint32_t stream, const T& value) {
     all.insert(all.end(), bytes.begin(), bytes.end());
 }
 
-/// For each position of a finished node, the nodes of the next round that use it.
+/// The positions of a finished node's clusters, and the nodes of the next round that use each position.
 class PositionUses {
 public:
     explicit PositionUses(std::size_t maxPositions) : table_(maxPositions) {}
@@ -37,8 +37,8 @@ public:
         if (first != node) others_.push_back({found, node});
     }
 
-    /// Calls `take(position, whether it was a border, its nodes)` for each position. Positions are in the order of
-    /// insertion.
+    /// Calls `take(position, whether it was a border, nodes that use it)` for each position. Positions are in the order
+    /// of insertion.
     template <class Take>
     void forEach(const Take& take) {
         std::sort(others_.begin(), others_.end());

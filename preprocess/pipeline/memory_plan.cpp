@@ -11,18 +11,18 @@ constexpr Bytes kBuilding = mebibytes(3);      // code and small tables that onl
 constexpr std::uint64_t kMaxSampled = 540'000; // upper bound of the triangles of an edge sample
 constexpr std::uint64_t kSampleBytesPerTriangle = 96;
 constexpr std::uint64_t kSampleBytesPerVertex = 24;
-constexpr std::uint64_t kReadingBytes = std::uint64_t{5} << 20U; // a buffer of the file and the rows of a block
+constexpr std::uint64_t kReadingBytes = std::uint64_t{5} << 20U; // a buffer of the file and the rows of one block
 constexpr std::uint64_t kMinReadingBytes = std::uint64_t{256} << 10U;
 constexpr std::uint64_t kTableBytes = std::uint64_t{4} << 20U;
 constexpr std::uint64_t kTableBytesPerVertex = 8;
-constexpr std::uint64_t kBytesPerCell = 12; // per cell of the first table of an octree
+constexpr std::uint64_t kBytesPerCell = 12; // bytes per cell of the first table of an octree
 constexpr std::uint64_t kBorderBytesPerVertex = 108;
 constexpr std::uint64_t kBorderBytesPerTriangle = 64;
 constexpr std::uint64_t kRoutingBytesPerVertex = 64;   // in addition to the records and their copies
 constexpr std::uint64_t kScratchBytesPerTriangle = 44; // if temporary files are in memory
-// Triangles per byte of the page table. The measured rows need 0.036 to 0.048 bytes per triangle.
+// Number of triangles per byte of the page table. Measured tables need 0.036 to 0.048 bytes per triangle.
 constexpr std::uint64_t kTrianglesPerPageRowByte = 16;
-constexpr std::uint32_t kMinFullChunk = 1U << 16U; // triangles; smaller chunks have mostly empty pages
+constexpr std::uint32_t kMinFullChunk = 1U << 16U; // number of triangles; smaller chunks have mostly empty pages
 constexpr std::uint64_t kFullPageTriangles = 1U << 20U;
 constexpr std::size_t kMinBlock = 512;
 constexpr std::size_t kLargestBlock = std::size_t{64} << 10U;
@@ -31,8 +31,9 @@ std::uint64_t trianglesOf(const read::MeshSummary& source) {
     return std::max(source.faceCount, source.likelyTriangles);
 }
 
-/// Returns the size of the page table rows and node records. Small chunks need one byte per triangle. The first
-/// kFullPageTriangles triangles also need one byte each, because the coarse levels of a chunk have their own pages.
+/// Returns the size of the rows of the page table and of the node records in bytes. Small chunks need one byte per
+/// triangle. The first kFullPageTriangles triangles also need one byte each, because the coarse levels of a chunk have
+/// their own pages.
 std::uint64_t pageRowBytes(std::uint64_t triangles, std::uint32_t chunkTriangles) {
     if (chunkTriangles < kMinFullChunk) return triangles;
     return std::min(triangles, kFullPageTriangles) + triangles / kTrianglesPerPageRowByte;
@@ -45,8 +46,8 @@ Bytes MemoryNeeds::base() const {
     return {kProcess.count + source.heldBytes + pageRowBytes(trianglesOf(source), chunkTriangles) + scratch};
 }
 
-// The factors are measured values for scans, plants, LEGO models, coloured scans and triangle soups. Loading a chunk
-// needs up to 20 bytes per triangle and 130 bytes per vertex. Forming its first clusters needs 109 bytes per triangle.
+// The factors are measured with scans, plants, LEGO models, coloured scans and triangle soups. Loading a chunk needs up
+// to 20 bytes per triangle and 130 bytes per vertex. Forming its first clusters needs 109 bytes per triangle.
 // Simplifying them needs 60 bytes per triangle, 62 bytes per vertex, and 8 bytes per vertex and thread.
 Bytes MemoryNeeds::node(const chunk::PartSize& size, std::size_t threads) {
     const std::uint64_t loading = 20 * size.triangles + 130 * size.vertices;
@@ -78,7 +79,7 @@ std::uint64_t cellBytes(const read::MeshSummary& source) {
     return kBytesPerCell << static_cast<unsigned>(3 * chunk::rootBitsFor(source.vertexCount));
 }
 
-/// Returns the size of the edge sample in bytes: its triangles and the positions of their corners.
+/// Returns the size of the edge sample in bytes. The sample contains triangles and the positions of their corners.
 std::uint64_t sampleBytes(const read::MeshSummary& source) {
     const std::uint64_t triangles = std::min(trianglesOf(source), kMaxSampled);
     return kSampleBytesPerTriangle * triangles + kSampleBytesPerVertex * std::min(source.vertexCount, 3 * triangles);
@@ -102,8 +103,8 @@ Bytes MemoryNeeds::survey() const {
 
 Bytes MemoryNeeds::binning() const {
     if (source.hasRanges && !isSerial) return survey();
-    // The number of chunks is at most doubled, because a chunk is at least seven eighths full unless it ends before a
-    // heavy point.
+    // The number of chunks is at most twice the min number. A chunk is at least seven eighths full unless it ends
+    // before a heavy point (a grid point with very many triangles).
     const std::uint64_t maxChunks = 2 * (trianglesOf(source) / chunkTriangles + 1);
     return {base().count + readingBytes(source) + source.vertexCount * (maxChunks > chunk::kNarrowChunks ? 5 : 3)};
 }

@@ -62,7 +62,7 @@ void RecordWriter::write(const std::vector<Entry>& entries) {
     scratch_.sync(parts);
     for (const Entry& entry : entries)
         log_.append(entry.record);
-    log_.sync(); // after a power cut, freed data must have a successor record on the device
+    log_.sync(); // a block is freed only after the record that replaces it is on the device
     for (const Entry& entry : entries)
         for (const scratch::Block& block : entry.freed)
             scratch_.release(block);

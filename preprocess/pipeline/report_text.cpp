@@ -52,7 +52,7 @@ std::string reportText(
 }
 
 std::string warningOfCoarsest(const BuildReport& report) {
-    // an ordinary mesh of any size has fewer triangles in its coarsest level
+    // The coarsest level of an ordinary mesh of any size has fewer triangles than this.
     constexpr std::uint64_t kManyTriangles = 1000;
     constexpr double kManyIrreduciblePercent = 1;
     const std::uint64_t source = report.summary.sourceTriangles;

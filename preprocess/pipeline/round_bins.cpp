@@ -9,8 +9,8 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// Returns the number of border streams. `bytes` is the size of all clusters without groups. Each finished node writes
-/// one block into each stream. Only one stream at a time is in memory.
+/// Returns the number of streams into which border positions are sorted. `bytes` is the size of all clusters without
+/// groups. Each finished node writes one block into each stream. Only one stream at a time is in memory.
 std::uint32_t borderStreamsFor(std::uint64_t bytes, std::uint32_t nodeCount) {
     constexpr std::uint64_t kMinBins = 16;
     constexpr std::uint64_t kMaxBins = 256;
@@ -108,7 +108,7 @@ void RoundBins::routeAll(const Round& round, const BinningMeans& means, const Cl
     };
     means.runner.run(phase, means.perform);
     bins_.emplace(workDirectory_.scratch(), nodeCount * static_cast<std::uint32_t>(Stream::Count), 1);
-    // in node order, so that the result does not depend on the order in which tasks finish
+    // The results are stored in node order, so that the bytes do not depend on the order in which tasks finish.
     for (const RoutedMail& routed : mail) {
         deliver(Stream::Records, routed.records);
         deliver(Stream::Locks, routed.locks);

@@ -7,7 +7,7 @@ namespace gnomon::pipeline {
 namespace {
 
 constexpr std::uint64_t kAlwaysAffordable = 8192;
-// a round that leaves a larger share of the triangles is followed by the last round
+// Max share of the triangles that a useful round leaves. If a round leaves more, the next round is the last.
 constexpr double kMinProgress = 0.8;
 
 } // namespace

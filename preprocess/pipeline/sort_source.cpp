@@ -16,14 +16,14 @@ chunk::Strays straysOf(const BuildOptions& options) {
     return options.keepsStrays ? chunk::Strays::Keep : chunk::Strays::Leave;
 }
 
-/// Returns the memory needs of sorting in whole passes in this process.
+/// Returns the memory needs if this process sorts the source in passes over the whole file.
 MemoryNeeds serialNeeds(const SortingMeans& means) {
     MemoryNeeds needs{means.source.summary(), means.options.chunkTriangles, means.options.isInMemory};
     needs.isSerial = true;
     return needs;
 }
 
-/// Returns the object that sorts by ranges, or nullopt if whole passes are necessary.
+/// Returns the object that sorts the source by ranges of rows, or nullopt if passes over the whole file are necessary.
 std::optional<RangeBinning> rangesOf(const SortingMeans& means) {
     const read::MeshSummary& source = means.source.summary();
     if (!source.hasRanges) return std::nullopt;
@@ -71,7 +71,7 @@ BinnedRecord sortSource(const SortingMeans& means, std::optional<scratch::Stream
     const chunk::ChunkTree tree = ranges ? ranges->plan(*survey, chunkTriangles)
                                          : chunk::planChunks(source, *survey, chunkTriangles, means.progress);
     means.endPhase("octree", 0);
-    if (ranges && !tree.heavyPoints().empty()) { // which triangles repeat there depends on the source order
+    if (ranges && !tree.heavyPoints().empty()) { // which triangles repeat at such points depends on the source order
         requireMemory(source.summary(), means.options, serialNeeds(means).sorting());
         survey->valence = ranges->takeValence();
         ranges.reset();

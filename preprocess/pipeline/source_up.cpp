@@ -14,7 +14,7 @@ namespace {
 
 using hierarchy::UpAxis;
 
-constexpr std::size_t kMaxHeaderBytes = 64U << 10U; // number of bytes at the start of a file that are searched
+constexpr std::size_t kMaxHeaderBytes = 64U << 10U; // number of bytes that are searched at the start of a file
 
 bool isLetter(char c) {
     return c >= 'a' && c <= 'z';
@@ -24,7 +24,8 @@ bool isWordEnd(std::string_view text, std::size_t at) {
     return at >= text.size() || !isLetter(text[at]);
 }
 
-/// Returns the axis that the letter at `at` names, with its sign. Returns nullopt if the letter is not a separate word.
+/// Returns the axis that the letter at index `at` of `text` names, with its sign. Returns nullopt if the letter is not
+/// a separate word.
 std::optional<UpAxis> axisAt(std::string_view text, std::size_t at) {
     if (at >= text.size() || text[at] < 'x' || text[at] > 'z') return std::nullopt;
     if (at + 1 < text.size() && isLetter(text[at + 1])) return std::nullopt;
@@ -57,7 +58,8 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// Adds the statement `more` to the earlier statement `said`. Sets `isOne` to false if the two contradict each other.
+/// Combines the earlier statement `said` about the up axis with the statement `more`. Sets `isOne` to false if the two
+/// contradict each other.
 void agree(std::optional<UpAxis>& said, const std::optional<UpAxis>& more, bool& isOne) {
     if (!more) return;
     if (said && !(*said == *more)) isOne = false;
@@ -81,8 +83,8 @@ constexpr std::array kExporters = {
     Exporter{"revit", "z", "z"},          Exporter{"autocad", "z", "z"},        Exporter{"qgis", "z", "z"},
 };
 
-// Votes relative to hierarchy::kSureVotes. The votes of a known program are almost sufficient alone. The votes of a
-// kind of file decide only if the votes from the shape are close.
+// Votes for the up axis, relative to hierarchy::kSureVotes. The votes of a known exporting program are almost
+// sufficient alone. The votes of a kind of file decide only if the votes from the shape are close.
 constexpr int kExporterVotes = 2000;
 constexpr int kKindVotes = 1000;
 
@@ -113,7 +115,7 @@ void addVotes(hierarchy::UpVotes& votes, std::string_view axis, int count) {
     votes[axis == "y" ? kY : kZ] += count;
 }
 
-/// Returns the votes for the usual up axis of files with this suffix and these comments.
+/// Returns votes for the usual up axis of files with the suffix `suffix` and the comments `comments`.
 hierarchy::UpVotes votesOf(const std::string& suffix, const std::string& comments) {
     hierarchy::UpVotes votes{};
     const std::string text = lowered(comments);

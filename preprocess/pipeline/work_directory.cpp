@@ -26,7 +26,8 @@ std::span<const std::byte> bytesOf(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-/// Returns the work folder. Its name depends only on the options, so that a resumed build finds it.
+/// Returns the path of the work folder of a build. It depends only on the options, so that a resumed build finds the
+/// folder.
 std::string folderFor(const WorkDirectoryOptions& options) {
     if (options.folder.empty()) return options.output + ".building";
     const fs::path output = fs::absolute(options.output).lexically_normal();
@@ -41,7 +42,7 @@ bool isAlive(const std::string& process) {
     return ::kill(static_cast<pid_t>(std::strtol(process.c_str(), nullptr, 10)), 0) == 0 || errno == EPERM;
 }
 
-/// Removes the unfinished outputs of killed processes. AtomicFile defines the format of their names.
+/// Removes the unfinished output files of killed processes. AtomicFile defines the format of their names.
 void removeLeftovers(const std::string& output) {
     const fs::path path = fs::absolute(output);
     const std::string start = path.filename().string() + ".";
@@ -59,7 +60,8 @@ void removeLeftovers(const std::string& output) {
     }
 }
 
-/// Returns the entries of a build key. The value of an entry is its last word, and the name is all words before it.
+/// Splits a build key into its entries, each with a name and a value. The value of an entry is its last word, and the
+/// name is all words before it.
 std::vector<std::array<std::string, 2>> entriesOf(const std::string& key) {
     std::vector<std::array<std::string, 2>> entries;
     for (std::size_t begin = 0; begin < key.size();) {
@@ -72,8 +74,8 @@ std::vector<std::array<std::string, 2>> entriesOf(const std::string& key) {
     return entries;
 }
 
-/// Returns the differences between two build keys. The text contains "name: expected value, found value" for each
-/// differing entry.
+/// Returns the differences between two build keys as text. The text contains "name: expected value, found value" for
+/// each differing entry.
 std::string differenceOf(const std::string& expected, const std::string& found) {
     std::map<std::string, std::array<std::string, 2>> values;
     const std::array keys{&expected, &found};
@@ -107,7 +109,7 @@ WorkDirectory::Names::~Names() {
         held_.pop_back();
     std::error_code failure;
     if (!fs::exists(folder, failure)) return;
-    // The loop tries again, because a file system may refuse to remove a file at first and permit it later.
+    // The loop tries several times, because a file system may refuse to remove a file at first and permit it later.
     std::string reason;
     for (const std::string& path : ours)
         if (!fs::remove(path, failure) && failure && failure != std::errc::directory_not_empty && reason.empty())
@@ -135,7 +137,7 @@ void WorkDirectory::Names::make(const std::string& folder) {
 
     struct stat info {};
 
-    // The folder must belong to this user, because its owner could replace the files of a build by links.
+    // The folder must belong to this user, because another owner could replace the files of a build by links.
     if (::lstat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode) || info.st_uid != ::geteuid())
         throw Error(
             folder,

@@ -9,7 +9,7 @@ namespace gnomon::proximity {
 
 namespace {
 
-constexpr std::uint32_t kSearched = 12; // max number of points per leaf; a query tests each point of a leaf
+constexpr std::uint32_t kSearched = 12; // max number of points per leaf; a query tests all points of a leaf
 
 } // namespace
 
@@ -43,7 +43,7 @@ void PointTree::build(std::uint32_t begin, std::uint32_t end) {
         points_[middle] = point;
         middle += point.place[axis] < plane ? 1 : 0;
     }
-    // no number between the two coordinates exists, so the points cannot be split
+    // There is no number between the two coordinates, so the points cannot be split.
     if (middle == begin || middle == end) return;
     nodes_[index].plane = plane;
     nodes_[index].axis = static_cast<std::uint32_t>(axis);

@@ -45,28 +45,28 @@ HWY_INLINE Doubles squareOf(const Vector& v) {
     return dot(v, v);
 }
 
-/// Returns a * b - c * d in each lane.
+/// Returns a * b - c * d in each SIMD lane.
 HWY_INLINE Doubles crossed(Doubles a, Doubles b, Doubles c, Doubles d) {
     return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// Returns the squared length of `offset - edge * (part / whole)` in each lane. In lanes where `isSome` is false, it
-/// returns the squared length of `offset`.
+/// Returns the squared length of `offset - edge * (part / whole)` in each SIMD lane. In lanes where `isSome` is false,
+/// it returns the squared length of `offset`.
 template <class Mask>
 HWY_INLINE Doubles squareBeside(const Vector& offset, const Vector& edge, Doubles part, Doubles whole, Mask isSome) {
     const Doubles along = hn::IfThenElseZero(isSome, hn::Div(part, whole));
     return squareOf(minus(offset, times(edge, along)));
 }
 
-/// Clamps `v` to the range from 0 to `upper`. Each lane has the same result as std::clamp.
+/// Clamps `v` to the range from 0 to `upper` in each SIMD lane, with the same result as std::clamp.
 HWY_INLINE Doubles clamped(Doubles v, Doubles upper) {
     const Doubles zero = hn::Zero(kDoubles);
     return hn::IfThenElse(hn::Lt(v, zero), zero, hn::IfThenElse(hn::Lt(upper, v), upper, v));
 }
 
-/// Returns the squared distance from `p` to the triangle in each lane. `squaredDistance` returns the result of the
-/// first case that is true. This code computes all cases in reverse order, so that an earlier case overwrites a later
-/// one.
+/// Returns the squared distance from `p` to the triangle in each SIMD lane. The scalar function `squaredDistance`
+/// returns the result of the first case that is true. This code computes all cases in reverse order, so that an earlier
+/// case overwrites a later one.
 HWY_INLINE Doubles nearestSquaresOf(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
     const Doubles zero = hn::Zero(kDoubles);
     const Doubles one = hn::Set(kDoubles, 1.0);

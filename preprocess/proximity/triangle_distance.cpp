@@ -30,7 +30,7 @@ TriangleDistance PreparedTriangle::distanceToEdge(const glm::dvec3& p, std::uint
 }
 
 TriangleDistance PreparedTriangle::distanceTo(const glm::dvec3& p) const {
-    // The nearest point is on an edge whose outer side contains `p`, because `p` is outside the triangle.
+    // The point `p` is outside the triangle, so its nearest point is on an edge whose outer side contains `p`.
     TriangleDistance best{std::numeric_limits<double>::infinity()};
     bool isInside = area_ > 0;
     for (std::uint32_t i = 0; i < 3; ++i) {

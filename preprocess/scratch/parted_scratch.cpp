@@ -54,7 +54,7 @@ void PartedScratch::handOver() const {
 
 void PartedScratch::reopenOthers() {
     const std::scoped_lock lock(mutex_);
-    others_.clear(); // another thread that is reading such a file keeps it open until the read ends
+    others_.clear(); // a thread that is reading such a file keeps it open until the read ends
 }
 
 std::shared_ptr<File> PartedScratch::other(std::uint32_t part) const {

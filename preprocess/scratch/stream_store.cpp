@@ -21,7 +21,7 @@ std::vector<Blocks> StreamStore::blocksOf(std::span<const std::byte> directory) 
     hierarchy::ByteReader in(directory);
     const auto count = [&in] {
         const std::uint64_t values = in.takeVarint();
-        // Each value has at least one byte, so a larger count is damage.
+        // Each value has at least one byte, so a larger count means damaged bytes.
         if (values > in.remaining()) throw hierarchy::Damage{"the bytes end too early"};
         return values;
     };
@@ -39,7 +39,7 @@ void StreamStore::append(std::uint32_t stream, std::span<const std::byte> bytes)
     std::vector<std::byte>& open = streams_[stream].open;
     if (open.size() + bytes.size() > blockBytes_) writeOpen(streams_[stream]);
     if (bytes.size() > blockBytes_) return write(streams_[stream], bytes);
-    // The buffer grows step by step, so that a short stream does not allocate a whole block.
+    // The buffer of a stream grows step by step, so that a short stream does not allocate a whole block.
     if (open.capacity() < open.size() + bytes.size())
         open.reserve(std::max(open.size() + bytes.size(), std::min(blockBytes_, 2 * open.capacity() + 256)));
     open.insert(open.end(), bytes.begin(), bytes.end());

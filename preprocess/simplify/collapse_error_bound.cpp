@@ -22,7 +22,7 @@ void CollapseErrorBound::add(std::uint32_t triangle, double fromSource, double t
     worst_ = std::max({worst_, fromSource, toSource});
 }
 
-/// Compares the gathered candidates with the best one so far, `receiver`. The best candidate has the smallest max
+/// Compares the candidate triangles with the best candidate so far, `receiver`. The best candidate has the smallest max
 /// distance from a corner of `t`.
 void CollapseErrorBound::compareCandidates(const Triangle& t, Receiver& receiver) {
     proximity::TriangleBatch::Row farthest{};
@@ -45,8 +45,8 @@ void CollapseErrorBound::compareCandidates(const Triangle& t, Receiver& receiver
     batch_.clear();
 }
 
-/// Returns the triangle that receives the source points of the removed triangle `t`: the triangle nearest to all of
-/// `t`. The candidates are the neighbours of `t` after the collapse. If there are none, the candidates are the
+/// Returns the triangle that receives the source points of the removed triangle `t`, which is the triangle nearest to
+/// all of `t`. The candidates are the neighbours of `t` after the collapse. If there are none, the candidates are the
 /// triangles around the vertex pairs of its corners. The distance to a convex set is a convex function, so the max
 /// distance of a corner of `t` bounds the distance of each point of `t`.
 CollapseErrorBound::Receiver CollapseErrorBound::receiverOf(const Triangle& t, std::uint32_t from, std::uint32_t to) {
@@ -75,7 +75,8 @@ CollapseErrorBound::Receiver CollapseErrorBound::receiverOf(const Triangle& t, s
     return receiver;
 }
 
-/// Computes the errors with mapFan if the star is a fan. Returns false if the star is not a fan.
+/// Computes the errors after the collapse with a piecewise linear map between triangle fans (mapFan). Returns false if
+/// the triangles of the star are not a fan.
 bool CollapseErrorBound::evaluateFan(CollapseStar& star) {
     if (!star.orderAsFan(fan_)) return false;
     const std::span<const StarFace> faces = star.faces();

@@ -15,7 +15,7 @@ using hierarchy::kNone;
 
 constexpr double kMinTurnCosine = 0.25; // a collapse may turn a face by at most 75 degrees
 
-/// Returns which corner of `t` (0 to 2) is at position `p`. `t` must contain `p`.
+/// Returns the number (0 to 2) of the corner of `t` that is at position `p`. `t` must contain `p`.
 std::uint32_t placeOf(std::uint32_t p, const Triangle& t) {
     return t[0] == p ? 0 : (t[1] == p ? 1 : 2);
 }
@@ -99,7 +99,7 @@ bool CollapseStar::orderAsFan(Fan& fan) {
     fan.count = 0;
     std::uint32_t at = to_;
     for (std::size_t done = 0; done < count; ++done) {
-        std::size_t next = done; // the faces before index `done` are in order
+        std::size_t next = done; // faces before index `done` are already in order
         while (next < count && faces_[next].b != at && faces_[next].c != at)
             ++next;
         if (next == count) return false;
@@ -120,8 +120,8 @@ bool CollapseStar::orderAsFan(Fan& fan) {
 /// Returns the vertex at position `to` that replaces `vertex` after the collapse. If an edge of a vanishing triangle
 /// connects `vertex` with a vertex at `to`, the function returns that vertex, because this preserves attribute seams.
 /// Otherwise it selects the vertex with the nearest attributes. If the selected vertex has another colour, the function
-/// returns `vertex` itself, which moves to `to`. Without this rule the remaining faces, which may be large, would show
-/// the colour of another part.
+/// returns `vertex` itself, which moves to `to`. Otherwise the remaining faces, which may be large, would show the
+/// colour of another part.
 std::uint32_t CollapseStar::replacementOf(std::uint32_t vertex) {
     for (const auto& [removed, kept] : replacements_)
         if (removed == vertex) return kept;

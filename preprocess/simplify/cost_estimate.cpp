@@ -9,10 +9,10 @@ namespace gnomon::simplify {
 namespace {
 
 constexpr double kBorderWeight = 2;    // weight of the squared length of an open edge, compared with face areas
-constexpr double kCreaseWeight = 0.5;  // the same for edges between different normals or colours
+constexpr double kCreaseWeight = 0.5;  // weight of the squared length of an edge between different normals or colours
 constexpr double kLengthWeight = 1e-5; // weight of the squared length, so that short edges in flat areas collapse first
 constexpr double kNormalWeight = 0.1;  // weight of the squared length times the squared change of the normal
-constexpr double kColorWeight = 0.02;  // the same for colours; channels are from 0 to 1
+constexpr double kColorWeight = 0.02;  // weight of the squared length times the squared change of the colour (0 to 1)
 
 } // namespace
 
@@ -65,7 +65,7 @@ void CostEstimate::loadSites() {
     sites_.resize(patch_.positions.size());
     for (std::size_t p = 0; p < sites_.size(); ++p)
         sites_[p].position = rowOf(patch_.positions[p]);
-    // in reverse order, so that the first vertex of each position remains
+    // The reverse order lets the first vertex of each position overwrite the later vertices.
     for (std::size_t v = patch_.vertices.size(); v-- > 0;) {
         const Vertex& vertex = patch_.vertices[v];
         CostSite& site = sites_[patch_.positionOf[v]];

@@ -25,9 +25,9 @@ struct Vector {
     Doubles z;
 };
 
-/// Returns the x, y and z coordinates of one row of each edge end. Each SIMD lane contains one edge end.
+/// Returns the x, y and z coordinates of one attribute of the edge ends. Each SIMD lane contains one edge end.
 HWY_INLINE Vector turned(const Ends& ends, Row CostSite::*row) {
-#if HWY_TARGET <= HWY_AVX2 // four lanes; loads of single numbers would stall
+#if HWY_TARGET <= HWY_AVX2 // four SIMD lanes; loads of single numbers would stall
     const auto a = hn::Load(kDoubles, (ends[0]->*row).data());
     const auto b = hn::Load(kDoubles, (ends[1]->*row).data());
     const auto c = hn::Load(kDoubles, (ends[2]->*row).data());
@@ -73,7 +73,7 @@ HWY_INLINE Doubles twice(Doubles v) {
     return hn::Add(v, v);
 }
 
-/// Returns the result of Quadric::meanSquare for the point in each lane.
+/// Returns Quadric::meanSquare of the quadric `planes` for the point in each SIMD lane.
 HWY_INLINE Doubles meanSquares(const Quadric& planes, const Vector& p) {
     const Vector mixed = all(planes.mixed);
     const Doubles across = hn::Add(
@@ -90,7 +90,7 @@ void squaresInLanes(const EdgeFan& fan, const EdgeWeights& weights, double* squa
     const bool hasNormal = weights.normal > 0 && fan.from.hasNormal();
     for (std::size_t i = 0; i < fan.to.size(); i += hn::Lanes(kDoubles)) {
         Ends ends{};
-        for (std::size_t k = 0; k < ends.size(); ++k) // the last edge end fills the unused lanes
+        for (std::size_t k = 0; k < ends.size(); ++k) // the last edge end fills the unused SIMD lanes
             ends[k] = &fan.sites[fan.to[std::min(i + k, fan.to.size() - 1)]];
         const Vector position = turned(ends, &CostSite::position);
         const Doubles length = squaredChange(fan.from.position, position);

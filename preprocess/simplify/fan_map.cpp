@@ -12,8 +12,8 @@ namespace {
 
 using Row = std::array<double, Fan::kMaxRim>;
 
-/// The map between the old and the new triangles of one fan. For each new triangle it computes the max squared distance
-/// by which a cell corner in it moves.
+/// Maps the triangles of a fan before a collapse to the triangles after it. For each new triangle it computes the max
+/// squared distance by which a corner of a cell of the map moves.
 class FanMap {
 public:
     explicit FanMap(const Fan& fan) : fan_(fan) {
@@ -39,7 +39,8 @@ public:
     }
 
 private:
-    /// Finds the new triangle onto which the apex is mapped, and the distance of the apex from this triangle.
+    /// Finds the triangle after the collapse onto which the apex is mapped, and the distance of the apex from this
+    /// triangle.
     void placeApex() {
         const std::uint32_t end = fan_.count - 1;
         if (!fan_.isClosed) { // the border of an open fan is mapped to the new border
@@ -57,7 +58,7 @@ private:
         square_[host_] = best;
     }
 
-    /// Places the crossing of the old edge from the apex to rim `i` with the new edge from rim 0 to rim `j`. Its
+    /// Computes where the old edge from the apex to rim `i` crosses the new edge from rim 0 to rim `j`. The crossing's
     /// parameter on the old edge is at least `minT`.
     void cross(std::uint32_t i, std::uint32_t j, double& minT) {
         const glm::dvec3& pivot = fan_.rim[0];
@@ -82,8 +83,8 @@ private:
         square_[j - 1] = std::max(square_[j - 1], square);
     }
 
-    /// Computes the error of each new triangle: the max error of the old triangles that overlap it in the map, plus the
-    /// displacement.
+    /// Computes the error of each triangle after the collapse: the max error of the old triangles that overlap it in
+    /// the map, plus the displacement.
     void spread(const Row& before, Row& after) const {
         const std::uint32_t oldCount = fan_.isClosed ? fan_.count : fan_.count - 1;
         double sum = 0;

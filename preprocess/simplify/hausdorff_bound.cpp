@@ -45,13 +45,13 @@ public:
     const glm::dvec3& operator[](std::size_t i) const { return points_[i]; }
 
 private:
-    // larger than kMaxCorners, because rounding can make a plane cross more than two sides
+    // The array is larger than kMaxCorners, because rounding can make a plane cross more than two sides.
     std::array<glm::dvec3, 2 * kMaxCorners> points_;
     std::uint32_t count_ = 0;
 };
 
-/// A convex piece of a triangle of one surface. It is assigned to a triangle of the other surface, its containing
-/// triangle.
+/// A convex piece of a triangle of one surface. It is assigned to a nearby triangle of the other surface, its
+/// containing triangle.
 struct Piece {
     Corners corners;
     std::uint32_t container = kNone;
@@ -59,7 +59,8 @@ struct Piece {
     std::uint32_t halvings = 0;
 };
 
-/// The two parts of `piece` at a plane. In one part dot(p - point, normal) is at most 0, in the other at least 0.
+/// The two parts of a piece that a plane cuts. In one part dot(p - point, normal) is at most 0, in the other at least
+/// 0.
 struct Halves {
     Piece inside;
     Piece outside;
@@ -100,7 +101,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
     return halves;
 }
 
-/// The corner of a piece that is farthest from the piece's containing triangle.
+/// The corner of a piece that is farthest from the triangle to which the piece is assigned.
 struct Farthest {
     double square = -1;
     proximity::TriangleFeature feature = proximity::TriangleFeature::Face;
@@ -117,14 +118,14 @@ Farthest farthestFrom(const Surface& surface, const Piece& piece, std::uint32_t 
     return farthest;
 }
 
-/// Cuts triangles into pieces and assigns each piece to a nearby triangle of another surface, its containing triangle.
+/// Cuts triangles into pieces. Assigns each piece to a nearby triangle of another surface, its containing triangle.
 class Refinement {
 public:
     Refinement(Surface& surface, double goal) : surface_(surface), acceptedError_(goal) {}
 
-    /// Cuts the triangle `whole` into pieces and calls `assign(container, error)` for each piece. `whole` names the
-    /// containing triangle to begin with. The error of a piece is its distance from its containing triangle plus
-    /// `before(container)`.
+    /// Cuts the triangle `whole` into pieces and calls `assign(container, error)` for each piece. The containing
+    /// triangle of `whole` is the start of the search. The error of a piece is its distance from its containing
+    /// triangle plus `before(container)`.
     template <class Before, class Assign>
     void run(const Piece& whole, Before before, Assign assign) {
         pieces_ = 0;
@@ -159,8 +160,8 @@ private:
             const std::uint32_t other = surface_.across(piece.container, edge);
             if (other == kNone) continue;
             const glm::dvec3& corner = piece.corners[farthest.corner];
-            // A corner on this side of the bisecting plane would return to its containing triangle, and the loop would
-            // not end.
+            // A corner on the inner side of the bisecting plane would return to its containing triangle, and the loop
+            // would not end.
             if (glm::dot(corner - surface_.corner(piece.container, edge), bisector(piece.container, edge)) <= 0)
                 continue;
             const double square = surface_.squaredDistance(corner, other);
@@ -177,7 +178,8 @@ private:
         const glm::dvec3& from = surface_.corner(piece.container, edge);
         Halves halves = cut(piece, from, bisector(piece.container, edge));
         halves.outside.container = other;
-        // All corners are on this side of the bisecting plane, but they are nearer to the other triangle.
+        // All corners of the piece are on the inner side of the bisecting plane, but they are nearer to the other
+        // triangle.
         if (halves.outside.corners.count() < 3) {
             if (piece.crossings > 2) return false;
             halves.inside.container = other;
@@ -188,15 +190,15 @@ private:
         return true;
     }
 
-    /// Handles a piece for which the neighbours across edges are not nearer. The function assigns it to the nearest
-    /// triangle in the tree. If one triangle is not enough, it halves the piece.
+    /// Refines a piece for which the neighbours of its containing triangle are not nearer. The function assigns the
+    /// piece to the nearest triangle of the whole surface. If one triangle is not enough, it halves the piece.
     bool refineByHalving(const Piece& piece, const Farthest& farthest) {
         const glm::dvec3& corner = piece.corners[farthest.corner];
         const std::uint32_t nearest = surface_.nearest(corner);
         if (surface_.squaredDistance(corner, nearest) > farthest.square * 0.8) return false;
         Piece moved = piece;
         moved.container = nearest;
-        // This limit is slightly above kMaxHalvings, so that the loop ends.
+        // The limit of halvings is slightly above kMaxHalvings, so that the loop ends.
         if (piece.halvings < kMaxHalvings + 4 &&
             farthestFrom(surface_, moved, nearest).square < farthest.square * 0.8) {
             moved.halvings += 1;
@@ -228,7 +230,8 @@ private:
         return piece.corners[farthest];
     }
 
-    /// Splits a piece that has too many corners for another cut into two pieces with half of the corners each.
+    /// Splits `piece` along a diagonal into two pieces with half of the corners each, because it has too many corners
+    /// for another cut.
     bool splitAlongDiagonal(const Piece& piece) {
         Piece first = piece;
         Piece second = piece;
@@ -253,7 +256,7 @@ private:
         const glm::dvec3 along = surface_.corner(triangle, (edge + 1) % 3) - surface_.corner(triangle, edge);
         const glm::dvec3 normal = unitNormal(triangle);
         const glm::dvec3 otherNormal = unitNormal(surface_.across(triangle, edge));
-        // orientations of neighbours may be opposite
+        // The orientations of neighbouring triangles may be opposite.
         const double turn = glm::dot(normal, otherNormal) < 0 ? -1.0 : 1.0;
         return glm::cross(along, normal + otherNormal * turn);
     }
@@ -354,7 +357,8 @@ private:
         return corners;
     }
 
-    /// Returns a simplified triangle near triangle `t` of the patch, as a start of the search.
+    /// Returns a simplified triangle near triangle `t` of the original patch. The search for the nearest triangle
+    /// starts there.
     std::uint32_t firstTriangle(std::uint32_t t) {
         if (successor_[t] != kNone) return successor_[t];
         const glm::dvec3 center = centerOf(fine_, t);
@@ -375,7 +379,7 @@ private:
     const SimplifiedPatch& simplified_;
     Surface fine_;
     Surface coarse_;
-    std::vector<std::uint32_t> successor_; // per patch triangle: the simplified triangle that it became
+    std::vector<std::uint32_t> successor_; // per original triangle: the simplified triangle that it became
     std::vector<std::uint8_t> isSame_;
     HausdorffBound result_;
 };

@@ -15,8 +15,8 @@ namespace gnomon::simplify {
 namespace {
 
 constexpr double kParallel = 0.7;    // min cosine between the normals of layers
-constexpr double kReachShare = 0.45; // share of a gap by which each of its two sides may move without contact
-// multiple of the mean area; larger triangles are tested at more points than their centre
+constexpr double kReachShare = 0.45; // share of the gap between two layers by which each layer may move without contact
+// A triangle whose area exceeds this multiple of the mean area is tested at more points than its centre.
 constexpr double kLargeArea = 16;
 
 using Weights = std::array<double, 3>;
@@ -68,8 +68,8 @@ bool intersects(const Side& side, const glm::dvec3& p, const glm::dvec3& directi
     return (turn[0] >= 0 && turn[1] >= 0 && turn[2] >= 0) || (turn[0] <= 0 && turn[1] <= 0 && turn[2] <= 0);
 }
 
-/// Returns the distance of `other` from the point `p` of `side`, along the normal of `side`. Returns nullopt if `other`
-/// is not a layer at this point.
+/// Returns the distance of the triangle `other` from the point `p` of `side`, along the normal of `side`. Returns
+/// nullopt if `other` is not a layer (a nearby parallel face) at this point.
 std::optional<double> distanceToLayer(const Side& side, const Side& other, const glm::dvec3& p) {
     const double cosine = glm::dot(side.normal, other.normal);
     if (std::abs(cosine) < kParallel || touch(side, other)) return std::nullopt;

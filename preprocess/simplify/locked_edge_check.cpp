@@ -6,7 +6,8 @@ namespace gnomon::simplify {
 
 namespace {
 
-/// Returns each triangle edge between two locked positions, once per triangle. The lower position comes first.
+/// Returns each triangle edge between two locked positions, once per triangle that has it. The lower position comes
+/// first.
 std::vector<std::array<std::uint32_t, 2>> lockedEdges(const Patch& patch, const std::vector<Triangle>& triangles) {
     std::vector<std::array<std::uint32_t, 2>> edges;
     for (const Triangle& triangle : triangles) {

@@ -42,15 +42,14 @@ void SimplificationMesh::linkCorners() {
     }
 }
 
-/// Records in `spokes` each edge from position `a` with the vertices of its triangles.
+/// Records each edge from position `a` in `spokes`, with the vertices of the triangles at this edge.
 void SimplificationMesh::gatherSpokes(std::uint32_t a, std::vector<Spoke>& spokes) const {
     for (std::uint32_t corner = head_[a]; corner != kNone; corner = next_[corner])
         for (const std::uint32_t place : kOthers[corner % 3]) {
             Spoke& spoke = spokes[position_[corner / 3][place]];
             const std::uint64_t here = vertex_[corner / 3][corner % 3];
             const std::uint64_t vertices = here << 32U | vertex_[corner / 3][place];
-            // The code has no branches, because the CPU cannot predict whether this is the first or the second triangle
-            // of the edge.
+            // The code has no branches, because the CPU cannot predict whether an edge was already found.
             const std::uint64_t kept = spoke.seenFrom == a ? ~std::uint64_t{0} : 0;
             spoke.seenFrom = a;
             spoke.triangles = (spoke.triangles & static_cast<std::uint32_t>(kept)) + 1;

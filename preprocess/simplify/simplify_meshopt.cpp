@@ -48,7 +48,7 @@ std::vector<Triangle> simplified(
         input.positions.size() / 3,
         3 * sizeof(float),
         targetTriangles * 3 + input.dummyIndices,
-        1e6F, // max error, in extents of the patch; so large that it is no limit
+        1e6F, // max error, as a multiple of the patch size; so large that it is no limit
         0,
         &estimated));
     std::vector<Triangle> triangles;

@@ -24,11 +24,11 @@ struct Traits : OpenMesh::DefaultTraits {
 
 using HalfedgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-/// The patch as a half-edge mesh, welded by position. Faces that a half-edge mesh cannot represent are listed in
-/// `aside`, and their corners are locked.
+/// The patch as a half-edge mesh with vertices welded by position. Faces that a half-edge mesh cannot represent are
+/// listed in `aside`, and their corners are locked.
 struct Halfedges {
     HalfedgeMesh mesh;
-    std::vector<std::uint32_t> faceTriangle; // per face: its triangle in the patch
+    std::vector<std::uint32_t> faceTriangle; // per face: the index of its triangle in the patch
     std::vector<std::uint32_t> aside;        // triangles of the patch that are not in the half-edge mesh
 
     Halfedges(const Patch& patch, const std::vector<std::uint8_t>& isLocked) {
@@ -51,8 +51,8 @@ struct Halfedges {
     }
 
 private:
-    /// Returns true if the half-edge mesh would reject the face. The reason is a corner with a closed ring of faces, or
-    /// an edge that already has a face on this side.
+    /// Returns true if the half-edge mesh cannot contain another face `p`. The reason is a corner with a closed ring of
+    /// faces, or an edge that already has a face on this side.
     template <class VertexOf>
     bool isTaken(const Triangle& p, VertexOf vertex) const {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -64,8 +64,8 @@ private:
     }
 };
 
-/// Returns the vertex of the patch at position `p` that has the normal and colour of vertex `wanted`. If there is none,
-/// returns the first vertex at `p`.
+/// Returns the vertex of the patch at position `p` that has the normal and colour of vertex `wanted`. If there is no
+/// such vertex, returns the first vertex at `p`.
 std::uint32_t vertexAt(const Patch& patch, std::uint32_t p, std::uint32_t wanted) {
     if (patch.positionOf[wanted] == p) return wanted;
     std::uint32_t best = hierarchy::kNone;
@@ -103,8 +103,8 @@ SimplifiedPatch simplifiedWith(
         if (mesh.status(face).deleted()) continue;
         const std::uint32_t origin = halfedges.faceTriangle[f];
         const Triangle was = patch.corners(patch.triangles[origin]);
-        // The half-edges of a face may start at any corner. The unmoved corners determine the rotation of the
-        // triangle's corners.
+        // The half-edges of a face may start at any corner. Corners that did not move determine the original first
+        // corner.
         std::vector<std::uint32_t> corners;
         for (auto it = mesh.cfv_ccwiter(face); it.is_valid(); ++it)
             corners.push_back(static_cast<std::uint32_t>(it->idx()));

@@ -40,8 +40,8 @@ using hierarchy::kNone;
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 constexpr double kTopologyPenalty = 2;   // factor of the cost of a collapse that violates the link condition
 constexpr double kQueueSlack = 1.1;      // max ratio of the evaluated cost to the cost in the queue
-constexpr double kEarlyStopShare = 0.67; // costs may stop the loop only below this share of the triangles
-// max ratio of the next cost to the largest cost accepted before; above it the loop stops
+constexpr double kEarlyStopShare = 0.67; // rising costs may stop the loop only below this share of the triangles
+// Max ratio of the next cost to the largest accepted cost. Above this ratio the loop stops.
 constexpr double kMaxCostRise = 1.6;
 constexpr double kMeanEdges = 2.5; // the cost limit of CostLimit::MeanEdge, in mean edge lengths of the patch
 
@@ -55,7 +55,7 @@ double meanEdge(const Patch& patch) {
     return length / (3.0 * static_cast<double>(patch.triangles.size()));
 }
 
-/// The simplification of one patch: the queue of collapses and the loop over it. Costs are distances in grid steps.
+/// Simplifies one patch with a queue of edge collapses, cheapest first. Costs are distances in grid steps.
 class Collapser {
 public:
     explicit Collapser(const Patch& patch);
@@ -89,15 +89,15 @@ private:
     SimplificationMesh mesh_;
     CostEstimate estimate_;
     CollapseErrorBound errors_;
-    std::vector<LayerGap> gaps_; // per triangle; empty if there are no layers of another colour
-    CollapseStar star_;          // star of the collapse that `boundedCost` evaluated last
+    std::vector<LayerGap> gaps_; // per triangle: distance to a layer of another colour; empty without layers
+    CollapseStar star_;          // the triangles around the collapse that `boundedCost` evaluated last
     double maxCost_;             // max cost of a collapse
     double estimated_ = 0;
     double layerCharge_ = 0;
     CollapseQueue queue_;
     std::vector<std::uint32_t> target_;   // per position in the queue: the position that it would collapse onto
     std::vector<std::uint8_t> isBounded_; // per position in the queue: 1 if its cost is a bound, 0 if an estimate
-    std::vector<std::uint32_t> around_;   // neighbours of `from` in the current collapse
+    std::vector<std::uint32_t> around_;   // neighbours of the removed position in the current collapse
     std::vector<std::pair<double, std::uint32_t>> candidates_;
 };
 
@@ -113,8 +113,8 @@ Collapser::Collapser(const Patch& patch)
       target_(patch.positions.size(), kNone),
       isBounded_(patch.positions.size(), 0) {}
 
-/// Calls `visit(q, square)` for each position q that `p` may collapse onto. `square` is the squared cost estimate. The
-/// positions are the `neighbours` of `p` and the partner in its vertex pair.
+/// Calls `visit(q, square)` for each position q onto which `p` may collapse. `square` is the squared cost estimate. The
+/// positions are the `neighbours` of `p` and the partner in its vertex pair (a nearby position of another component).
 template <class Visit>
 void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neighbours, Visit visit) {
     const std::span<const double> squares = estimate_.squares(p, neighbours);
@@ -140,7 +140,7 @@ double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit
     return std::max(cost, layerCost());
 }
 
-/// Returns the max charge of the faces of `star_` that the collapse may move to the other side of a layer
+/// Returns the max cost of moving faces of `star_` to the other side of a layer, a nearby face of another colour
 /// (layer_gaps.h).
 double Collapser::layerCost() const {
     if (gaps_.empty()) return 0;
@@ -156,7 +156,7 @@ double Collapser::layerCost() const {
     return cost;
 }
 
-/// Returns the target of `p` with the lowest cost estimate.
+/// Returns the collapse target of `p` with the lowest cost estimate.
 Collapser::Choice Collapser::cheapestByEstimate(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     Choice best;
     forTargets(p, neighbours, [&](std::uint32_t q, double cost) {
@@ -166,7 +166,8 @@ Collapser::Choice Collapser::cheapestByEstimate(std::uint32_t p, std::span<const
     return best;
 }
 
-/// Returns the target of `p` with the lowest bounded cost. `best` is a target whose bounded cost is known.
+/// Returns the collapse target of `p` with the lowest cost, including error bounds. `best` is a target whose bounded
+/// cost is known.
 Collapser::Choice Collapser::cheapestByBound(std::uint32_t p, Choice best) {
     candidates_.clear();
     forTargets(p, mesh_.neighbours(p), [&](std::uint32_t q, double cost) { candidates_.emplace_back(cost, q); });
@@ -183,7 +184,7 @@ Collapser::Choice Collapser::cheapestByBound(std::uint32_t p, Choice best) {
     return best;
 }
 
-/// Inserts `p` into the queue with its current cost estimate. `neighbours` are the neighbours of `p`.
+/// Inserts position `p` into the queue with its current cost estimate. `neighbours` are the neighbours of `p`.
 void Collapser::refresh(std::uint32_t p, std::span<const std::uint32_t> neighbours) {
     if (patch_.isLocked[p] != 0) return;
     const Choice choice = cheapestByEstimate(p, neighbours);
@@ -195,7 +196,7 @@ void Collapser::refresh(std::uint32_t p, std::span<const std::uint32_t> neighbou
         queue_.put(p, choice.cost);
 }
 
-/// Updates the queue after a collapse of `from` onto `to`.
+/// Updates the costs in the queue after a collapse of position `from` onto position `to`.
 void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
     for (const std::uint32_t q : around_) {
         if (!mesh_.isRepresentative(q) || patch_.isLocked[q] != 0) continue;
@@ -214,13 +215,13 @@ void Collapser::refreshAround(std::uint32_t from, std::uint32_t to) {
     around_.clear();
     for (const std::uint32_t q : neighbours)
         if (!queue_.contains(q) && patch_.isLocked[q] == 0)
-            around_.push_back(q); // no collapse of q was allowed before; now one may be
+            around_.push_back(q); // no collapse of q was allowed before, but one may be allowed now
     if (mesh_.isRepresentative(to)) refresh(to, neighbours);
     for (const std::uint32_t q : around_)
         refresh(q);
 }
 
-/// Inserts `p` into the queue again with the bounded cost of `choice`, if a collapse is allowed.
+/// Inserts position `p` into the queue again with the cost of `choice`, if a collapse is allowed.
 void Collapser::reinsert(std::uint32_t p, const Choice& choice) {
     if (choice.target == kNone) return;
     target_[p] = choice.target;
@@ -228,8 +229,8 @@ void Collapser::reinsert(std::uint32_t p, const Choice& choice) {
     queue_.put(p, choice.cost);
 }
 
-/// Computes the bounded cost of `p`, which was first in the queue with the cost `cost`. If the bounded cost is higher,
-/// the function inserts `p` into the queue again and returns nullopt.
+/// Computes the cost of position `p`, including its error bound. `p` was first in the queue with the cost `cost`. If
+/// the new cost is higher, the function inserts `p` into the queue again and returns nullopt.
 std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, double cost) {
     if (!mesh_.hasTriangles(p)) return std::nullopt;
     const std::uint32_t to = target_[p];
@@ -249,7 +250,7 @@ std::optional<Collapser::Choice> Collapser::evaluateFirst(std::uint32_t p, doubl
     return found;
 }
 
-/// Applies the collapse of `from` onto `to`, which `boundedCost` evaluated last.
+/// Applies the collapse of position `from` onto position `to`, which `boundedCost` evaluated last.
 void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     estimated_ = std::max(estimated_, estimate_.planes(from, to));
     layerCharge_ = std::max(layerCharge_, layerCost());
@@ -267,7 +268,7 @@ void Collapser::collapse(std::uint32_t from, std::uint32_t to) {
     refreshAround(from, to);
 }
 
-/// Removes triangles at `p` that have the same three positions as an earlier triangle.
+/// Removes triangles at position `p` that have the same three corner positions as an earlier triangle.
 void Collapser::removeDuplicates(std::uint32_t p) {
     for (const SimplificationMesh::Duplicate& pair : mesh_.duplicates(p)) {
         errors_.merge(pair);
@@ -275,8 +276,8 @@ void Collapser::removeDuplicates(std::uint32_t p) {
     }
 }
 
-/// Redirects `p` to another position if no triangle remains at `p`. The new position is the nearest corner of the
-/// triangles that received the errors of the removed triangles.
+/// Redirects position `p` to another position if no triangle remains at `p`. The new position is the nearest corner of
+/// the triangles that received the errors of the removed triangles.
 void Collapser::redirectIsolated(std::uint32_t p) {
     if (mesh_.hasTriangles(p)) return;
     queue_.remove(p);

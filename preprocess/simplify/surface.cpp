@@ -21,7 +21,7 @@ Surface::Surface(std::span<const glm::dvec3> positions, std::vector<Triangle> tr
       triangles_(std::move(triangles)),
       adjacency_(positions.size(), triangles_),
       across_(triangles_.size(), Triangle{hierarchy::kNone, hierarchy::kNone, hierarchy::kNone}) {
-    // max number of visited triangles; bounds the quadratic cost at a position with very many triangles
+    // Max number of visited triangles. It limits the quadratic cost at a position with very many triangles.
     constexpr std::size_t kMaxVisited = 32;
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {

@@ -27,8 +27,8 @@ std::vector<std::uint32_t> vertexPairs(const Patch& patch) {
     std::vector<std::uint32_t> size(count, 0);
     for (const std::uint32_t id : component)
         ++size[id];
-    // Only positions of small components search for a partner. A position of a large component would first visit all
-    // positions of its own component.
+    // Only positions of small components search for a partner (a nearby position of another component). A position of a
+    // large component would first visit all positions of its own component.
     std::vector<std::uint32_t> querying;
     for (std::uint32_t p = 0; p < count; ++p)
         if (patch.isLocked[p] == 0 && size[component[p]] <= kSmallComponent) querying.push_back(p);

@@ -10,15 +10,15 @@ namespace gnomon::pipeline {
 
 namespace {
 
-/// The number of ranges per thread. Several ranges per thread let all threads end at about the same time.
+/// The number of row ranges per thread. Several ranges per thread let all threads end at about the same time.
 constexpr std::uint64_t kRangesPerThread = 4;
 
 constexpr std::uint64_t kMinRows = std::uint64_t{1} << 16U;
 constexpr std::uint64_t kMaxRows = std::uint64_t{1} << 22U;
-// bytes per polygon corner: its vertex number twice (during sorting) and its position
+// Memory in bytes per polygon corner, for its vertex number twice (during sorting) and its position.
 constexpr std::uint64_t kBytesPerCorner = 64;
 
-/// Returns the number of rows per range, at most `maxRows`. It is a multiple of the page size.
+/// Returns the number of source rows per task, at most `maxRows`. It is a multiple of the page size.
 std::uint64_t rowsOfRange(std::uint64_t rows, std::uint64_t threads, std::uint64_t maxRows) {
     const std::uint64_t wanted = std::clamp(rows / (threads * kRangesPerThread) + 1, kMinRows, kMaxRows);
     return std::max(std::min(wanted, maxRows) / kPageVertices, std::uint64_t{1}) * kPageVertices;
@@ -246,7 +246,7 @@ chunk::BinnedSize RangeBinning::bin(
         },
         [&](std::uint32_t task, std::span<const std::byte> result) { ofVertices[task] = decodedBinnedRange(result); });
     Blocks numbers;
-    // in range order, so that the result does not depend on the order in which tasks finish
+    // The ranges are processed in order, so that the result does not depend on the order in which tasks finish.
     for (const BinnedRange& range : ofVertices) {
         deliver(range);
         numbers.insert(numbers.end(), range.chunks.begin(), range.chunks.end());

@@ -39,7 +39,7 @@ public:
     chunk::ChunkTree plan(const chunk::SourceSurvey& survey, std::uint32_t chunkTriangles);
 
     /// Sorts the source into the chunks of `tree`. The result is identical to chunk::binSource. The tree must not have
-    /// heavy points, which are grid points with too many triangles for one chunk.
+    /// heavy points, which are grid points with very many triangles.
     chunk::BinnedSize bin(const chunk::SourceSurvey& survey, const chunk::ChunkTree& tree, scratch::StreamStore& bins);
 
     /// Returns the corner counts of the vertices for chunk::binSource, which sorts sources with heavy points. Frees the

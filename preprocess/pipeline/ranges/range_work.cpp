@@ -18,8 +18,8 @@ static_assert(kPageVertices == Corners::kPageVertices);
 
 constexpr std::uint64_t kSparseBytes = 3; // bytes per used vertex, for a page with few used vertices
 
-/// Encodes the corner counts of a page of vertices. The result has one byte per vertex, or the index and the count of
-/// each used vertex if this is smaller.
+/// Encodes the triangle corner counts of a page of vertices. The result has one byte per vertex, or the index and the
+/// count of each used vertex if this is smaller.
 std::vector<std::byte> packedPage(std::span<const std::uint8_t> corners) {
     const auto used = static_cast<std::uint64_t>(
         std::count_if(corners.begin(), corners.end(), [](std::uint8_t count) { return count > 0; }));
@@ -33,7 +33,7 @@ std::vector<std::byte> packedPage(std::span<const std::uint8_t> corners) {
     return packed;
 }
 
-/// Decodes corner counts that `packedPage` returned and adds them to `corners`. A sum is at most 255.
+/// Decodes triangle corner counts that `packedPage` returned and adds them to `corners`. A sum is at most 255.
 void addPage(std::span<std::uint8_t> corners, std::span<const std::byte> packed) {
     const auto add = [&](std::size_t vertex, std::byte count) {
         corners[vertex] = static_cast<std::uint8_t>(std::min(255U, corners[vertex] + std::to_integer<unsigned>(count)));
@@ -54,7 +54,7 @@ std::vector<T> valuesOf(std::span<const std::byte> bytes) {
     return values;
 }
 
-/// Moves the blocks that a task wrote to `store` into its result `range`.
+/// Moves the list of blocks in `store`, which a task wrote, into the task's result `range`.
 void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer, BinnedRange& range) {
     for (std::uint32_t stream = 0; stream < store.streamCount(); ++stream)
         for (const scratch::Block& block : store.blocks(stream))
@@ -67,7 +67,7 @@ void collect(const scratch::StreamStore& store, const chunk::ChunkWriter& writer
 
 } // namespace
 
-/// Adds the bytes of a task's tables to the counter of all tasks.
+/// Adds the size of one task's per-vertex tables to the total of all tasks.
 class RangeWork::Held {
 public:
     explicit Held(const RangeWork& work) : work_(work) {}
@@ -80,7 +80,7 @@ public:
     Held& operator=(Held&&) = delete;
 
     void set(std::uint64_t bytes) {
-        // unsigned arithmetic wraps around if the size decreases
+        // If the size decreases, the unsigned difference wraps around, and the sum is still correct.
         const std::uint64_t all = work_.tableBytes_ += bytes - std::exchange(bytes_, bytes);
         std::uint64_t before = work_.maxTableBytes_;
         while (all > before && !work_.maxTableBytes_.compare_exchange_weak(before, all)) {
@@ -247,7 +247,7 @@ BinnedRange RangeWork::binVertices(const BinVerticesInput& input) const {
 
 namespace {
 
-/// The chunk numbers of vertices. A page of them is read from the scratch file at its first use.
+/// The chunk number of each vertex, in pages. A page is read from the scratch file at its first use.
 template <class Number>
 class ChunkNumbers {
 public:
@@ -261,7 +261,7 @@ public:
         return number == static_cast<Number>(chunk::kOutsideGrid) ? chunk::kOutsideGrid : number;
     }
 
-    /// Returns the peak size of the tables in bytes.
+    /// Returns the peak size in bytes of the pages in memory.
     std::uint64_t maxBytes() const { return maxHeld_ * kPageVertices * sizeof(Number); }
 
 private:
@@ -280,8 +280,8 @@ private:
     std::size_t maxHeld_ = 0; // peak number of pages in memory
 };
 
-/// Sorts faces into chunks. One call of `bin` processes as many faces as possible. The limit is the memory for the
-/// positions of polygon corners.
+/// Sorts faces into chunks. One call of `bin` processes as many faces as the memory for the positions of polygon
+/// corners permits.
 template <class Number>
 class FaceBins {
 public:
@@ -298,7 +298,7 @@ public:
           progress_(progress),
           refiner_(progress) {}
 
-    /// Sorts faces from `begin` on into chunks. Returns the first face that it did not process.
+    /// Sorts faces into chunks, beginning with face `begin`. Returns the first face that it did not process.
     std::uint64_t bin(std::uint64_t begin) {
         std::uint64_t end = input_.faces.end;
         std::vector<std::uint64_t> corners;
@@ -318,7 +318,7 @@ public:
         return end;
     }
 
-    /// Returns the peak size of the chunk number tables in bytes.
+    /// Returns the peak size in bytes of the tables of chunk numbers.
     std::uint64_t maxBytes() const { return chunkOf_.maxBytes(); }
 
 private:
@@ -337,8 +337,7 @@ private:
         return chunk::isInOneChunk(fan, [&](std::uint64_t vertex) { return chunkOf_(vertex); });
     }
 
-    /// Collects the corners of the polygons whose corners are in several chunks. Returns the first face that it did not
-    /// process.
+    /// Collects the corners of polygons that lie in several chunks. Returns the first face that it did not process.
     std::uint64_t findCorners(std::uint64_t begin, std::vector<std::uint64_t>& corners) {
         std::uint64_t end = begin;
         readFaces(begin, input_.faces.end, [&](const read::TriangleBlock& block) {

@@ -16,7 +16,7 @@ namespace {
 using hierarchy::ByteReader;
 using hierarchy::ByteWriter;
 
-/// The streams of one chunk, restored from the input of a task.
+/// The byte streams of one chunk, restored from the input of a task.
 class OneChunk {
 public:
     OneChunk(const ChunkStreams& streams, const TaskFacts& facts, scratch::ScratchFile& scratch)
@@ -59,7 +59,7 @@ levels::OpenClusters openClusters(const NodeInput& input, const TaskFacts& facts
     return merger.take();
 }
 
-/// Appends each message to the scratch file. Returns the blocks with their streams.
+/// Appends the bytes for each stream to the scratch file. Returns the blocks with their stream numbers.
 Mail posted(const StreamBytes& messages, scratch::ScratchFile& scratch) {
     Mail mail;
     for (const auto& [stream, bytes] : messages)
@@ -78,7 +78,7 @@ std::uint64_t inputBytes(const NodeInput& input) {
     return sum;
 }
 
-/// Appends the result of a node to the scratch file and stores the blocks in its record.
+/// Appends the pages and clusters of a finished node to the scratch file, and stores their blocks in `record`.
 void store(levels::BuiltNode& made, NodeRecord& record, scratch::ScratchFile& scratch) {
     for (levels::NodeLevel& level : made.levels) {
         NodeRecord::LevelOfNode& own = record.levels.emplace_back();
@@ -151,10 +151,10 @@ std::vector<std::byte> TaskWork::answer(TaskKind kind, ByteReader& in) const {
 }
 
 std::vector<std::byte> TaskWork::buildNode(ByteReader& in) const {
-    // Min bytes of a large input. A node of this size takes much longer than trimming the heap.
+    // Min size of a large input in bytes. Building a node of this size takes much longer than trimming the heap.
     constexpr std::uint64_t kLarge = std::uint64_t{4} << 20U;
     const NodeInput input = takeNode(in);
-    // returns the heap fragments of the previous node to the system
+    // This call returns heap fragments of the previous node to the system.
     if (inputBytes(input) > kLarge) returnFreedMemory();
     NodeRecord record;
     record.round = input.round;

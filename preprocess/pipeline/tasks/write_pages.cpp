@@ -24,8 +24,8 @@ EncodedPage readPage(const PagesToWrite& pages, const PageInfo& info, std::uint6
     return page;
 }
 
-/// Returns the number of bytes per range of pages. Each process writes several ranges, so that all processes end at
-/// about the same time. A range is so large that the cost of its sync is small.
+/// Returns the number of bytes of the model file that one task writes. Each process runs several tasks, so that all
+/// processes end at about the same time. A task writes so much that the cost of its sync is small.
 std::uint64_t bytesOfRange(const CheckpointLog& log, std::uint32_t processes) {
     constexpr std::uint64_t kMinRangeBytes = std::uint64_t{64} << 10U;
     constexpr std::uint64_t kMaxRangeBytes = std::uint64_t{16} << 20U;

@@ -29,14 +29,15 @@ struct BinnedSize {
     Strayed strayed;
 };
 
-/// Sorts the vertices and triangles of `source` into chunks and writes all streams of BinStream. A vertex belongs to
-/// the chunk of its snapped position. A triangle belongs to the chunk with most of its corners, or to the median of
-/// three different chunk numbers. Triangles with the same three positions therefore belong to the same chunk.
+/// Sorts the vertices and triangles of `source` into the chunks of a tree, and writes all streams of BinStream. A
+/// vertex belongs to the chunk that contains its snapped position. A triangle belongs to the chunk with most of its
+/// corners. If its corners are in three different chunks, it belongs to the median of their numbers. Triangles with the
+/// same three positions therefore belong to the same chunk.
 ///
 /// The chunk number of each vertex stays in memory: two bytes per vertex, or four if there are more than 65,535 chunks.
 /// No other memory grows with the source. Polygons whose corners are in several chunks are triangulated first. Each
 /// pass over the vertices triangulates polygons with about `polygonCorners` corners in total. One more pass writes the
-/// vertices at heavy points that triangles use. The function frees `survey.valence`.
+/// used vertices at heavy points, which are grid points with very many triangles. The function frees `survey.valence`.
 BinnedSize binSource(
     read::MeshSource& source,
     SourceSurvey& survey,

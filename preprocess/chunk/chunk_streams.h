@@ -101,7 +101,7 @@ inline void putTriangle(
             static_cast<std::uint32_t>(corners[2])});
 }
 
-/// Returns the number of triangles and polygon marks in a stream.
+/// Returns the number of records in a stream of triangles, including polygon marks.
 std::uint64_t triangleRecords(const scratch::StreamStore& store, std::uint32_t stream, const VertexFormat& format);
 
 /// Calls `take(corners)` for each triangle or polygon mark of a stream, in order. Only one block of the stream is in

@@ -1,4 +1,4 @@
-// Writes vertices and triangles of a source to the streams of their chunks.
+// Writes the vertices and triangles of a source to the byte streams of their chunks.
 #pragma once
 
 #include "hierarchy/model.h"

@@ -6,12 +6,12 @@
 
 namespace gnomon::chunk {
 
-/// Removes the parts of the faces of `mesh` that earlier coplanar faces of another colour cover. Without this step the
-/// visible colour would depend on depth rounding (z-fighting). The triangles must be in source order. Returns the
-/// number of triangles that the function cut or removed. The remaining parts of a triangle replace it in the list.
-/// Their new corners are rounded to the grid.
+/// Removes hidden parts of the faces of `mesh`: the parts that an earlier coplanar face of another colour covers.
+/// Without this step the visible colour would depend on depth rounding (z-fighting). The triangles must be in source
+/// order. Returns the number of triangles that the function cut or removed. The remaining parts of a triangle replace
+/// it in the list. Their new corners are rounded to the grid.
 ///
-/// Two faces are coplanar if the corners of the smaller face lie in the plane of the larger one. The tolerance is 1.5
+/// Two faces are coplanar if the corners of the smaller face lie in the plane of the larger face. The tolerance is 1.5
 /// grid steps for tilted planes. Only triangles whose corners have the same colour are candidates. For two faces of
 /// opposite orientation there are two rules:
 /// - The later face is cut only if both faces belong to open surfaces.

@@ -45,8 +45,8 @@ private:
         std::uint32_t count = 0;
     };
 
-    /// Calls `begin(index, vertex)` for the first vertex of each run and `extend()` for each vertex of the run, by
-    /// ascending source index.
+    /// Calls `begin(index, vertex)` for the first vertex of each run of consecutive vertices, and `extend()` for each
+    /// vertex of the run. The runs are in ascending order of the source index.
     template <class Begin, class Extend>
     void forEachRun(const std::vector<std::uint32_t>& foreign, const Begin& begin, const Extend& extend) const;
 

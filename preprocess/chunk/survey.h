@@ -82,14 +82,15 @@ public:
     /// Returns a histogram of the lengths of all sampled edges. `positions` must contain the positions of `vertices()`.
     Lengths measure(const VertexLookup& positions) const;
 
-    /// Returns the part of `box` that contains the sampled triangles without strays. Triangles are strays in two cases:
+    /// Returns the part of `box` that contains the sampled triangles without strays (triangles far outside). Triangles
+    /// are strays in two cases:
     /// - up to 0.1% of the triangles, if their distance from the bounds of the other triangles is larger than the width
     ///   of these bounds;
     /// - up to 16 triangles, and at most an eighth of all triangles, if their distance is larger than 1000 of these
     ///   widths.
     /// Only the triangles farthest from the median vertex can be strays. If there are no strays, the result is `box`.
-    /// If there are strays, the result is the bounds of all sampled vertices that are at most one width outside the
-    /// other triangles, extended by 1/64 of the width.
+    /// Otherwise the result is the bounds of all sampled vertices that are at most one width outside the other
+    /// triangles, extended by 1/64 of the width.
     Box mainPart(const VertexLookup& positions, const Box& box) const;
 
 private:

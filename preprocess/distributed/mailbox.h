@@ -76,7 +76,7 @@ private:
     std::uint64_t bytesSent_ = 0;
 };
 
-/// Increasing sleep times between two polls for messages. The time doubles from 20 microseconds up to 1000, so that a
+/// Increasing sleep times between two polls for messages. The time doubles from 20 up to 1000 microseconds, so that a
 /// waiting process leaves its core to other processes.
 class Backoff {
 public:

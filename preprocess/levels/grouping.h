@@ -1,6 +1,5 @@
-// Forms the groups of a level from neighbouring clusters. The clusters of a group are simplified together. Some
-// clusters are deferred: the level passes them on to the next level unchanged. They are the clusters whose
-// simplification would cause far more error than that of the others, and all coarser levels would inherit this error.
+// Forms groups of neighbouring clusters, which are simplified together. Clusters with much larger errors than the
+// others are deferred: the next level contains them unchanged. Otherwise all coarser levels would inherit their errors.
 // The model stores a deferred cluster once, in the level that groups it.
 #pragma once
 
@@ -29,7 +28,8 @@ void formGroups(
 /// Removes from `level` the groups of deferred clusters, which the next level contains.
 void dropDeferred(Level& level);
 
-/// Appends the deferred clusters of `level` and their refinements to the coarser level `next`.
+/// Appends the deferred clusters of `level` to the coarser level `next`, with their refinements (the finer groups from
+/// which they were simplified).
 void appendDeferred(const Level& level, Level& next);
 
 } // namespace gnomon::levels

@@ -21,7 +21,7 @@ struct KdBounds {
     glm::vec3 high;
 };
 
-/// Returns the bounds of the centres of `points`.
+/// Returns the bounding box of the centres of `points`.
 KdBounds boundsOf(std::span<const KdPoint> points);
 
 /// Returns the axis of the largest extent. Among equal extents it returns the first axis.

@@ -23,11 +23,12 @@ struct KdParts {
     std::vector<std::uint32_t> ends;  // per part: the index in `order` after its last item
 };
 
-/// Splits `items` into parts of at most `maxWeight` (at least 1), like a kd-tree (Bentley, "Multidimensional binary
-/// search trees", 1975). A part may exceed this weight only if it is a single item. Each cut is across the widest axis.
-/// The cut uses the widest gap if `weightBeforeGap` finds a gap with at least `minWeightAtGap` on each side. A part
-/// therefore seldom contains distant points. Without such a gap the low side gets about `fraction` of the weight. Parts
-/// that are neighbours in the order are near each other in space. Within a part, items are ordered by index.
+/// Splits `items` into compact parts of at most the weight `maxWeight` (at least 1), like a kd-tree (Bentley,
+/// "Multidimensional binary search trees", 1975). A part may exceed this weight only if it is a single item. Each cut
+/// is a plane across the widest axis. The plane lies in the widest gap if `weightBeforeGap` finds a gap with at least
+/// `minWeightAtGap` on each side, so that a part seldom contains distant points. Without such a gap the low side
+/// receives about `fraction` of the weight. Parts that are neighbours in the order are near each other in space. Within
+/// a part, items are ordered by index.
 KdParts kdSplit(
     std::span<const KdItem> items, std::uint64_t maxWeight, double fraction, std::uint64_t minWeightAtGap = 0);
 

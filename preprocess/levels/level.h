@@ -65,7 +65,7 @@ struct LevelCluster {
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
-    // Index in Level::refinements of the group that the cluster was simplified from.
+    // Index in Level::refinements of the finer group from which the cluster was simplified.
     std::uint32_t refinement = hierarchy::kNone;
     hierarchy::GridBox box;
 };

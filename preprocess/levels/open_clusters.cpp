@@ -238,7 +238,7 @@ struct OpenClusterMerger::State {
         level.errors.insert(level.errors.end(), errors.begin(), errors.end());
         for (const SmallTriangle& t : takeAll<SmallTriangle>(in, head.triangleCount))
             level.triangles.push_back({numbers.at(t[0]), numbers.at(t[1]), numbers.at(t[2])});
-        // Two vertices whose colours or normals became equal during the build are merged.
+        // Vertices whose colours or normals became equal during the build have one index, so they count only once.
         std::sort(numbers.begin(), numbers.end());
         const auto end = std::unique(numbers.begin(), numbers.end());
         cluster.vertexCount = static_cast<std::uint32_t>(end - numbers.begin());

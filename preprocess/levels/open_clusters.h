@@ -15,7 +15,7 @@ struct OpenClusters {
     Level level;
 };
 
-/// The position of a cluster in space and the size of its record.
+/// The centre of a cluster in space, and the size of its encoded record.
 struct ClusterPlace {
     hierarchy::GridPoint center; // centre of the cluster's bounding box
     std::uint32_t triangles = 0;
@@ -32,7 +32,8 @@ struct EncodedOpenClusters {
     std::uint64_t triangles = 0;
 };
 
-/// Encodes the clusters of `level` with their vertices and refinements. Their vertices are in `mesh`.
+/// Encodes the clusters of `level` with their vertices and their refinements (the finer groups from which they were
+/// simplified). The vertices are in `mesh`.
 EncodedOpenClusters encodeOpenClusters(const simplify::Mesh& mesh, const Level& level);
 
 /// Returns the size in bytes of `clusters` ClusterPlaces, which are at the beginning of encoded clusters.

@@ -139,7 +139,7 @@ public:
     /// Damage if a block exceeds its file or overlaps another block.
     std::map<std::uint32_t, std::uint64_t> scratchBytes() const;
 
-    /// Decodes a record that `encoded` returned and adds it. Throws Damage if the bytes are malformed.
+    /// Decodes a record that `encoded` returned and adds it to the log. Throws Damage if the bytes are malformed.
     void addEncoded(std::span<const std::byte> record);
 
 private:

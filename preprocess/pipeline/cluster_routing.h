@@ -37,7 +37,7 @@ struct RoutedClusters {
     LockCounts counts; // numbers of positions in `locks`
 };
 
-/// The clusters of a finished node that have no groups yet.
+/// The clusters of a finished node (part of the model) that have no groups yet.
 struct LeftClusters {
     std::span<const std::byte> bytes;          // encoded EncodedOpenClusters
     std::span<const std::uint32_t> nodeOf;     // per cluster: index of its node in the next round

@@ -105,7 +105,7 @@ public:
         std::size_t place_ = 0;
     };
 
-    /// Empties a stream and returns its blocks. The caller must free the space of these blocks.
+    /// Removes all blocks from a stream and returns them. The caller must free the space of these blocks.
     Blocks takeBlocks(std::uint32_t stream) { return std::exchange(streams_[stream].blocks, {}); }
 
     /// Frees the space of a stream's blocks.

@@ -29,11 +29,11 @@ struct FanAfter {
     std::array<double, Fan::kMaxRim> toSource{};
 };
 
-/// Returns upper bounds of the errors of the new triangles of `fan` (Cohen, Manocha, Olano, "Simplifying Polygonal
-/// Models Using Successive Mappings", 1997). The old edges from the apex cross the new edges from rim 0. These
-/// crossings divide the old fan and the new fan into corresponding cells. The map is linear in each cell, so no point
-/// moves farther than a corner of its cell. The bound is valid for any positions of the crossings that preserve their
-/// order along each edge. The function places each crossing where its two edges are nearest.
+/// Returns upper bounds of the errors of the triangles after the collapse of `fan` (Cohen, Manocha, Olano, "Simplifying
+/// Polygonal Models Using Successive Mappings", 1997). The old edges from the apex cross the new edges from rim 0.
+/// These crossings divide the old fan and the new fan into corresponding cells. The map is linear in each cell, so no
+/// point moves farther than a corner of its cell. The bound is valid for any positions of the crossings that preserve
+/// their order along each edge. The function places each crossing where its two edges are nearest.
 FanAfter mapFan(const Fan& fan);
 
 } // namespace gnomon::simplify

@@ -93,7 +93,7 @@ Halves cut(const Piece& piece, const glm::dvec3& point, const glm::dvec3& normal
             halves.outside.corners.add(crossing);
         }
     }
-    // A piece that lies in the plane belongs to only one half.
+    // A piece that lies completely in the plane belongs only to the inside half.
     if (maxSide <= 0)
         halves.outside.corners.clear();
     else if (minSide >= 0)
@@ -145,8 +145,8 @@ public:
     }
 
 private:
-    /// Cuts `piece` at an edge of its containing triangle and assigns the outer part to the triangle across this edge.
-    /// Returns false if no neighbour across an edge is nearer.
+    /// Cuts `piece` at an edge of its containing triangle, and assigns the outer part to the triangle across this edge.
+    /// Returns false if no triangle across an edge is nearer to the farthest corner of the piece.
     bool refineAcross(const Piece& piece, const Farthest& farthest) {
         if (piece.crossings >= kMaxCrossings || piece.corners.count() + 2 > kMaxCorners ||
             farthest.feature == proximity::TriangleFeature::Face)

@@ -6,8 +6,8 @@
 
 namespace gnomon::simplify {
 
-/// Returns true if each edge between two locked positions has the same number of faces in `triangles` and in the patch.
-/// Returns false also if `triangles` contains a new edge between locked positions. The reason is that the neighbouring
+/// Returns true if each edge between two locked positions has the same number of triangles in `triangles` and in the
+/// patch. Returns false also if `triangles` contains a new edge between locked positions, because the neighbouring
 /// group could create the same edge and lose it later.
 bool keepsLockedEdges(const Patch& patch, const std::vector<Triangle>& triangles);
 

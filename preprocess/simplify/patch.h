@@ -47,8 +47,8 @@ struct Patch {
     Triangle corners(const Triangle& t) const { return {positionOf[t[0]], positionOf[t[1]], positionOf[t[2]]}; }
 };
 
-/// A simplified patch. It uses the vertices and positions of the original patch. Locked positions do not move. A vertex
-/// of a collapsed position may remain in use at the new position. This happens if no vertex there has the same colour.
+/// A simplified patch. It uses the vertices and positions of the original patch. Locked positions do not move. After
+/// the collapse of a position, its vertex remains in use at the new position if no vertex there has the same colour.
 struct SimplifiedPatch {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> origin; // per triangle: the triangle of the original patch that it was; kNone if unknown

@@ -125,8 +125,8 @@ void Collapser::forTargets(std::uint32_t p, std::span<const std::uint32_t> neigh
         visit(q, estimate_.square(p, q) * kTopologyPenalty * kTopologyPenalty);
 }
 
-/// Returns the cost of a collapse of `from` onto `to`, including its error bound. Returns kForbidden if the collapse is
-/// not allowed or if its cost reaches `limit`.
+/// Returns the cost of a collapse of position `from` onto position `to`, including the error bound. Returns kForbidden
+/// if the collapse is not allowed or if its cost reaches `limit`.
 double Collapser::boundedCost(std::uint32_t from, std::uint32_t to, double limit) {
     star_.gather(from, to);
     if (star_.vanishingCount() >= mesh_.triangleCount()) return kForbidden; // at least one triangle must remain

@@ -1,4 +1,4 @@
-// A triangle surface prepared for distance queries. It knows the neighbours across edges and has a tree that finds the
+// A triangle mesh prepared for distance queries. It stores the neighbours across edges and a tree that finds the
 // nearest triangle.
 #pragma once
 

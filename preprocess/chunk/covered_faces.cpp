@@ -385,9 +385,10 @@ std::optional<std::vector<Polygon>> partsOf(
     OpenSurfaces& surfaces) {
     const Face face = faceOf(mesh, mesh.triangles[triangle]);
     const std::vector<Polygon> whole{{face.corners.begin(), face.corners.end()}};
-    // The uncovered parts. Only faces of the same orientation, and faces between two open surfaces, cover.
+    // The parts of `triangle` that no visible face covers. A face of the opposite orientation covers only if both
+    // surfaces are open.
     std::vector<Polygon> parts = whole;
-    // The uncovered parts if faces of the opposite orientation also cover when one surface is open.
+    // The same parts, but here one open surface is sufficient for a face of the opposite orientation to cover.
     std::vector<Polygon> unseenParts = whole;
     for (const std::uint32_t other : covering) {
         const Face cover = faceOf(mesh, mesh.triangles[other]);

@@ -179,7 +179,7 @@ public:
     /// implied that all faces are triangles. The caller must then read the whole file, which succeeds or reports the
     /// defect.
     virtual bool readFaceRange(std::uint64_t /*begin*/, std::uint64_t /*end*/, const TriangleSink& /*sink*/) {
-        throw Error(summary().path, "its faces cannot be read in any order");
+        throw Error(summary().path, "its faces can only be read in sequence");
     }
 
     /// Makes all later reads of files poll `progress`, so that the user can interrupt them. `progress` must outlive the

@@ -26,7 +26,8 @@ struct Row {
 
     const json& at(const char* key) const {
         const auto found = inputs.find(key);
-        if (found == inputs.end()) throw Error(where, std::string("input ") + key, "a value", "nothing");
+        if (found == inputs.end())
+            throw Error(where, std::string("input ") + key + " is missing", "a value", "nothing");
         return *found;
     }
 

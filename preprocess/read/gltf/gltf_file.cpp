@@ -192,7 +192,7 @@ std::vector<std::byte> GltfFile::bufferBytes(const Json& buffer, std::size_t ind
     const std::string place = where("buffer", index);
     const auto length = buffer.is_object() ? buffer.find("byteLength") : buffer.end();
     if (!buffer.is_object() || length == buffer.end() || !length->is_number() || !isWhole(length->get<double>()))
-        throw Error(place, "cannot be understood", "a byteLength of a whole number", "none");
+        throw Error(place, "its byteLength is missing or not a whole number", "a number of bytes", "none");
     const auto asked = static_cast<std::uint64_t>(length->get<double>());
     const std::string uri = textOf(buffer, "uri");
     std::vector<std::byte> bytes;

@@ -62,7 +62,7 @@ void addLight(LightPicture& light, const LightPicture& other) {
 Bytes LightSum::bytes(std::uint64_t pixels, bool hasGround, bool hasSky) {
     constexpr std::uint64_t kLight = sizeof(LightPicture::pixels[0]);
     constexpr std::uint64_t kHeld = sizeof(Sums) + sizeof(std::uint16_t) + kLight;
-    // Memory of the results. It is at least the size of the copy of a frame's light.
+    // Bytes per pixel of the finished light and picture. A temporary copy of the light of one frame needs no more.
     constexpr std::uint64_t kShown = kLight + sizeof(Rgb);
     const std::uint64_t ofGround = hasGround ? sizeof(Sums) : 0;
     const std::uint64_t ofSky = hasSky ? kLight : 0;

@@ -134,7 +134,9 @@ TEST_F(GltfContainer, BuffersMayLieBesideItAndInIt) {
     holds(messageOf(withUri("/b.bin")), "refers to a file outside the folder of the source");
     holds(messageOf(withUri("https://example.org/b.bin")), "the uri is not a plain path");
     maker.document["buffers"][0].erase("byteLength");
-    holds(messageOf(withUri("b%20\xE2\x9D\xA4.bin")), "buffer 0: cannot be understood: expected a byteLength");
+    holds(
+        messageOf(withUri("b%20\xE2\x9D\xA4.bin")),
+        "buffer 0: its byteLength is missing or not a whole number: expected a number of bytes");
     maker.document["buffers"][0]["byteLength"] = 36;
     writeScratch(plain, withUri("missing.bin"));
     const std::string missing = folder + "/missing.bin";

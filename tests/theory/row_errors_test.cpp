@@ -69,7 +69,9 @@ TEST(RowErrors, AMissingInputIsNamedWithItsRow) {
         for (const std::string& key : needed) {
             json inputs = row["inputs"];
             inputs.erase(key);
-            EXPECT_EQ(refusal(family, inputs), "rows.json: row 0: input " + key + ": expected a value, found nothing")
+            EXPECT_EQ(
+                refusal(family, inputs),
+                "rows.json: row 0: input " + key + " is missing: expected a value, found nothing")
                 << family;
         }
         json inputs = row["inputs"];

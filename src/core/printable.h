@@ -1,4 +1,4 @@
-// Sanitising of external text for terminals, windows and pages: the result has one line and only visible characters.
+// Makes external text safe for terminals, windows and pages. The result is one line of visible characters.
 #pragma once
 
 #include <exception>

@@ -1,5 +1,5 @@
-// The interface through which long tasks report progress. The application shows a bar, writes JSON lines, or ignores
-// it.
+// The interface through which long tasks report their progress. The application shows a progress bar, writes JSON
+// lines, or ignores the reports.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-/// A receiver of progress. Any thread can call it, so implementations lock.
+// A receiver of progress reports. Any thread can call its functions, so implementations must lock.
 class Progress {
 public:
     Progress() = default;
@@ -17,23 +17,25 @@ public:
     Progress(Progress&&) = delete;
     Progress& operator=(Progress&&) = delete;
 
-    /// Begins a new stage. `total` is its number of units, for example of triangles, bytes or frames.
+    // Begins a new stage of the task. `total` is the amount of work in `unit`, for example triangles, bytes or frames.
     virtual void stage(std::string_view name, std::string_view unit, std::uint64_t total) = 0;
 
-    /// Corrects the total number of units of the current stage.
+    // Corrects the total amount of work of the current stage.
     virtual void expect(std::uint64_t /*total*/) {}
 
-    /// Reports `count` more finished units of the stage. Throws gnomon::Interrupted if the user requested a stop.
+    // Reports that `count` more units of the current stage are finished. Throws gnomon::Interrupted if the user
+    // requested a stop.
     virtual void advance(std::uint64_t count) = 0;
 
-    /// Reports the number of bytes that temporary files use now.
+    // Reports how many bytes the temporary files of the task occupy now.
     virtual void temporarySpace(std::uint64_t /*bytes*/) {}
 };
 
-/// Thrown by `Progress::advance` after Ctrl-C, so that the stack unwinds and removes unfinished files.
+// The exception that `Progress::advance` throws after Ctrl-C. It unwinds the stack, so that destructors remove
+// unfinished files.
 struct Interrupted {};
 
-/// A receiver that ignores all progress.
+// A progress receiver that ignores all reports.
 class NoProgress final : public Progress {
 public:
     void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}

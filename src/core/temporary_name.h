@@ -1,4 +1,4 @@
-// Names of unfinished files and folders. They are removed with their object, or when a signal ends the process.
+// Temporary files and folders. A file is removed when its object is destroyed, or when a signal ends the process.
 #pragma once
 
 #include <functional>
@@ -6,11 +6,11 @@
 
 namespace gnomon {
 
-/// A file or folder that the destructor removes unless `keep` was called. A folder with content is not removed.
+// A temporary file or folder. The destructor removes it unless `keep` was called. A folder that is not empty remains.
 class TemporaryName {
 public:
-    /// Runs `make`, which creates `path` and returns true on success. If `make` fails, nothing will be removed. Signals
-    /// are blocked during the call.
+    // Runs `make`, which must create `path` and return true on success. If it returns false, the destructor removes
+    // nothing. Signals are blocked during the call.
     TemporaryName(std::string path, const std::function<bool()>& make);
     ~TemporaryName();
     TemporaryName(const TemporaryName&) = delete;
@@ -20,17 +20,19 @@ public:
 
     const std::string& path() const { return path_; }
 
-    /// Returns true if the destructor will remove the name.
+    // Returns true if the destructor will remove the file or folder.
     bool isHeld() const { return isHeld_; }
 
-    /// Runs `finish`, for example a rename, and returns its result. If `finish` returns true, the name is no longer
-    /// removed.
+    // Runs `finish`, for example a rename, and returns its result. If the result is true, the destructor no longer
+    // removes the file.
     bool keep(const std::function<bool()>& finish);
 
-    /// Removes all temporary names, newest first. Used when the process ends without running the destructors.
+    // Removes all temporary files and folders of the process, newest first. Used when the process ends without running
+    // destructors.
     static void removeAll();
 
-    /// Removes all temporary names and ends the process immediately. A signal handler can call this function.
+    // Removes all temporary files and folders, and ends the process immediately with exit code `status`. A signal
+    // handler can call this function.
     [[noreturn]] static void removeAllAndExit(int status);
 
 private:

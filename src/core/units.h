@@ -1,4 +1,4 @@
-// Sizes, counts and durations as strong types, with conversion from and to readable text.
+// Sizes, counts and durations as strong types, and functions that convert them from and to readable text.
 #pragma once
 
 #include <cstdint>

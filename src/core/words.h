@@ -1,4 +1,5 @@
-// Tables of the names of enumerators and other values. Each table is an array of Word next to its type.
+// Tables that map enumerators and other values to names. Each table is an array of Word and is defined next to its
+// type.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace gnomon {
 
-/// A value and its name. Entries of a table can have more members.
+// A row of a table of names: a value and its name. Some tables use row types with more members.
 template <class T>
 struct Word {
     T value;
@@ -33,7 +34,8 @@ constexpr auto valueOf(const Words& words, std::string_view word)
     return std::nullopt;
 }
 
-/// Joins all names. `beforeLast` separates the last name and `between` separates the others: "off, maps or rays".
+// Joins all names of the table `words` to one text, such as "off, maps or rays". `beforeLast` precedes the last name,
+// and `between` separates the others.
 template <class Words>
 std::string enumerated(const Words& words, std::string_view between, std::string_view beforeLast) {
     std::string text;

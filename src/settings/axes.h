@@ -1,4 +1,5 @@
-// The axes of a bench. An axis is a setting with a list of values. A bench runs all combinations of the values.
+// The swept settings of `gnomon bench`. An axis is a setting with a list of values. A bench runs all combinations of
+// these values.
 #pragma once
 
 #include "settings/setting.h"
@@ -19,7 +20,8 @@ struct Axis {
 /// occurs twice.
 Axis parseAxis(const Setting& setting, const std::string& option, const std::string& list);
 
-/// Returns a copy of `fixed` for each combination of the values of `axes`. The last axis varies fastest.
+// Returns all combinations of the values of `axes`. All other settings are those of `fixed`. The value of the last axis
+// varies fastest.
 std::vector<Settings> combinations(const Settings& fixed, std::span<const Axis> axes);
 
 } // namespace gnomon::settings

@@ -1,4 +1,5 @@
-// Options that contradict each other, and options that need another option. One table is valid for all commands.
+// Rejects options that contradict each other, and options that need another option. All commands use the same table of
+// rules.
 #pragma once
 
 #include "settings/output.h"
@@ -10,19 +11,21 @@
 
 namespace gnomon::settings {
 
-/// The values of all options of a command that draws.
+// All option values of a command that draws, as input of the check for contradictions.
 struct Request {
     std::string model; // the file of the model
     Settings settings;
     Output output;
 };
 
-/// An option, and the condition under which a request uses it.
+// An option, and the condition under which the user's request counts as using it.
 struct OptionUse {
     const char* option; // without dashes
-    // If null, the option is a setting. A request uses it if its value is not the default.
+    // Returns true if the request uses the option. If null, the option is a setting, which is used if its value is not
+    // the default.
     bool (*isUsed)(const Request&) = nullptr;
-    // Returns the option as error messages show it. If null, they show its name, with the value if it is a setting.
+    // Returns the option as error messages show it. If null, messages show the name of the option, and the value of a
+    // setting.
     std::string (*written)(const Request&) = nullptr;
 };
 
@@ -33,7 +36,7 @@ struct Contradiction {
     const char* reason;
 };
 
-/// An option that has an effect only together with another option.
+// An option that has an effect only if the user also gives another option.
 struct Requirement {
     OptionUse option;
     bool (*isMet)(const Request&);
@@ -44,11 +47,12 @@ std::span<const Contradiction> contradictions();
 
 std::span<const Requirement> requirements();
 
-/// Throws UsageError if options of `request` contradict each other, or if an option lacks another option that it needs.
-/// The error names the first such option. A command without a picture passes a request without an output.
+// Throws UsageError for the first options of `request` that contradict each other, or for the first option without
+// another option that it needs. A command that draws no picture passes a request without an output.
 void requireSound(const Request& request);
 
-/// Throws the same errors for a command whose only options are `settings`.
+// Throws UsageError if `settings` contradict each other or lack a needed option. This is for commands that have no
+// options besides settings.
 void requireSound(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -1,4 +1,5 @@
-// The earlier names of renamed options. Old names still work, but help, manual pages and completions do not list them.
+// The old names of renamed options. The command line still accepts them, but help, manual pages and completions do not
+// list them.
 #pragma once
 
 #include <string>
@@ -6,12 +7,11 @@
 
 namespace gnomon::settings {
 
-/// Returns the current name of the option `name`, without dashes: "shadow-near" for "near". Returns `name` if the
-/// option was not renamed.
+// Returns the current name of an option, given and returned without dashes. For the old name "near" it returns
+// "shadow-near". Returns `name` itself if it is not an old name.
 std::string_view currentName(std::string_view name);
 
-/// Returns `option` with its old names, in the format of CLI11: "--geodetic,--ecef". A value of any of them is a value
-/// of `option`.
+// Returns `option` followed by its old names, in the format that CLI11 parses as aliases: "--geodetic,--ecef".
 std::string withOldNames(const std::string& option);
 
 } // namespace gnomon::settings

@@ -1,5 +1,5 @@
-// Sentences about a plan: its skipped effects with their reasons, its shadows, its light and the source of its depth
-// range. The window, the report and `gnomon explain` all use these sentences.
+// Describes the plan of a frame in sentences: the skipped effects with their reasons, the shadows, the light, and the
+// source of the depth range. The window, the report and `gnomon explain` use these sentences.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -8,23 +8,25 @@
 
 namespace gnomon::settings {
 
-/// Returns the name of the skipped effect: "warp", "map of slice 2".
+// Returns the name of an effect that the plan skips, such as "warp" or "map of slice 2".
 std::string effectInWords(const plan::SkippedEffect& skipped);
 
-/// Returns the reason for the skipped effect, as half a sentence: "switched off".
+// Returns half a sentence with the reason why the plan skips an effect, such as "switched off".
 std::string reasonInWords(const plan::SkippedEffect& skipped);
 
-/// Returns the reason for the choice of shadow maps, exact shadows or others, as half a sentence.
+// Returns half a sentence with the reason why the plan uses shadow maps, exact shadows or another kind of shadows.
 std::string reasonInWords(plan::ShadowReason reason);
 
-/// Returns one line with the kind of the plan's shadows and its reason: "shadows exact: they are requested".
+// Returns one line with the kind of the plan's shadows and the reason for it, such as "shadows exact: they are
+// requested".
 std::string shadowsInWords(const plan::FramePlan& plan);
 
-/// Returns lines with the numbers of light directions for penumbrae and for the sky. Returns an empty text if one
-/// direction is sufficient.
+// Returns lines with the numbers of light directions that are drawn for penumbrae and for the sky. Returns an empty
+// text if the plan uses one direction.
 std::string lightInWords(const plan::FramePlan& plan);
 
-/// Returns the source of an end of the depth range: "the nearest surface in view".
+// Returns a phrase for the surface or option that sets the near or far end of the depth range, such as "the nearest
+// surface in view".
 std::string sourceInWords(plan::DepthSource source);
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// Functions that make a setting from the member of Settings that contains its value.
+// Creates settings from the member of Settings that stores their value.
 #pragma once
 
 #include "settings/setting.h"
@@ -7,28 +7,28 @@
 
 namespace gnomon::settings {
 
-/// Returns a setting whose value is `place(settings)`, a reference into Settings.
+// Creates a setting whose value is `place(settings)`, which returns a reference into Settings.
 template <class T, class Place>
 Setting at(const Place& place, Description description, const Codec<T>& codec) {
     return {
         std::move(description), codec, place, [place](Settings& settings, const T& value) { place(settings) = value; }};
 }
 
-/// Returns a setting whose value is a member of Settings.
+// Creates a setting whose value is the given member of Settings.
 template <class T>
 Setting plain(T Settings::*member, Description description, const Codec<T>& codec) {
     return at(
         [member](auto& settings) -> auto& { return settings.*member; }, std::move(description), codec);
 }
 
-/// Returns a setting whose value is a member of Quality.
+// Creates a setting whose value is the given member of Quality, the shadow and detail quality of a frame.
 template <class T>
 Setting quality(T plan::Quality::*member, Description description, const Codec<T>& codec) {
     return at(
         [member](auto& settings) -> auto& { return settings.quality.*member; }, std::move(description), codec);
 }
 
-/// Returns a setting whose value is a member of ShadingSettings.
+// Creates a setting whose value is the given member of ShadingSettings.
 template <class T>
 Setting look(T plan::ShadingSettings::*member, Description description, const Codec<T>& codec) {
     return at(

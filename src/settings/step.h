@@ -1,4 +1,4 @@
-// The steps by which keys and buttons of the window change a setting.
+// Changes a setting by steps, for the keys and buttons of the window.
 #pragma once
 
 #include "settings/setting.h"
@@ -16,7 +16,8 @@ namespace gnomon::settings {
 /// For a setting with "auto", 0 steps switch between "auto" and a number.
 void step(const Setting& setting, Settings& settings, int steps);
 
-/// Returns the title and the value of a setting for people, with three digits: "slices: 4", "error pixels: 1.41".
+// Returns a short text with the title and the value of a setting, such as "slices: 4" or "error pixels: 1.41". Numbers
+// have three digits.
 std::string inWords(const Setting& setting, const Settings& settings);
 
 } // namespace gnomon::settings

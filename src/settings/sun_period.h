@@ -1,4 +1,4 @@
-// The period and the settings that an analysis of sun hours accepts.
+// Checks the period of time and the settings of an analysis of sun hours.
 #pragma once
 
 #include "settings/settings.h"
@@ -6,17 +6,19 @@
 
 namespace gnomon::settings {
 
-/// The max number of steps of a period.
+// The max number of time steps of an analysis of sun hours.
 inline constexpr double kMaxSunSteps = 1e6;
 
-/// Throws UsageError if the number of steps whose middle is in the period is 0 or above kMaxSunSteps.
+// Throws UsageError if `period` is too short for one time step, or has more than kMaxSunSteps steps. A step counts if
+// its middle is in the period.
 void requireSteps(const sun::SunPeriod& period);
 
-/// Returns `settings` for sun hours: with exact shadows, the software backend, and a view from above if no camera is
-/// given. Throws UsageError if the settings give another light, other shadows or another backend.
+// Returns `settings` changed for an analysis of sun hours: exact shadows, the software backend, and a view from above
+// if no camera is given. Throws UsageError if the settings request another light, other shadows or another backend.
 Settings sunHoursSettings(const Settings& settings);
 
-/// Throws UsageError if `settings` contain a light or a view. Sun hours of points or vertices use neither of them.
+// Throws UsageError if `settings` contain a light or a view. An analysis of sun hours at points or vertices uses
+// neither of them.
 void requirePointHours(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -1,11 +1,11 @@
-// A check of the floating-point mode. All arithmetic here assumes default IEEE 754, but a loaded library can change the
-// mode.
+// Checks the floating-point mode of the processor. All arithmetic of Gnomon assumes default IEEE 754, but a loaded
+// library can change the mode.
 #pragma once
 
 namespace gnomon {
 
-/// Throws Error if this thread does not round to nearest, or flushes subnormal numbers to zero (FTZ and DAZ). Libraries
-/// compiled with fast math set these modes for the whole process when they are loaded.
+// Throws Error if the current thread does not round to nearest, or flushes subnormal numbers to zero (FTZ and DAZ). A
+// library that is compiled with fast math sets these modes for the whole process when it is loaded.
 void requireUsualFloatingPoint();
 
 } // namespace gnomon

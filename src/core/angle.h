@@ -1,4 +1,4 @@
-// Conversion between degrees, for input and output, and radians, for all computations.
+// Converts angles between degrees, which users read and write, and radians, which all computations use.
 #pragma once
 
 #include <numbers>
@@ -7,12 +7,12 @@ namespace gnomon {
 
 inline constexpr double kPi = std::numbers::pi;
 
-/// Returns an angle in radians from `degrees`.
+// Converts an angle from degrees to radians.
 constexpr double radiansFromDegrees(double degrees) {
     return degrees * (kPi / 180);
 }
 
-/// Returns an angle in degrees from `radians`.
+// Converts an angle from radians to degrees.
 constexpr double degreesFromRadians(double radians) {
     return radians * 180 / kPi;
 }

@@ -1,5 +1,5 @@
-// Checks for programming errors: a failed check prints both values and aborts. Errors of files, GL or input throw
-// gnomon::Error instead.
+// Assertions against programming errors. A failed check prints the compared values and aborts. Errors of files, OpenGL
+// or input are not checked here, but throw gnomon::Error.
 #pragma once
 
 #include <sstream>

@@ -1,4 +1,5 @@
-// The exception of the project, thrown for errors outside the program (files, GL, budgets) with a message of one line.
+// The exception class of Gnomon. It is thrown for errors outside the program (files, OpenGL, memory limits), with a
+// message of one line.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +8,8 @@
 
 namespace gnomon {
 
-/// An error of a file, of GL or of the input: its place, the failure, the expected value and the found value. Only
-/// `main` catches it.
+// An error of a file, of OpenGL or of the input. The message contains its place, the failure, the expected value and
+// the found value. Only `main` catches it.
 class Error : public std::runtime_error {
 public:
     /// Makes an error without a place.

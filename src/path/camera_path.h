@@ -1,4 +1,4 @@
-// Camera files and camera paths: keyframes as JSON, and the interpolated camera.
+// Camera files and camera paths. A path is a list of keyframes in JSON, between which the camera is interpolated.
 #pragma once
 
 #include "core/camera.h"
@@ -9,13 +9,13 @@
 
 namespace gnomon::path {
 
-/// A camera at a time, in seconds.
+// A camera and its time in seconds on a camera path.
 struct Keyframe {
     double time = 0;
     Camera camera;
 };
 
-/// Returns a keyframe with a camera at `eye` that looks at `target`, with y up and the default angle.
+// Returns a keyframe whose camera is at `eye` and looks at `target`, with y up and the default angle of view.
 inline Keyframe keyframeAt(double time, const glm::dvec3& eye, const glm::dvec3& target) {
     return {time, {eye, target}};
 }
@@ -31,35 +31,35 @@ struct CameraPath {
     double duration() const { return keyframes.back().time - keyframes.front().time; }
 };
 
-/// Returns the camera of `path` at `time`. Times outside the path give the camera at its ends. The Catmull-Rom
-/// interpolation is a cubic between keyframes at unevenly spaced times (Catmull and Rom 1974), not the centripetal
-/// variant. The slope at a keyframe comes from both neighbours. At the ends of an open path it comes from one
-/// neighbour. In a loop, whose last keyframe equals the first, the neighbours continue across the seam. The angle of
-/// view stays between those of the two keyframes.
+// Returns the interpolated camera of `path` at `time`. Before the first and after the last keyframe, it returns the
+// camera of that keyframe. The interpolation is a cubic Catmull-Rom spline over unevenly spaced times (Catmull and Rom
+// 1974), not the centripetal variant. The slope at a keyframe comes from both neighbours, and at the ends of an open
+// path from one neighbour. A path whose last keyframe equals the first is a loop, in which the neighbours continue
+// across the seam. The angle of view stays between those of the two keyframes.
 Camera cameraAt(const CameraPath& path, double time);
 
-/// Returns the time of frame `frame` of `frames` evenly spaced frames. An open path includes both ends. A loop excludes
-/// its end, because it equals the start.
+// Returns the time of frame `frame` if `frames` frames are evenly spaced over `path`. The last frame is at the end of
+// an open path. In a loop no frame is at the end, because the end equals the start.
 double frameTime(const CameraPath& path, int frame, int frames);
 
-/// Returns the number of equal time steps into which `frames` frames divide the duration of `path`.
+// Returns into how many equal time steps `frames` evenly spaced frames divide the duration of `path`.
 int frameSteps(const CameraPath& path, int frames);
 
-/// Returns `camera` rotated about its target. The axis is `up`, and the rotation is counter-clockwise as seen from
-/// there.
+// Returns `camera` rotated about the axis `up` through its target. The rotation is counter-clockwise, seen from the tip
+// of `up`.
 Camera turnedAround(const Camera& camera, const glm::dvec3& up, double radians);
 
-/// Reads one keyframe `{"eye", "target", "up", "fov_y", "projection"}`, or the first keyframe of a path. Only eye and
-/// target are required. Throws Error with path and position.
+// Reads a camera file `{"eye", "target", "up", "fov_y", "projection"}`, or the first keyframe of a camera path. Only
+// eye and target are required. Throws Error with path and position.
 Camera readCamera(const std::string& path);
 
-/// Reads a path. All keyframes must have the same projection. Throws Error with path and position.
+// Reads a camera path from a file. All keyframes must have the same projection. Throws Error with path and position.
 CameraPath readCameraPath(const std::string& path);
 
-/// Returns `path` with `projection` in each keyframe, if one is given.
+// Returns `path` with all keyframes changed to `projection`. Returns `path` itself if no projection is given.
 CameraPath projected(CameraPath path, const std::optional<Projection>& projection);
 
-/// Cameras that a user saved for a model.
+// The cameras that a user has saved for a model.
 struct SavedViews {
     std::string model; // name of the model
     std::vector<Camera> cameras;
@@ -70,13 +70,13 @@ SavedViews readViews(const std::string& path);
 
 std::string toJson(const SavedViews& views);
 
-/// Returns the text of a camera file.
+// Returns `camera` as the JSON text of a camera file.
 std::string toJson(const Camera& camera);
 
-/// Returns the text of a path file.
+// Returns `path` as the JSON text of a path file.
 std::string toJson(const CameraPath& path);
 
-/// Returns the xxh3-64 hash of the content of `path`, in lowercase hex. The formatting of its file does not matter.
+// Returns the xxh3-64 hash of the content of `path`, in lowercase hex. The formatting of the file does not change it.
 std::string contentHash(const CameraPath& path);
 
 } // namespace gnomon::path

@@ -1,4 +1,5 @@
-// A walk through a model: over its floors, from room to room, with the eye at eye height and clear of obstacles.
+// Computes a walk through a model. The camera moves over the floors from room to room, at eye height and clear of
+// obstacles.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -11,7 +12,8 @@ namespace gnomon::path {
 /// The options of a walk.
 struct WalkOptions {
     std::optional<int> storey; // only this storey, counted from the lowest (0); default: all storeys
-    /// Above the floor, world units, above 0; default: 1.7 if the unit is metres, else an estimate.
+    // Height of the eye above the floor, in world units, above 0. The default is 1.7 if the unit is metres, else an
+    // estimate.
     std::optional<double> eyeHeight;
 };
 

@@ -1,4 +1,4 @@
-// The interface of receivers: points of a model that are tested against one light direction after another.
+// The interface of receivers: points of a model for which each light direction is tested for shadow.
 #pragma once
 
 #include "exact/exact_shadows.h"
@@ -8,7 +8,8 @@
 
 namespace gnomon::sun {
 
-/// A set of receivers, numbered from 0. The receivers and the casters are the same for all lights.
+// A set of points that are tested for shadow, with indices from 0. The points and the shadow casters are the same for
+// all light directions.
 class Receivers {
 public:
     Receivers() = default;
@@ -20,8 +21,8 @@ public:
 
     virtual std::size_t count() const = 0;
 
-    /// Sets each element of `isLit` (`count()` elements) to 1 if `light` reaches the receiver, else to 0. The result
-    /// does not depend on threads or earlier lights. Runs in the caller's TBB arena.
+    // Sets the element of `isLit` (`count()` elements) to 1 for each receiver that `light` reaches, and to 0 for all
+    // others. The result does not depend on the number of threads or on earlier lights. Runs in the caller's TBB arena.
     virtual exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) = 0;
 };
 

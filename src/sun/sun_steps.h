@@ -1,4 +1,4 @@
-// A period divided into time steps, with the position of the Sun at each step.
+// Divides a period into time steps, and computes the position of the Sun in each step.
 #pragma once
 
 #include "core/integer_light.h"
@@ -9,14 +9,15 @@
 
 namespace gnomon::sun {
 
-/// One time step, represented by its middle. A start or an end of sunlight is therefore off by at most half a step.
+// A time step and the position of the Sun in its middle, which represents the whole step. Computed starts and ends of
+// sunlight are therefore off by at most half a step.
 struct SunStep {
     std::string time; // ISO 8601, in the clock of the period's start
     bool isUp = false;
     IntegerLight light; // the Sun's direction with standard refraction; valid if the Sun is up
 };
 
-/// Returns the steps whose middles lie in the period; there is at least one (see `settings::requireSteps`).
+// Returns the time steps whose middles are in `period`. At least one step is required (see `settings::requireSteps`).
 std::vector<SunStep> sunSteps(const SunPeriod& period);
 
 } // namespace gnomon::sun

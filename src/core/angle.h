@@ -7,12 +7,12 @@ namespace gnomon {
 
 inline constexpr double kPi = std::numbers::pi;
 
-// Converts an angle from degrees to radians.
+/// Converts an angle from degrees to radians.
 constexpr double radiansFromDegrees(double degrees) {
     return degrees * (kPi / 180);
 }
 
-// Converts an angle from radians to degrees.
+/// Converts an angle from radians to degrees.
 constexpr double degreesFromRadians(double radians) {
     return radians * 180 / kPi;
 }

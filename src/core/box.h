@@ -8,8 +8,8 @@
 
 namespace gnomon {
 
-// A closed axis-aligned box. A default-constructed box is empty (min is greater than max) until a point or a box is
-// added.
+/// A closed axis-aligned box. A default-constructed box is empty (min is greater than max) until a point or a box is
+/// added.
 struct Box {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
     glm::dvec3 max{-std::numeric_limits<double>::infinity()};

@@ -10,9 +10,9 @@
 
 namespace gnomon {
 
-// The type of projection: perspective, or orthographic with parallel primary rays. An orthographic image covers the
-// same area at every depth. This is the area that the perspective image covers at the depth of the target. An
-// orthographic image also shows surfaces behind the eye.
+/// The type of projection: perspective, or orthographic with parallel primary rays. An orthographic image covers the
+/// same area at every depth. This is the area that the perspective image covers at the depth of the target. An
+/// orthographic image also shows surfaces behind the eye.
 enum class Projection : std::uint8_t { Perspective, Orthographic };
 inline constexpr std::array kProjections = {
     Word<Projection>{Projection::Perspective, "perspective"},
@@ -27,13 +27,13 @@ struct Camera {
     double fovYRadians = 1.0471975511965976; // full vertical angle, in the open interval (0, pi)
     Projection projection = Projection::Perspective;
 
-    // Returns true if the projection is orthographic, so that all primary rays are parallel.
+    /// Returns true if the projection is orthographic, so that all primary rays are parallel.
     bool isParallel() const { return projection == Projection::Orthographic; }
 
     bool operator==(const Camera&) const = default;
 };
 
-// Returns half the height of the area that the image of `camera` covers at the depth of the target, in world units.
+/// Returns half the height of the area that the image of `camera` covers at the depth of the target, in world units.
 double halfHeightAtTarget(const Camera& camera);
 
 /// The orthonormal axes of camera space, in world coordinates. Because right x up = -view, camera space (right, up,
@@ -44,15 +44,15 @@ struct CameraBasis {
     glm::dvec3 view{0, 0, -1};
 };
 
-// Returns the axes of camera space for `camera`. If `up` is parallel to the view direction, the world axis with the
-// smallest component along the view direction replaces `up`. Throws Error if eye and target are the same point or if a
-// coordinate is not finite.
+/// Returns the axes of camera space for `camera`. If `up` is parallel to the view direction, the world axis with the
+/// smallest component along the view direction replaces `up`. Throws Error if eye and target are the same point or if a
+/// coordinate is not finite.
 CameraBasis cameraBasis(const Camera& camera);
 
-// Transforms a direction or an eye-relative position from world space to camera space.
+/// Transforms a direction or an eye-relative position from world space to camera space.
 glm::dvec3 toCamera(const CameraBasis& basis, const glm::dvec3& vector);
 
-// Transforms a direction or an eye-relative position from camera space to world space.
+/// Transforms a direction or an eye-relative position from camera space to world space.
 glm::dvec3 toWorld(const CameraBasis& basis, const glm::dvec3& vector);
 
 } // namespace gnomon

@@ -23,14 +23,14 @@ struct ConvexVolume {
     std::vector<Plane> planes;
 };
 
-// The position of a box relative to a convex volume or a half-space.
+/// The position of a box relative to a convex volume or a half-space.
 enum class Containment { Outside, Intersecting, Inside };
 
 bool contains(const ConvexVolume& volume, const glm::dvec3& point);
 
-// A box with precomputed values for fast tests against many planes. The results `Outside` and `Inside` are certain. For
-// this purpose the test includes a bound of the rounding error that is valid for every rounding mode (Higham 2002,
-// section 3.1). All uncertain cases are `Intersecting`.
+/// A box with precomputed values for fast tests against many planes. The results `Outside` and `Inside` are certain.
+/// For this purpose the test includes a bound of the rounding error that is valid for every rounding mode (Higham 2002,
+/// section 3.1). All uncertain cases are `Intersecting`.
 class BoxAgainstPlanes {
 public:
     explicit BoxAgainstPlanes(const Box& box)
@@ -49,9 +49,9 @@ public:
     }
 
 private:
-    // Bound of the rounding error of `classify`, relative to size_ + |offset|. Eleven operations lead from the corners
-    // of the box to the result. Each operation has an error of at most 2^-52 of its terms. The absolute values of these
-    // terms add up to at most twice size_ + |offset|.
+    /// Bound of the rounding error of `classify`, relative to size_ + |offset|. Eleven operations lead from the corners
+    /// of the box to the result. Each operation has an error of at most 2^-52 of its terms. The absolute values of
+    /// these terms add up to at most twice size_ + |offset|.
     static constexpr double kRounding = 0x1p-47;
 
     glm::dvec3 center_;
@@ -59,8 +59,8 @@ private:
     double size_; // upper bound of the coordinates and of the half extents of the box
 };
 
-// Tests `box` against `volume` conservatively. A box that intersects the volume is never `Outside`, but a box outside
-// the volume can be `Intersecting`.
+/// Tests `box` against `volume` conservatively. A box that intersects the volume is never `Outside`, but a box outside
+/// the volume can be `Intersecting`.
 Containment classify(const ConvexVolume& volume, const Box& box);
 
 } // namespace gnomon

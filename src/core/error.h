@@ -8,8 +8,8 @@
 
 namespace gnomon {
 
-// An error of a file, of OpenGL or of the input. The message contains its place, the failure, the expected value and
-// the found value. Only `main` catches it.
+/// An error of a file, of OpenGL or of the input. The message contains its place, the failure, the expected value and
+/// the found value. Only `main` catches it.
 class Error : public std::runtime_error {
 public:
     /// Makes an error without a place.

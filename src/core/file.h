@@ -13,8 +13,8 @@
 
 namespace gnomon {
 
-// An open file that can be moved but not copied. Many threads can read and write it at the same time with the functions
-// that take an offset.
+/// An open file that can be moved but not copied. Many threads can read and write it at the same time with the
+/// functions that take an offset.
 class File {
 public:
     /// The way to open a file.
@@ -26,14 +26,14 @@ public:
     /// Create, Update and Lock never write to the target of a link.
     enum class Mode { Read, Create, Update, Lock, Device };
 
-    // Opens `path`. Throws Error with the reason that the operating system reports.
+    /// Opens `path`. Throws Error with the reason that the operating system reports.
     File(const std::string& path, Mode mode);
 
-    // Opens `path`. Error messages and `path()` use the name `displayPath` instead.
+    /// Opens `path`. Error messages and `path()` use the name `displayPath` instead.
     File(const std::string& path, Mode mode, std::string displayPath);
 
-    // Creates a new file for reading and writing. Returns nullopt if a file or link with this name exists. The
-    // permissions are `permissions` without the bits of the user's umask.
+    /// Creates a new file for reading and writing. Returns nullopt if a file or link with this name exists. The
+    /// permissions are `permissions` without the bits of the user's umask.
     static std::optional<File> createdNew(const std::string& path, unsigned permissions, std::string displayPath);
 
     ~File();
@@ -49,15 +49,15 @@ public:
     /// Returns the time of the last change of the content, in nanoseconds since 1970.
     std::int64_t changeTime() const;
 
-    // Fills `out` with the bytes of the file from `offset`. Throws Error if the file ends earlier.
+    /// Fills `out` with the bytes of the file from `offset`. Throws Error if the file ends earlier.
     void readAt(std::uint64_t offset, std::span<std::byte> out) const;
 
-    // Reads up to `out.size()` bytes from `offset` and returns how many it read. The result is smaller than
-    // `out.size()` only at the end of the file.
+    /// Reads up to `out.size()` bytes from `offset` and returns how many it read. The result is smaller than
+    /// `out.size()` only at the end of the file.
     std::size_t readSomeAt(std::uint64_t offset, std::span<std::byte> out) const;
 
-    // Reads the next bytes in sequence and returns how many it read. The result is 0 at the end of the file. The
-    // function also works for pipes and devices, which cannot read at an offset.
+    /// Reads the next bytes in sequence and returns how many it read. The result is 0 at the end of the file. The
+    /// function also works for pipes and devices, which cannot read at an offset.
     std::size_t readSome(std::span<std::byte> out);
 
     /// Writes all of `bytes` at `offset`.
@@ -66,23 +66,23 @@ public:
     /// Sets the size of the file to `bytes`: truncates the file, or extends it with zeros.
     void resize(std::uint64_t bytes);
 
-    // Frees the disk space of a byte range (punches a hole) if the file system supports this. The range then reads as
-    // zeros. Without this support, the range does not change.
+    /// Frees the disk space of a byte range (punches a hole) if the file system supports this. The range then reads as
+    /// zeros. Without this support, the range does not change.
     void release(std::uint64_t offset, std::uint64_t bytes);
 
-    // Tries to lock the file exclusively, and returns true on success. The lock ends when the file is closed or the
-    // process ends.
+    /// Tries to lock the file exclusively, and returns true on success. The lock ends when the file is closed or the
+    /// process ends.
     bool tryLock();
 
-    // Gives this file the permissions of the file at `path`, and its owner if the system allows this. Does nothing if
-    // there is no file at `path`.
+    /// Gives this file the permissions of the file at `path`, and its owner if the system allows this. Does nothing if
+    /// there is no file at `path`.
     void resemble(const std::string& path);
 
-    // Makes the written bytes visible to processes that open the file later. This is necessary on network file systems
-    // with "close-to-open" consistency. The function does not flush to a local disk.
+    /// Makes the written bytes visible to processes that open the file later. This is necessary on network file systems
+    /// with "close-to-open" consistency. The function does not flush to a local disk.
     void handOver() const;
 
-    // Flushes the file to the disk, so that a later rename is safe.
+    /// Flushes the file to the disk, so that a later rename is safe.
     void sync();
 
 private:
@@ -92,10 +92,10 @@ private:
     int descriptor_ = -1;
 };
 
-// An output file that appears under its final name only when it is complete. The bytes go to a temporary file
-// FINAL.PROCESS.RANDOM.partial in the same folder. `commit` renames this file. If `commit` was not called, the
-// destructor removes it. The class follows links, and never replaces a device or a pipe. A new file copies the
-// permissions of the replaced file and, if allowed, its owner.
+/// An output file that appears under its final name only when it is complete. The bytes go to a temporary file
+/// FINAL.PROCESS.RANDOM.partial in the same folder. `commit` renames this file. If `commit` was not called, the
+/// destructor removes it. The class follows links, and never replaces a device or a pipe. A new file copies the
+/// permissions of the replaced file and, if allowed, its owner.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::string& finalPath);
@@ -115,10 +115,10 @@ private:
     std::optional<File> file_;
 };
 
-// Reads the whole text of a small file, pipe or device. Throws Error if it has more than `maxBytes` bytes.
+/// Reads the whole text of a small file, pipe or device. Throws Error if it has more than `maxBytes` bytes.
 std::string readTextFile(const std::string& path, Bytes maxBytes = {std::uint64_t{1} << 30U});
 
-// Writes `text` to `path`. The file appears there only when it is complete.
+/// Writes `text` to `path`. The file appears there only when it is complete.
 void writeTextFile(const std::string& path, const std::string& text);
 
 } // namespace gnomon

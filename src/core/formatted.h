@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-// Returns the text that printf would write for these arguments. The length has no limit.
+/// Returns the text that printf would write for these arguments. The length has no limit.
 [[gnu::format(printf, 1, 2)]] inline std::string formatted(const char* format, ...) {
     std::va_list arguments;
     va_start(arguments, format);

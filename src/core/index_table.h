@@ -8,13 +8,13 @@
 
 namespace gnomon {
 
-// A hash table with open addressing and linear probing. The table stores only indices. The callers pass the hash of a
-// key and a function `equal(i)`, which returns true if index i belongs to this key.
+/// A hash table with open addressing and linear probing. The table stores only indices. The callers pass the hash of a
+/// key and a function `equal(i)`, which returns true if index i belongs to this key.
 class IndexTable {
 public:
     static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
 
-    // Makes an empty table with memory for `count` keys.
+    /// Makes an empty table with memory for `count` keys.
     explicit IndexTable(std::size_t count) {
         std::size_t size = 16;
         while (size < count * 2)
@@ -22,7 +22,7 @@ public:
         slots_.assign(size, kAbsent);
     }
 
-    // Returns the stored index for which `equal` is true. If there is none, stores `index` and returns it.
+    /// Returns the stored index for which `equal` is true. If there is none, stores `index` and returns it.
     template <class Equal>
     std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t index, Equal equal) {
         const std::size_t mask = slots_.size() - 1;
@@ -32,7 +32,7 @@ public:
         }
     }
 
-    // Returns the stored index for which `equal` is true, or kAbsent if there is none.
+    /// Returns the stored index for which `equal` is true, or kAbsent if there is none.
     template <class Equal>
     std::uint32_t find(std::uint64_t hash, Equal equal) const {
         const std::size_t mask = slots_.size() - 1;

@@ -13,8 +13,8 @@ constexpr std::size_t kJsonDepth = 64;
 constexpr std::size_t kJsonEntries = 4096;
 constexpr std::uint64_t kJsonBytes = std::uint64_t{64} << 20U; // max size; memory use is up to about 20 times as much
 
-// Throws Error if the JSON `text` exceeds kJsonDepth, an object exceeds kJsonEntries, or a number overflows a double.
-// The message contains `path` and the place in the file. The parser checks the syntax later.
+/// Throws Error if the JSON `text` exceeds kJsonDepth, an object exceeds kJsonEntries, or a number overflows a double.
+/// The message contains `path` and the place in the file. The parser checks the syntax later.
 void requireJsonLimits(const std::string& path, const std::string& text);
 
 /// Reads the JSON document in `path`. Throws Error with the byte offset if the document exceeds kJsonBytes, kJsonDepth

@@ -11,8 +11,8 @@
 
 namespace gnomon {
 
-// The limits and values that can cause a LimitError: first those of a build, then those of a picture. `Textures` means
-// that the source can be read only without its textures.
+/// The limits and values that can cause a LimitError: first those of a build, then those of a picture. `Textures` means
+/// that the source can be read only without its textures.
 enum class Limit : std::uint8_t {
     Memory,
     ChunkTriangles,
@@ -31,7 +31,7 @@ enum class Limit : std::uint8_t {
 
 class LimitError : public Error {
 public:
-    // The four parts of an error message with the form "WHERE: what: expected E, found F".
+    /// The four parts of an error message with the form "WHERE: what: expected E, found F".
     struct Parts {
         std::string where;
         std::string what;
@@ -49,7 +49,7 @@ public:
     /// Returns the first limit.
     Limit limit() const { return limits_.front(); }
 
-    // Returns the limits that caused the error, at least one. The user can avoid the error by changing any of them.
+    /// Returns the limits that caused the error, at least one. The user can avoid the error by changing any of them.
     const std::vector<Limit>& limits() const { return limits_; }
 
     const Parts& parts() const { return parts_; }

@@ -10,7 +10,7 @@
 
 namespace gnomon {
 
-// An output file that is created immediately and written later. If `write` is never called, no file remains.
+/// An output file that is created immediately and written later. If `write` is never called, no file remains.
 class PreparedFile {
 public:
     /// Creates the file. Throws Error if this is impossible. An empty path means that no output was requested.
@@ -18,7 +18,8 @@ public:
         if (!path.empty()) file_.emplace(path);
     }
 
-    // Writes `text` to the file and completes it. Does nothing if no output was requested. Must be called at most once.
+    /// Writes `text` to the file and completes it. Does nothing if no output was requested. Must be called at most
+    /// once.
     void write(const std::string& text);
 
 private:
@@ -29,8 +30,8 @@ private:
 /// not test a device or a pipe, because a pipe can be opened only once.
 void requireWritable(const std::string& path);
 
-// An output folder that is tested for writing. The constructor creates the folder and its missing parents. The
-// destructor removes the created folders that are still empty.
+/// An output folder that is tested for writing. The constructor creates the folder and its missing parents. The
+/// destructor removes the created folders that are still empty.
 class PreparedFolder {
 public:
     /// Creates the folder. Throws Error if this is impossible or the folder is not writable. An empty path means that

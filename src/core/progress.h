@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-// A receiver of progress reports. Any thread can call its functions, so implementations must lock.
+/// A receiver of progress reports. Any thread can call its functions, so implementations must lock.
 class Progress {
 public:
     Progress() = default;
@@ -17,25 +17,25 @@ public:
     Progress(Progress&&) = delete;
     Progress& operator=(Progress&&) = delete;
 
-    // Begins a new stage of the task. `total` is the amount of work in `unit`, for example triangles, bytes or frames.
+    /// Begins a new stage of the task. `total` is the amount of work in `unit`, for example triangles, bytes or frames.
     virtual void stage(std::string_view name, std::string_view unit, std::uint64_t total) = 0;
 
-    // Corrects the total amount of work of the current stage.
+    /// Corrects the total amount of work of the current stage.
     virtual void expect(std::uint64_t /*total*/) {}
 
-    // Reports that `count` more units of the current stage are finished. Throws gnomon::Interrupted if the user
-    // requested a stop.
+    /// Reports that `count` more units of the current stage are finished. Throws gnomon::Interrupted if the user
+    /// requested a stop.
     virtual void advance(std::uint64_t count) = 0;
 
-    // Reports how many bytes the temporary files of the task occupy now.
+    /// Reports how many bytes the temporary files of the task occupy now.
     virtual void temporarySpace(std::uint64_t /*bytes*/) {}
 };
 
-// The exception that `Progress::advance` throws after Ctrl-C. It unwinds the stack, so that destructors remove
-// unfinished files.
+/// The exception that `Progress::advance` throws after Ctrl-C. It unwinds the stack, so that destructors remove
+/// unfinished files.
 struct Interrupted {};
 
-// A progress receiver that ignores all reports.
+/// A progress receiver that ignores all reports.
 class NoProgress final : public Progress {
 public:
     void stage(std::string_view /*name*/, std::string_view /*unit*/, std::uint64_t /*total*/) override {}

@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-// A stopwatch that starts when it is constructed.
+/// A stopwatch that starts when it is constructed.
 class Stopwatch {
 public:
     /// Returns the time since the construction.
@@ -18,7 +18,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-// Runs `work` and adds its wall-clock duration in milliseconds to `sum`.
+/// Runs `work` and adds its wall-clock duration in milliseconds to `sum`.
 template <class Work>
 void addTime(double& sum, const Work& work) {
     const Stopwatch watch;

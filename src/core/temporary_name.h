@@ -6,11 +6,11 @@
 
 namespace gnomon {
 
-// A temporary file or folder. The destructor removes it unless `keep` was called. A folder that is not empty remains.
+/// A temporary file or folder. The destructor removes it unless `keep` was called. A folder that is not empty remains.
 class TemporaryName {
 public:
-    // Runs `make`, which must create `path` and return true on success. If it returns false, the destructor removes
-    // nothing. Signals are blocked during the call.
+    /// Runs `make`, which must create `path` and return true on success. If it returns false, the destructor removes
+    /// nothing. Signals are blocked during the call.
     TemporaryName(std::string path, const std::function<bool()>& make);
     ~TemporaryName();
     TemporaryName(const TemporaryName&) = delete;
@@ -20,19 +20,19 @@ public:
 
     const std::string& path() const { return path_; }
 
-    // Returns true if the destructor will remove the file or folder.
+    /// Returns true if the destructor will remove the file or folder.
     bool isHeld() const { return isHeld_; }
 
-    // Runs `finish`, for example a rename, and returns its result. If the result is true, the destructor no longer
-    // removes the file.
+    /// Runs `finish`, for example a rename, and returns its result. If the result is true, the destructor no longer
+    /// removes the file.
     bool keep(const std::function<bool()>& finish);
 
-    // Removes all temporary files and folders of the process, newest first. Used when the process ends without running
-    // destructors.
+    /// Removes all temporary files and folders of the process, newest first. Used when the process ends without running
+    /// destructors.
     static void removeAll();
 
-    // Removes all temporary files and folders, and ends the process immediately with exit code `status`. A signal
-    // handler can call this function.
+    /// Removes all temporary files and folders, and ends the process immediately with exit code `status`. A signal
+    /// handler can call this function.
     [[noreturn]] static void removeAllAndExit(int status);
 
 private:

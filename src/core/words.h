@@ -10,7 +10,7 @@
 
 namespace gnomon {
 
-// A row of a table of names: a value and its name. Some tables use row types with more members.
+/// A row of a table of names: a value and its name. Some tables use row types with more members.
 template <class T>
 struct Word {
     T value;
@@ -34,8 +34,8 @@ constexpr auto valueOf(const Words& words, std::string_view word)
     return std::nullopt;
 }
 
-// Joins all names of the table `words` to one text, such as "off, maps or rays". `beforeLast` precedes the last name,
-// and `between` separates the others.
+/// Joins all names of the table `words` to one text, such as "off, maps or rays". `beforeLast` precedes the last name,
+/// and `between` separates the others.
 template <class Words>
 std::string enumerated(const Words& words, std::string_view between, std::string_view beforeLast) {
     std::string text;

@@ -11,10 +11,10 @@ namespace gnomon::path {
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
 
-// Calls `visit` with each triangle of a cut of the model, in world space. A cut contains the clusters of one level of
-// detail per place. The cut refines each group of clusters for which `isRefined(error, bounds)` is true; `bounds` are
-// in local space. If the function is false for a group, it must be false for all finer groups. Pages with finer detail
-// than the cut are not read, so the time does not depend on the size of the model.
+/// Calls `visit` with each triangle of a cut of the model, in world space. A cut contains the clusters of one level of
+/// detail per place. The cut refines each group of clusters for which `isRefined(error, bounds)` is true; `bounds` are
+/// in local space. If the function is false for a group, it must be false for all finer groups. Pages with finer detail
+/// than the cut are not read, so the time does not depend on the size of the model.
 template <class IsRefined, class Visit>
 void forEachTriangle(const hierarchy::ModelFile& model, const IsRefined& isRefined, const Visit& visit) {
     const hierarchy::Grid& grid = model.summary().grid;

@@ -12,8 +12,8 @@ namespace gnomon::path {
 /// The options of a walk.
 struct WalkOptions {
     std::optional<int> storey; // only this storey, counted from the lowest (0); default: all storeys
-    // Height of the eye above the floor, in world units, above 0. The default is 1.7 if the unit is metres, else an
-    // estimate.
+    /// Height of the eye above the floor, in world units, above 0. The default is 1.7 if the unit is metres, else an
+    /// estimate.
     std::optional<double> eyeHeight;
 };
 

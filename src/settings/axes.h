@@ -20,8 +20,8 @@ struct Axis {
 /// occurs twice.
 Axis parseAxis(const Setting& setting, const std::string& option, const std::string& list);
 
-// Returns all combinations of the values of `axes`. All other settings are those of `fixed`. The value of the last axis
-// varies fastest.
+/// Returns all combinations of the values of `axes`. All other settings are those of `fixed`. The value of the last
+/// axis varies fastest.
 std::vector<Settings> combinations(const Settings& fixed, std::span<const Axis> axes);
 
 } // namespace gnomon::settings

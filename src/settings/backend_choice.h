@@ -12,13 +12,13 @@ namespace gnomon::settings {
 /// The kinds of commands that draw. `Render` includes all commands except bench and view.
 enum class DrawingCommand : std::uint8_t { Render, Bench, View };
 
-// An option that the OpenGL backends cannot draw, with the reason.
+/// An option that the OpenGL backends cannot draw, with the reason.
 struct BackendNeed {
     std::string option; // with its value, as on the command line: "--ground on"
     std::string reason; // half a sentence: "only the software backend draws sections"
 };
 
-// The requested options and the machine's abilities, from which `chooseBackend` selects a backend.
+/// The requested options and the machine's abilities, from which `chooseBackend` selects a backend.
 struct BackendRequest {
     Backend requested = Backend::Auto;
     DrawingCommand command = DrawingCommand::Render;
@@ -27,22 +27,22 @@ struct BackendRequest {
     std::optional<BackendNeed> need; // the first requested option that only the software backend can draw
 };
 
-// The chosen backend (never Auto) and the reason for this choice.
+/// The chosen backend (never Auto) and the reason for this choice.
 struct BackendChoice {
     Backend backend = Backend::Software;
     std::string reason; // half a sentence: "this machine has no GPU"
 };
 
-// Returns the requested backend. For `auto`, chooses a backend: the software backend if an option needs it. Otherwise
-// it chooses a GPU only for two or more pictures, for a bench and in the window. The software backend draws a single
-// picture in less time than a GPU takes to open.
+/// Returns the requested backend. For `auto`, chooses a backend: the software backend if an option needs it. Otherwise
+/// it chooses a GPU only for two or more pictures, for a bench and in the window. The software backend draws a single
+/// picture in less time than a GPU takes to open.
 BackendChoice chooseBackend(const BackendRequest& request);
 
 /// Returns the capabilities of `backend`, which must not be Auto.
 plan::Capabilities capabilitiesOf(Backend backend);
 
-// Returns half a sentence about a capability for messages. For `sections` it is "only the software backend draws
-// sections".
+/// Returns half a sentence about a capability for messages. For `sections` it is "only the software backend draws
+/// sections".
 std::string onlySoftware(bool plan::Capabilities::*capability);
 
 /// Returns the first option that a backend with `capabilities` cannot draw, or nullopt if it can draw all options.

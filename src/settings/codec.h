@@ -18,7 +18,7 @@
 
 namespace gnomon::settings {
 
-// Converts values of one type from and to text. `read` parses each text that `write` returns to the same value.
+/// Converts values of one type from and to text. `read` parses each text that `write` returns to the same value.
 template <class T>
 struct Codec {
     std::function<std::optional<T>(const std::string& text)> read; // nullopt: the text is invalid
@@ -27,7 +27,7 @@ struct Codec {
     std::vector<std::string> words{}; // all valid texts, if the type is a list of words
 };
 
-// Returns the value that `codec` parses from `text`. Throws UsageError that names `option` if the text is invalid.
+/// Returns the value that `codec` parses from `text`. Throws UsageError that names `option` if the text is invalid.
 template <class T>
 T parsed(const Codec<T>& codec, const std::string& option, const std::string& text) {
     std::optional<T> value = codec.read(text);
@@ -35,7 +35,7 @@ T parsed(const Codec<T>& codec, const std::string& option, const std::string& te
     return *value;
 }
 
-// Returns the shortest decimal text that parses to exactly `value`, such as "0.1".
+/// Returns the shortest decimal text that parses to exactly `value`, such as "0.1".
 std::string shortest(double value);
 
 /// Returns the codec for finite numbers that `isAllowed` accepts. `expected` describes these numbers in error messages.
@@ -47,8 +47,8 @@ Codec<double> anyNumber();
 /// Returns the codec for finite numbers above 0.
 Codec<double> positiveNumber();
 
-// Returns the codec for distances from 1e-15 to 1e15. With these limits, ratios and products of two distances do not
-// overflow a float.
+/// Returns the codec for distances from 1e-15 to 1e15. With these limits, ratios and products of two distances do not
+/// overflow a float.
 Codec<double> distance();
 
 /// Returns the codec for whole numbers in [low, high].
@@ -66,14 +66,14 @@ Codec<glm::dvec3> vector();
 /// Returns the codec for "x,y,z", a vector whose length is finite and above 0.
 Codec<glm::dvec3> direction();
 
-// The value that the codec of `upDirection` returns for the word "auto".
+/// The value that the codec of `upDirection` returns for the word "auto".
 constexpr glm::dvec3 kAutoUp{0};
 
 /// Returns the codec for an up direction: "x,y,z", the name of an axis ("z", "-x"), or "auto".
 Codec<glm::dvec3> upDirection();
 
-// Returns the codec for a size "WxH" in which W and H are at least 1. It rejects sizes for which `isAllowed` returns
-// false. Error messages describe this condition as "WxH, LIMIT", where LIMIT is the text `limit`.
+/// Returns the codec for a size "WxH" in which W and H are at least 1. It rejects sizes for which `isAllowed` returns
+/// false. Error messages describe this condition as "WxH, LIMIT", where LIMIT is the text `limit`.
 Codec<std::array<int, 2>> size(const std::string& limit, bool (*isAllowed)(const std::array<int, 2>& size));
 
 /// Returns the codec for a count above 0, such as 500k or 2M (powers of 1000).
@@ -85,11 +85,11 @@ Codec<Bytes> memory();
 /// Returns the codec that accepts any text.
 Codec<std::string> text();
 
-// Splits the comma-separated `list` and returns its items, at least one. Throws UsageError that names `option` if an
-// item is empty.
+/// Splits the comma-separated `list` and returns its items, at least one. Throws UsageError that names `option` if an
+/// item is empty.
 std::vector<std::string> listItems(const std::string& option, const std::string& list);
 
-// Returns a codec that accepts the word "auto" besides the texts of `codec`. Its value for "auto" is nullopt.
+/// Returns a codec that accepts the word "auto" besides the texts of `codec`. Its value for "auto" is nullopt.
 template <class T>
 Codec<std::optional<T>> orAuto(Codec<T> codec) {
     const std::string expected = "auto or " + codec.expected;
@@ -103,8 +103,8 @@ Codec<std::optional<T>> orAuto(Codec<T> codec) {
         expected};
 }
 
-// Returns a codec for an option without a default. If the user does not give the option, its value is nullopt and its
-// text is empty.
+/// Returns a codec for an option without a default. If the user does not give the option, its value is nullopt and its
+/// text is empty.
 template <class T>
 Codec<std::optional<T>> ifGiven(Codec<T> codec) {
     return {
@@ -117,8 +117,8 @@ Codec<std::optional<T>> ifGiven(Codec<T> codec) {
         codec.words};
 }
 
-// Returns the codec for the words of the table `words`, which has one word per value (core/words.h). A value without a
-// word is written as an empty text.
+/// Returns the codec for the words of the table `words`, which has one word per value (core/words.h). A value without a
+/// word is written as an empty text.
 template <class Words>
 auto oneOf(const Words& words) {
     using T = std::decay_t<decltype(std::begin(words)->value)>;

@@ -11,14 +11,14 @@
 
 namespace gnomon::settings {
 
-// All option values of a command that draws, as input of the check for contradictions.
+/// All option values of a command that draws, as input of the check for contradictions.
 struct Request {
     std::string model; // the file of the model
     Settings settings;
     Output output;
 };
 
-// An option, and the condition under which the user's request counts as using it.
+/// An option, and the condition under which the user's request counts as using it.
 struct OptionUse {
     const char* option; // without dashes
     // Returns true if the request uses the option. If null, the option is a setting, which is used if its value is not
@@ -36,7 +36,7 @@ struct Contradiction {
     const char* reason;
 };
 
-// An option that has an effect only if the user also gives another option.
+/// An option that has an effect only if the user also gives another option.
 struct Requirement {
     OptionUse option;
     bool (*isMet)(const Request&);
@@ -47,12 +47,12 @@ std::span<const Contradiction> contradictions();
 
 std::span<const Requirement> requirements();
 
-// Throws UsageError for the first options of `request` that contradict each other, or for the first option without
-// another option that it needs. A command that draws no picture passes a request without an output.
+/// Throws UsageError for the first options of `request` that contradict each other, or for the first option without
+/// another option that it needs. A command that draws no picture passes a request without an output.
 void requireSound(const Request& request);
 
-// Throws UsageError if `settings` contradict each other or lack a needed option. This is for commands that have no
-// options besides settings.
+/// Throws UsageError if `settings` contradict each other or lack a needed option. This is for commands that have no
+/// options besides settings.
 void requireSound(const Settings& settings);
 
 } // namespace gnomon::settings

@@ -5,8 +5,8 @@
 
 namespace gnomon::settings {
 
-// The max number of slices (parts of the view between two depths). A slice has at most five face partitions, so one
-// traversal of the hierarchy tests at most 60 volumes of shadow casters.
+/// The max number of slices (parts of the view between two depths). A slice has at most five face partitions, so one
+/// traversal of the hierarchy tests at most 60 volumes of shadow casters.
 constexpr int kMaxSlices = 12;
 
 constexpr int kMaxSide =
@@ -14,7 +14,7 @@ constexpr int kMaxSide =
 constexpr std::int64_t kMaxShadowTexels = std::int64_t{kMaxSide} * kMaxSide;
 constexpr int kMaxFilter = 16; // texels
 
-// The min and max values that the controls of the window offer.
+/// The min and max values that the controls of the window offer.
 constexpr double kMinOfferedErrorPixels = 0.125;
 constexpr double kMaxOfferedErrorPixels = 64;
 constexpr int kMinOfferedTexels = 256; // per side

@@ -13,8 +13,8 @@ namespace gnomon::settings {
 inline constexpr int kUsualSamples = 16;
 inline constexpr int kMaxSamples = 65535;
 
-// The pictures that the user requests, and the additional files of a single picture. An empty path means that the file
-// is not requested.
+/// The pictures that the user requests, and the additional files of a single picture. An empty path means that the file
+/// is not requested.
 struct Output {
     std::string picture{};        // PNG; for several pictures a pattern such as frame%04d.png, or "-" for YUV4MPEG2
     std::optional<int> samples{}; // frames per picture; nullopt: see samplesOf
@@ -34,11 +34,11 @@ struct Output {
     bool isSeries() const { return !path.empty() || turntable > 0; }
 };
 
-// Returns how many frames are averaged for a picture. This is the number that the user requests. Otherwise it is 1 if
-// an output shows a single frame (overlay, colours by value, ground truth, or an additional file), else kUsualSamples.
+/// Returns how many frames are averaged for a picture. This is the number that the user requests. Otherwise it is 1 if
+/// an output shows a single frame (overlay, colours by value, ground truth, or an additional file), else kUsualSamples.
 int samplesOf(const Output& output);
 
-// Returns true if a requested output shows or measures shadow maps.
+/// Returns true if a requested output shows or measures shadow maps.
 bool needsMaps(const Output& output);
 
 } // namespace gnomon::settings

@@ -7,7 +7,7 @@
 
 namespace gnomon::settings {
 
-// The options of `gnomon path`: the kind of camera path, and the options of a walk.
+/// The options of `gnomon path`: the kind of camera path, and the options of a walk.
 struct PathOptions {
     std::string kind; // "walk", "orbit", "flyby", "approach" or "source"
     path::WalkOptions walk;

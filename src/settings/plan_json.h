@@ -11,12 +11,12 @@
 
 namespace gnomon::settings {
 
-// Returns the JSON document that `gnomon explain` prints: the plan of a frame and its backend. Matrices and planes are
-// in world space. A matrix has 16 numbers, row by row. A point p is inside a plane (x, y, z, offset) if dot((x, y, z),
-// p) + offset >= 0.
+/// Returns the JSON document that `gnomon explain` prints: the plan of a frame and its backend. Matrices and planes are
+/// in world space. A matrix has 16 numbers, row by row. A point p is inside a plane (x, y, z, offset) if dot((x, y, z),
+/// p) + offset >= 0.
 nlohmann::ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend);
 
-// Returns a readable text about the plan of a frame and its backend.
+/// Returns a readable text about the plan of a frame and its backend.
 std::string planText(const plan::FramePlan& plan, const BackendChoice& backend);
 
 } // namespace gnomon::settings

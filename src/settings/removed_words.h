@@ -5,10 +5,10 @@
 
 namespace gnomon::settings {
 
-// Throws UsageError if `word` is a removed value of `option`. The message names the replacement.
+/// Throws UsageError if `word` is a removed value of `option`. The message names the replacement.
 void refuseRemovedWord(std::string_view option, std::string_view word);
 
-// Throws UsageError if `option` is a removed option. `option` has the form "--name" or "--name=text".
+/// Throws UsageError if `option` is a removed option. `option` has the form "--name" or "--name=text".
 void refuseRemovedOption(std::string_view option);
 
 } // namespace gnomon::settings

@@ -17,14 +17,14 @@
 
 namespace gnomon::settings {
 
-// The value of a setting, stored as the setting's own type.
+/// The value of a setting, stored as the setting's own type.
 using Value = std::any;
 
-// The type of a setting's value: a list of words, bool, int, std::optional<int>, double, std::array<int, 2>, or any
-// other type. It selects the control in the window and the steps of keys.
+/// The type of a setting's value: a list of words, bool, int, std::optional<int>, double, std::array<int, 2>, or any
+/// other type. It selects the control in the window and the steps of keys.
 enum class Kind : std::uint8_t { Words, Switch, Whole, WholeOrAuto, Number, Size, Other };
 
-// The control with which the user changes a setting in the window.
+/// The control with which the user changes a setting in the window.
 struct Offer {
     std::string title{};      // empty: the window has no control for it
     double min = 0;           // min of a number, and of each side of a size
@@ -32,7 +32,7 @@ struct Offer {
     std::vector<int> steps{}; // values through which the key of a whole number steps; empty: all numbers
 };
 
-// The name, the help and the properties of a setting, which all interfaces share.
+/// The name, the help and the properties of a setting, which all interfaces share.
 struct Description {
     std::string name;             // "error-pixels"
     std::string form;             // placeholder for the value in the help: "T"; empty: the list of words
@@ -47,11 +47,11 @@ struct Description {
     Offer offer{};
 };
 
-// An option of any type, with functions to read and change its value in Settings.
+/// An option of any type, with functions to read and change its value in Settings.
 class Setting {
 public:
-    // Creates a setting. `codec` parses and writes its value as text, `get` reads the value from Settings, and `set`
-    // stores it there.
+    /// Creates a setting. `codec` parses and writes its value as text, `get` reads the value from Settings, and `set`
+    /// stores it there.
     template <class T, class Get, class Set>
     Setting(Description description, const Codec<T>& codec, Get get, Set set)
         : description_(std::move(description)),
@@ -74,21 +74,21 @@ public:
 
     Kind kind() const { return kind_; }
 
-    // Returns all valid texts of a setting whose kind is Words or Switch. Returns an empty list for other kinds.
+    /// Returns all valid texts of a setting whose kind is Words or Switch. Returns an empty list for other kinds.
     const std::vector<std::string>& words() const { return words_; }
 
     /// Returns the option: "--error-pixels".
     std::string option() const { return "--" + description_.name; }
 
-    // Returns the column name of the setting in logs and in names of runs, such as "error_pixels".
+    /// Returns the column name of the setting in logs and in names of runs, such as "error_pixels".
     std::string column() const {
         std::string text = description_.name;
         std::replace(text.begin(), text.end(), '-', '_');
         return text;
     }
 
-    // Parses `text` as a value of this setting. Throws UsageError that names `option` if the text is invalid. `option`
-    // can differ from `option()`, because several options can set the same setting.
+    /// Parses `text` as a value of this setting. Throws UsageError that names `option` if the text is invalid. `option`
+    /// can differ from `option()`, because several options can set the same setting.
     Value parse(const std::string& option, const std::string& text) const {
         refuseRemovedWord(this->option(), text);
         return parse_(option, text);
@@ -98,8 +98,8 @@ public:
 
     std::string text(const Value& value) const { return write_(value); }
 
-    // Returns the value of this setting in `settings` as text. The text is empty for an option that the user did not
-    // give.
+    /// Returns the value of this setting in `settings` as text. The text is empty for an option that the user did not
+    /// give.
     std::string text(const Settings& settings) const { return write_(get_(settings)); }
 
     Value value(const Settings& settings) const { return get_(settings); }

@@ -15,8 +15,8 @@
 
 namespace gnomon::settings {
 
-// The implementation that draws frames: a software rasteriser or OpenGL through OSMesa, EGL or the window. Auto selects
-// one of them.
+/// The implementation that draws frames: a software rasteriser or OpenGL through OSMesa, EGL or the window. Auto
+/// selects one of them.
 enum class Backend : std::uint8_t { Auto, Software, Osmesa, Egl, Window };
 inline constexpr std::array kBackends = {
     Word<Backend>{Backend::Auto, "auto"},
@@ -26,21 +26,21 @@ inline constexpr std::array kBackends = {
     Word<Backend>{Backend::Window, "window"},
 };
 
-// Returns the default quality settings. Their shadow mode is Auto, so Gnomon chooses the kind of shadows.
+/// Returns the default quality settings. Their shadow mode is Auto, so Gnomon chooses the kind of shadows.
 inline plan::Quality openQuality() {
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Auto;
     return quality;
 }
 
-// The place and time that the user requests for the Sun, and the position of the Sun there. `sunAt` fills all members.
+/// The place and time that the user requests for the Sun, and the position of the Sun there. `sunAt` fills all members.
 struct SunTime {
     sun::Place place;
     sun::CivilTime time;
     sun::SunPosition position;
 };
 
-// A plane through `point` that cuts the model. All geometry on the side into which `normal` points is removed.
+/// A plane through `point` that cuts the model. All geometry on the side into which `normal` points is removed.
 struct Section {
     glm::dvec3 point{0};
     glm::dvec3 normal{0, 1, 0}; // any finite length above 0
@@ -48,18 +48,18 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
-// The max number of section planes of a picture.
+/// The max number of section planes of a picture.
 inline constexpr std::size_t kMaxSections = 6;
 
-// Tells whether geometry that a section removes still casts shadows. Cut: it casts no shadow. Keep: it casts shadows.
+/// Tells whether geometry that a section removes still casts shadows. Cut: it casts no shadow. Keep: it casts shadows.
 enum class SectionCasters : std::uint8_t { Cut, Keep };
 inline constexpr std::array kSectionCasters = {
     Word<SectionCasters>{SectionCasters::Cut, "cut"},
     Word<SectionCasters>{SectionCasters::Keep, "keep"},
 };
 
-// The view and the quality that the user requests. The values can contradict each other. The functions of
-// settings/resolve.h reject contradictions.
+/// The view and the quality that the user requests. The values can contradict each other. The functions of
+/// settings/resolve.h reject contradictions.
 struct Settings {
     std::array<int, 2> imageSize{800, 800}; // pixels
     std::string cameraFile;                 // empty: none

@@ -16,8 +16,8 @@ namespace gnomon::settings {
 /// For a setting with "auto", 0 steps switch between "auto" and a number.
 void step(const Setting& setting, Settings& settings, int steps);
 
-// Returns a short text with the title and the value of a setting, such as "slices: 4" or "error pixels: 1.41". Numbers
-// have three digits.
+/// Returns a short text with the title and the value of a setting, such as "slices: 4" or "error pixels: 1.41". Numbers
+/// have three digits.
 std::string inWords(const Setting& setting, const Settings& settings);
 
 } // namespace gnomon::settings

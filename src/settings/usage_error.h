@@ -5,8 +5,8 @@
 
 namespace gnomon::settings {
 
-// A contradiction between options, or an invalid value of an option. The program prints the message and exits with code
-// 2.
+/// A contradiction between options, or an invalid value of an option. The program prints the message and exits with
+/// code 2.
 struct UsageError {
     std::string option; // the option concerned: "--warp"; empty if the command line as a whole is wrong
     std::string message;

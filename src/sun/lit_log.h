@@ -11,28 +11,28 @@
 
 namespace gnomon::sun {
 
-// A log file of lit receivers with one record per light direction, at a fixed position in the file. A record has one
-// bit per receiver and a checksum. An incomplete record from a killed process counts as missing.
+/// A log file of lit receivers with one record per light direction, at a fixed position in the file. A record has one
+/// bit per receiver and a checksum. An incomplete record from a killed process counts as missing.
 class LitLog {
 public:
-    // Creates a log at `path` for `receivers` receivers. If `isResumed` is true, opens the existing log instead. `key`
-    // identifies the run. Throws Error if a resumed log has another key, if another process has locked the log, if the
-    // file is not a log, or if it has hard links.
+    /// Creates a log at `path` for `receivers` receivers. If `isResumed` is true, opens the existing log instead. `key`
+    /// identifies the run. Throws Error if a resumed log has another key, if another process has locked the log, if the
+    /// file is not a log, or if it has hard links.
     LitLog(const std::string& path, const std::string& key, std::size_t receivers, bool isResumed);
 
-    // Opens, for reading, the log at `path` that another process writes. Returns nullopt if its header is incomplete.
-    // Throws Error if the log has another key or if the file is not a log.
+    /// Opens, for reading, the log at `path` that another process writes. Returns nullopt if its header is incomplete.
+    /// Throws Error if the log has another key or if the file is not a log.
     static std::optional<LitLog> ofAnother(const std::string& path, const std::string& key, std::size_t receivers);
 
-    // Writes which receivers the light direction with index `light` reaches. A non-zero element of `isLit` means that
-    // the receiver is lit. The lights can be written in any order.
+    /// Writes which receivers the light direction with index `light` reaches. A non-zero element of `isLit` means that
+    /// the receiver is lit. The lights can be written in any order.
     void put(std::size_t light, const std::vector<std::uint8_t>& isLit);
 
-    // Reads into `isLit` which receivers the light direction with index `light` reaches, as 0 and 1. Returns false if
-    // the log has no complete record of this light.
+    /// Reads into `isLit` which receivers the light direction with index `light` reaches, as 0 and 1. Returns false if
+    /// the log has no complete record of this light.
     bool read(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
-    // Makes the written records visible to other processes that open the log after this call.
+    /// Makes the written records visible to other processes that open the log after this call.
     void handOver() const { file_.handOver(); }
 
 private:
@@ -49,7 +49,7 @@ private:
     File file_;
 };
 
-// Selects the light directions that one process computes: all lights whose index modulo `ranks` is `rank`.
+/// Selects the light directions that one process computes: all lights whose index modulo `ranks` is `rank`.
 struct LightShare {
     std::uint32_t rank = 0;
     std::uint32_t ranks = 1;
@@ -57,35 +57,35 @@ struct LightShare {
     bool owns(std::size_t light) const { return light % ranks == rank; }
 };
 
-// The log files of a run with several processes: one per rank of this job, and those of an earlier job. Rank 0 writes
-// STEM.steps, and rank N writes STEM.N.steps. Each rank writes only its own log and reads all others. A job with
-// another number of ranks can therefore resume the run.
+/// The log files of a run with several processes: one per rank of this job, and those of an earlier job. Rank 0 writes
+/// STEM.steps, and rank N writes STEM.N.steps. Each rank writes only its own log and reads all others. A job with
+/// another number of ranks can therefore resume the run.
 class LitLogs {
 public:
-    // Opens the log file of the process `share.rank`, and all other existing logs if `isResumed` is true. Otherwise,
-    // rank 0 removes the logs of ranks that this job does not have. Throws the same errors as the constructor of
-    // LitLog.
+    /// Opens the log file of the process `share.rank`, and all other existing logs if `isResumed` is true. Otherwise,
+    /// rank 0 removes the logs of ranks that this job does not have. Throws the same errors as the constructor of
+    /// LitLog.
     LitLogs(std::string stem, std::string key, std::size_t receivers, const LightShare& share, bool isResumed);
 
-    // Writes which receivers a light direction reaches to the log of this process (see LitLog::put).
+    /// Writes which receivers a light direction reaches to the log of this process (see LitLog::put).
     void put(std::size_t light, const std::vector<std::uint8_t>& isLit) { own_.put(light, isLit); }
 
-    // Reads which receivers a light direction reaches, from the log of any process (see LitLog::read).
+    /// Reads which receivers a light direction reaches, from the log of any process (see LitLog::read).
     bool read(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
-    // Makes the written records of this process visible to the other processes of the job.
+    /// Makes the written records of this process visible to the other processes of the job.
     void handOver() const { own_.handOver(); }
 
-    // Opens the logs of all other processes, with the records that they have handed over.
+    /// Opens the logs of all other processes, with the records that they have handed over.
     void openOthers();
 
-    // Removes the log files of all processes after the run is complete.
+    /// Removes the log files of all processes after the run is complete.
     void remove() const;
 
 private:
     std::string pathOf(std::uint32_t rank) const;
 
-    // Returns the paths of the existing log files of other ranks, from rank `firstRank` on.
+    /// Returns the paths of the existing log files of other ranks, from rank `firstRank` on.
     std::vector<std::string> otherPaths(std::uint32_t firstRank) const;
 
     std::string stem_;

@@ -10,15 +10,15 @@
 
 namespace gnomon::sun {
 
-// Points that are tested for shadow. A point is lit unless a triangle is between the point and the light, at a distance
-// above the tolerance (docs/exact_shadows.md). The point belongs to no surface, so no surface has to face the light. A
-// triangle that contains the point, for example around a vertex, is at distance 0 and casts no shadow on it. The near
-// side of a body therefore darkens its far side.
+/// Points that are tested for shadow. A point is lit unless a triangle is between the point and the light, at a
+/// distance above the tolerance (docs/exact_shadows.md). The point belongs to no surface, so no surface has to face the
+/// light. A triangle that contains the point, for example around a vertex, is at distance 0 and casts no shadow on it.
+/// The near side of a body therefore darkens its far side.
 class PointReceivers final : public Receivers {
 public:
-    // Creates receivers at `points`, which are positions in steps of the model's grid (rounded by cellsOf). The
-    // triangles of `cut` cast shadows, except their parts that `sections` (in the same unit) remove. Throws Error if a
-    // point is farther than 2^30 steps from the centre of the cut.
+    /// Creates receivers at `points`, which are positions in steps of the model's grid (rounded by cellsOf). The
+    /// triangles of `cut` cast shadows, except their parts that `sections` (in the same unit) remove. Throws Error if a
+    /// point is farther than 2^30 steps from the centre of the cut.
     PointReceivers(
         const exporter::UniformCut& cut, std::vector<glm::i64vec3> points, std::span<const Plane> sections = {});
 
@@ -26,8 +26,8 @@ public:
 
     exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) override;
 
-    // Computes the same result as `resolve` with simple integer loops, as ground truth for tests. Only points with a
-    // non-zero entry in `isRequested` are tested. The result of all other points is 0.
+    /// Computes the same result as `resolve` with simple integer loops, as ground truth for tests. Only points with a
+    /// non-zero entry in `isRequested` are tested. The result of all other points is 0.
     void resolvePlainly(
         const IntegerLight& light, std::span<const std::uint8_t> isRequested, std::span<std::uint8_t> isLit);
 

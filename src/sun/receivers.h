@@ -8,8 +8,8 @@
 
 namespace gnomon::sun {
 
-// A set of points that are tested for shadow, with indices from 0. The points and the shadow casters are the same for
-// all light directions.
+/// A set of points that are tested for shadow, with indices from 0. The points and the shadow casters are the same for
+/// all light directions.
 class Receivers {
 public:
     Receivers() = default;
@@ -21,8 +21,9 @@ public:
 
     virtual std::size_t count() const = 0;
 
-    // Sets the element of `isLit` (`count()` elements) to 1 for each receiver that `light` reaches, and to 0 for all
-    // others. The result does not depend on the number of threads or on earlier lights. Runs in the caller's TBB arena.
+    /// Sets the element of `isLit` (`count()` elements) to 1 for each receiver that `light` reaches, and to 0 for all
+    /// others. The result does not depend on the number of threads or on earlier lights. Runs in the caller's TBB
+    /// arena.
     virtual exact::ExactStatistics resolve(const IntegerLight& light, std::span<std::uint8_t> isLit) = 0;
 };
 

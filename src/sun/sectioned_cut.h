@@ -8,10 +8,10 @@
 
 namespace gnomon::sun {
 
-// Returns the triangles of `cut` on the inner side of all `planes` (in steps of the grid). If a plane intersects a
-// triangle, the inner piece replaces the triangle. The corners of pieces are rounded to the grid, identically for both
-// triangles at an edge. Clusters that no plane intersects are unchanged. In all other clusters, vertices keep only
-// their positions.
+/// Returns the triangles of `cut` on the inner side of all `planes` (in steps of the grid). If a plane intersects a
+/// triangle, the inner piece replaces the triangle. The corners of pieces are rounded to the grid, identically for both
+/// triangles at an edge. Clusters that no plane intersects are unchanged. In all other clusters, vertices keep only
+/// their positions.
 exporter::UniformCut sectionedCut(const exporter::UniformCut& cut, std::span<const Plane> planes);
 
 } // namespace gnomon::sun

@@ -12,8 +12,8 @@
 
 namespace gnomon::sun {
 
-// The sun hours of each receiver over a period, in time steps. The values are integers, so they do not depend on the
-// order of the lights or on threads.
+/// The sun hours of each receiver over a period, in time steps. The values are integers, so they do not depend on the
+/// order of the lights or on threads.
 struct LitSteps {
     static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
@@ -25,13 +25,13 @@ struct LitSteps {
     std::uint64_t withinTolerance = 0; // samples whose result depends on the tolerance or on the rule for ties
 };
 
-// Returns the light direction of each time step in which the Sun is above the horizon.
+/// Returns the light direction of each time step in which the Sun is above the horizon.
 std::vector<IntegerLight> lightsOf(const std::vector<SunStep>& steps);
 
-// Tests which of `receivers` are lit from the light directions of `share`, and returns the number of lit time steps per
-// receiver. Skips lights that `logs` already contains, and adds each computed light to the logs. The result covers only
-// the lights of `share`. `progress` advances by one per light. If the function throws, the logs contain the lights that
-// are computed so far.
+/// Tests which of `receivers` are lit from the light directions of `share`, and returns the number of lit time steps
+/// per receiver. Skips lights that `logs` already contains, and adds each computed light to the logs. The result covers
+/// only the lights of `share`. `progress` advances by one per light. If the function throws, the logs contain the
+/// lights that are computed so far.
 LitSteps litSteps(
     Receivers& receivers,
     const std::vector<SunStep>& steps,

@@ -4,8 +4,8 @@
 
 namespace gnomon {
 
-// Throws Error if the current thread does not round to nearest, or flushes subnormal numbers to zero (FTZ and DAZ). A
-// library that is compiled with fast math sets these modes for the whole process when it is loaded.
+/// Throws Error if the current thread does not round to nearest, or flushes subnormal numbers to zero (FTZ and DAZ). A
+/// library that is compiled with fast math sets these modes for the whole process when it is loaded.
 void requireUsualFloatingPoint();
 
 } // namespace gnomon

@@ -6,14 +6,14 @@
 
 namespace gnomon::settings {
 
-// A file on the command line, and the option that names it. The path is empty if the user does not give the option.
+/// A file on the command line, and the option that names it. The path is empty if the user does not give the option.
 struct NamedFile {
     std::string option;
     std::string path;
 };
 
-// Throws UsageError if an output is the same file as an input or another output. Different paths and links to one file
-// are detected. A device or pipe may occur several times, because it stores nothing.
+/// Throws UsageError if an output is the same file as an input or another output. Different paths and links to one file
+/// are detected. A device or pipe may occur several times, because it stores nothing.
 void requireDistinctFiles(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// Throws UsageError if `path` has an extension other than `extension` (".png"). A name without an extension, such as a

@@ -1,5 +1,4 @@
-// Little-endian byte streams: a writer with a growing buffer, and a reader that checks that it does not read past the
-// end.
+// Byte streams in little-endian order: a writer with a growing buffer, and a reader that never reads past the end.
 #pragma once
 
 #include "core/error.h"
@@ -18,7 +17,7 @@ namespace gnomon::hierarchy {
 
 static_assert(std::endian::native == std::endian::little, "a .gnm is little-endian and copied as it is");
 
-/// A fault in stored bytes. The code that reads the file converts it to an Error with path and offset.
+/// The exception for invalid stored bytes. The code that reads the file converts it to an Error with path and offset.
 struct Damage {
     std::string what;
 };
@@ -38,7 +37,7 @@ public:
         }
     }
 
-    /// Appends `value` as a varint: seven bits per byte, low bits first, in 1 to 10 bytes.
+    /// Appends `value` as a varint (variable-length integer): seven bits per byte, low bits first, in 1 to 10 bytes.
     void putVarint(std::uint64_t value) {
         while (value >= 0x80U) {
             put(static_cast<std::uint8_t>(value | 0x80U));
@@ -54,7 +53,7 @@ public:
         put(std::as_bytes(std::span(text)));
     }
 
-    /// Appends `count` bytes and returns a span of them. The caller must fill them before the next call.
+    /// Appends `count` bytes and returns a span of them, which the caller must fill before the next call.
     std::span<std::byte> room(std::size_t count) {
         bytes_.resize(bytes_.size() + count);
         return std::span(bytes_).last(count);
@@ -70,7 +69,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// A reader that decodes values one after the other. It throws Damage if the bytes end too early.
+/// A reader that decodes values one after the other. It throws Damage if there are not enough bytes.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}

@@ -1,4 +1,5 @@
-// Selects a coarse cut that shows the whole shape of a model. The bytes to read for it do not grow with the model.
+// Selects a coarse level of detail (a cut) that shows the whole shape of a model. The number of bytes to read for it
+// does not grow with the model.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -8,14 +9,15 @@
 
 namespace gnomon::hierarchy {
 
-/// Returns true if the uniform cut with the error limit `error` contains clusters of the page `info`.
+/// Returns true if the page `info` contains clusters of the uniform cut with the error limit `error`. A uniform cut
+/// uses the same error limit everywhere.
 inline bool isDrawnOf(const PageInfo& info, double error) {
     return info.maxError == std::numeric_limits<double>::infinity() || info.maxError > error;
 }
 
-/// Returns the error limit of a coarse uniform cut. `diagonal` is the diagonal of the model's bounds. The limit is
-/// 1/400 of the diagonal. It is larger if the decoded pages without root groups would otherwise exceed `maxBytes`.
-/// `pages` is a range of ranges of PageInfo.
+/// Returns the error limit of a coarse cut of a model, in world units. `diagonal` is the diagonal of the model's
+/// bounds, and the limit is 1/400 of it. The limit is larger if the decoded pages without root groups would otherwise
+/// exceed `maxBytes`. `pages` is a range of ranges of PageInfo.
 template <class Pages>
 double coarseError(const Pages& pages, double diagonal, std::uint64_t maxBytes = std::uint64_t{16} << 20U) {
     double error = diagonal / 400;
@@ -29,8 +31,8 @@ double coarseError(const Pages& pages, double diagonal, std::uint64_t maxBytes =
     }
 }
 
-/// Returns the error limit of the cut from which the up direction is guessed. It is smaller than that of coarseError,
-/// but `maxBytes` is smaller too. `diagonal` is the diagonal of the model's main part.
+/// Returns the error limit of the cut from which the up direction is guessed. `diagonal` is the diagonal of the model's
+/// main part. Compared with coarseError, both the limit and `maxBytes` are smaller.
 template <class Pages>
 double upError(const Pages& pages, double diagonal) {
     return coarseError(pages, 0.4 * diagonal, std::uint64_t{4} << 20U);

@@ -1,5 +1,5 @@
-// The rule that selects the clusters of a cut, page by page. This code is simple and slow. Tests compare the fast
-// implementations with it.
+// Selects the clusters that are drawn for a view (the cut), page by page. This code is simple and slow. Tests compare
+// the fast implementations with it.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -8,9 +8,9 @@
 
 namespace gnomon::hierarchy {
 
-/// Calls `use(group, cluster)` for each cluster of `page` that the cut contains. A cluster is in the cut if its own
-/// group is refined and the group that it was simplified from is absent or not refined. `isRefined(drawn error,
-/// bounds)` returns true if a group is refined. Groups with infinite error are refined without a call.
+/// Calls `use(group, cluster)` for each cluster of `page` that is drawn. A cluster is drawn if its own group is refined
+/// and the finer group that it was simplified from is absent or not refined. `isRefined(drawn error, bounds)` returns
+/// true if a group is refined. Groups with infinite error are refined without a call.
 template <class IsRefined, class Use>
 requires std::predicate<const IsRefined&, double, const Sphere&>
 
@@ -29,7 +29,8 @@ void forEachDrawn(const Page& page, const IsRefined& isRefined, const Use& use) 
     }
 }
 
-/// Returns the stored error of a cluster. This is the error of its refinement, or `snapError` at level 0.
+/// Returns the stored error of a cluster in world units: the error of the finer group that it was simplified from. At
+/// level 0 this is `snapError`, the rounding error of the grid.
 inline double storedError(const Page& page, const Cluster& cluster, double snapError) {
     return cluster.refinement == kNone ? snapError : page.refinements[cluster.refinement].error;
 }

@@ -1,5 +1,5 @@
-// The integer grid of all positions of a model. All clusters use the same grid, so positions on their shared borders
-// are bit-identical.
+// The integer grid of all vertex positions of a model. All clusters use the same grid, so positions on their shared
+// borders are bit-identical.
 #pragma once
 
 #include "core/box.h"
@@ -14,13 +14,13 @@ namespace gnomon::hierarchy {
 /// subtract the grid point of the eye before they convert to floats.
 constexpr std::uint32_t kMaxGridCoordinate = 0x7FFFFFFFU;
 
-/// Limits of the exponent of the grid step and of world coordinates. Within these limits, squared distances in double
-/// precision neither overflow nor become denormal.
+/// Limits of the exponent of the grid step and of world coordinates. Within them, squared distances in double precision
+/// neither overflow nor become denormal.
 constexpr int kMinStepExponent = -600;
 constexpr int kMaxStepExponent = 320;
 constexpr double kMaxCoordinate = 0x1p340;
 
-/// A point of the grid, given by its integer coordinates.
+/// A point of the vertex grid, given by its integer coordinates.
 struct GridPoint {
     std::uint32_t x = 0;
     std::uint32_t y = 0;
@@ -59,8 +59,7 @@ struct Grid {
 
     Box local(const GridBox& box) const { return {local(box.min), local(box.max)}; }
 
-    /// Returns the max distance between a position of the source and its grid point, which is half the diagonal of a
-    /// grid cell.
+    /// Returns the max rounding error of a position, in world units: half the diagonal of a grid cell.
     double snapError() const { return 0.5 * std::sqrt(3.0) * step(); }
 };
 

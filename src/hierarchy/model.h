@@ -1,4 +1,4 @@
-// The data of a model that are available before its pages are read: the page table and the summary.
+// The data of a model that are read when it is opened, before its pages: the page table and the summary.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -19,7 +19,7 @@ namespace gnomon::hierarchy {
 constexpr std::uint32_t kFormatVersion = 4;
 constexpr std::uint32_t kOldestFormatVersion = 3;
 
-/// The target of the decoded size of a page in bytes. A group that is larger becomes a page of its own.
+/// The target size of a decoded page in bytes. A group of clusters that is larger becomes a page of its own.
 constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
 
 /// Limits that each writer respects and each reader checks before it allocates memory. They are the decoded bytes of a
@@ -29,11 +29,11 @@ constexpr std::uint32_t kMaxLevels = 64;
 constexpr std::uint64_t kMaxSummaryBytes = 1U << 20U;
 constexpr std::uint32_t kMaxFieldBits = 16;
 
-/// The default limit, in bytes, of the memory for the tables of a model while it is opened. It is sufficient for 1.8
+/// The default limit of the memory, in bytes, for the tables of a model while it is opened. It is sufficient for 1.8
 /// million pages, which is a mesh of more than ten billion triangles.
 constexpr std::uint64_t kMaxTableBytes = std::uint64_t{512} << 20U;
 
-/// One row of the page table. It describes one page. The rows of all pages stay in memory.
+/// A row of the page table, which describes one page. The rows of all pages stay in memory.
 struct PageInfo {
     std::uint64_t offset = 0; // bytes from the start of the file
     std::uint32_t storedBytes = 0;
@@ -48,7 +48,8 @@ struct PageInfo {
     Sphere bounds;       // encloses the bounds of the groups; local space
     double minError = 0; // min and max drawn error of its groups; the max is infinite if the page contains a root group
     double maxError = 0;
-    // page ids of the groups that its refinements refer to, ascending, without duplicates
+    // ids of the pages with the finer groups from which clusters of this page were simplified; ascending, without
+    // duplicates
     std::vector<std::uint32_t> children;
 };
 
@@ -68,21 +69,22 @@ struct LevelInfo {
     double maxAttributeError = 0; // max attribute error of the clusters of this level; 0 at level 0
 };
 
-/// A scalar property of the vertices besides normal and colour. A vertex stores the value as an integer n of `bits`
-/// bits, which means min + n (max - min) / (2^bits - 1). The rounding error is at most half a step.
+/// A scalar property of the vertices, besides normal and colour. A vertex stores the value as an integer n of `bits`
+/// bits, which means min + n (max - min) / (2^bits - 1). The rounding error is at most half the distance between two
+/// values.
 struct Field {
     std::string name;
     double min = 0;
     double max = 0;
     std::uint32_t bits = kMaxFieldBits; // from 1 to kMaxFieldBits
 
-    /// Returns the max rounding error of a stored value in the units of the field.
+    /// Returns the max rounding error of a stored field value, in the units of the field.
     double error() const { return (max - min) / (2 * static_cast<double>((1U << bits) - 1U)); }
 
     bool operator==(const Field&) const = default;
 };
 
-/// The summary of a model. `gnomon info` prints it.
+/// The summary of a model: counts, bounds, grid and options. `gnomon info` prints it.
 struct ModelSummary {
     Grid grid;
     Box bounds; // world-space bounds of the snapped source
@@ -98,7 +100,7 @@ struct ModelSummary {
     Unit unit = Unit::Metre;
     std::vector<Field> fields; // in the order in which vertices store them
 
-    /// Returns the max attribute error of all levels.
+    /// Returns the max error of colours and other attributes over all levels of the model, in world units.
     double attributeError() const {
         double largest = 0;
         for (const LevelInfo& level : levels)

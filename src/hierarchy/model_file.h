@@ -1,4 +1,4 @@
-// Reads a .gnm file: the tables when it is opened, and pages on demand from any thread.
+// Reads a .gnm model file. The tables are read when it is opened, and pages on demand from any thread.
 #pragma once
 
 #include "core/error.h"
@@ -12,22 +12,23 @@
 
 namespace gnomon::hierarchy {
 
-/// The error of a damaged page. Its bytes were read, but the checksum is wrong or the page violates a rule of the
+/// The error for a damaged page. Its bytes were read, but the checksum is wrong or the page violates a rule of the
 /// format.
 class PageDamage : public Error {
 public:
     using Error::Error;
 };
 
-/// An open model. The constructor checks the tables and throws Error if a table is damaged. The coarsest pages come
-/// first in the file, so the root groups are in the first pages.
+/// An open model file. The constructor checks the tables and throws Error if a table is damaged. The coarsest pages
+/// come first in the file, so the root groups are in the first pages.
 class ModelFile {
 public:
-    /// Opens the model at `path`, which is a path or a web address. Throws Error if there is no complete model, or if
+    /// Opens the model at `path`, which is a file or a web address. Throws Error if there is no complete model, or if
     /// reading its tables would need more memory than `tableMemory`.
     explicit ModelFile(const std::string& path, Bytes tableMemory = {kMaxTableBytes});
 
-    /// Opens the model whose bytes `source` reads. Errors are as for a path.
+    /// Opens the model whose bytes `source` reads. Throws Error if it is no complete model, or if reading its tables
+    /// would need more memory than `tableMemory`.
     explicit ModelFile(std::unique_ptr<hierarchy::Source> source, Bytes tableMemory = {kMaxTableBytes});
 
     const std::string& path() const { return source_->name(); }
@@ -42,11 +43,11 @@ public:
 
     std::uint64_t fileBytes() const { return fileBytes_; }
 
-    /// Returns the content hash that the file stores. It is the xxh3-128 hash of all bytes after the hash, in
+    /// Returns the content hash that the file stores: the xxh3-128 hash of all bytes after the hash itself, in
     /// lower-case hexadecimal digits.
     const std::string& contentHash() const { return contentHash_; }
 
-    /// Reads the whole file and returns the content hash of the bytes that it has now.
+    /// Reads the whole file and returns the hash of its present bytes, for comparison with contentHash.
     std::string computedContentHash() const;
 
     /// Reads, checks and decodes one page. Any thread can call this. Throws PageDamage with path and byte offset if the
@@ -54,7 +55,7 @@ public:
     /// attempts.
     Page readPage(std::uint32_t page) const;
 
-    /// Reads one page. Also reads the fields of its vertices into `fields`, in the order of the summary.
+    /// Reads a page, and the fields of its vertices into `fields`. The fields are in the order of the summary.
     Page readPage(std::uint32_t page, PageFields& fields) const;
 
 private:

@@ -1,4 +1,5 @@
-// Packs unit normals into two snorm16 by octahedral encoding. This is the format of Vertex::normal.
+// Packs unit normals into two 16-bit signed normalized integers (snorm16) by octahedral encoding. This is the format
+// of Vertex::normal.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -12,12 +13,12 @@
 namespace gnomon::hierarchy {
 
 /// The number of significant bits per component of a packed normal. The lower bits are 0 and use no space in the file.
-/// With ten bits, the error is at most 0.28 degrees. The model of a statue is then a sixth smaller than with sixteen
+/// Ten bits have an error of at most 0.28 degrees. The model of a statue is then a sixth smaller than with sixteen
 /// bits.
 constexpr unsigned kNormalBits = 10;
 
-/// Packs a direction of any length, with each component rounded to kNormalBits. Returns kNoNormal for a zero or
-/// infinite vector. The function uses only basic arithmetic, so the result is identical on all platforms.
+/// Packs a direction of any length as a normal, with each component rounded to kNormalBits. Returns kNoNormal for a
+/// zero or infinite vector. The function uses only basic arithmetic, so the result is identical on all platforms.
 inline std::uint32_t packNormal(const glm::dvec3& direction) {
     const double sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
     if (!(sum > 0) || !std::isfinite(sum)) return kNoNormal;
@@ -37,8 +38,8 @@ inline std::uint32_t packNormal(const glm::dvec3& direction) {
     return snorm(x) | snorm(y) << 16U;
 }
 
-/// Unpacks a normal to a unit vector. Returns a zero vector for kNoNormal. Source: Cigolle et al., "A Survey of
-/// Efficient Representations for Independent Unit Vectors", 2014.
+/// Unpacks an octahedral normal to a unit vector (Cigolle et al., "A Survey of Efficient Representations for
+/// Independent Unit Vectors", 2014). Returns a zero vector for kNoNormal.
 inline glm::dvec3 unpackNormal(std::uint32_t packed) {
     if (packed == kNoNormal) return glm::dvec3(0);
     const auto component = [](std::uint32_t bits) {

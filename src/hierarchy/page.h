@@ -1,4 +1,4 @@
-// A decoded page. It contains complete groups of clusters of one level, with their geometry and their refinements.
+// A decoded page of a model: complete groups of clusters of one level of detail, with their geometry.
 #pragma once
 
 #include "hierarchy/grid.h"
@@ -12,8 +12,8 @@ namespace gnomon::hierarchy {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// Marks a vertex that has neither a normal from the source nor a smooth normal. The shader then uses the normal of the
-/// triangle.
+/// Marks a vertex that has neither a normal from the source mesh nor a smooth normal. The shader then uses the normal
+/// of the triangle.
 constexpr std::uint32_t kNoNormal = 0x80008000U;
 
 /// A vertex of a cluster. Vertices with equal position, normal and colour are welded. Vertices with the same position
@@ -25,23 +25,23 @@ struct Vertex {
     auto operator<=>(const Vertex&) const = default;
 };
 
-/// The address of a group: its page and its index in the page.
+/// The address of a group of clusters: its page and its index in the page.
 struct GroupRef {
     std::uint32_t page = kNone;
     std::uint32_t group = kNone;
     auto operator<=>(const GroupRef&) const = default;
 };
 
-/// The finer group from which some clusters of this page were simplified. If this group is refined, its clusters are
-/// drawn instead of the clusters of this page. Bounds and errors are copies of the values of the finer group, so a cut
-/// can test it without loading its page.
+/// A finer group of clusters, from which some clusters of this page were simplified. If this finer group is refined,
+/// its clusters are drawn instead of the clusters of this page. Bounds and errors are copies of the values of the finer
+/// group, so a cut can test it without loading its page.
 struct Refinement {
     GroupRef group;
     Sphere bounds; // local space
     double error = 0;
     double attributeError = 0;
 
-    /// Returns the larger of both errors, like Group::drawnError.
+    /// Returns the larger of the geometric error and the attribute error of the finer group, in world units.
     double drawnError() const { return std::max(error, attributeError); }
 };
 
@@ -52,7 +52,7 @@ struct Cluster {
     std::uint32_t firstTriangle = 0;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
-    // index in Page::refinements of the group that the cluster was simplified from; kNone at level 0
+    // index in Page::refinements of the finer group that the cluster was simplified from; kNone at level 0
     std::uint32_t refinement = kNone;
     GridBox box; // bounding box of its vertices
 };
@@ -66,17 +66,19 @@ struct Group {
     std::uint32_t clusterCount = 0;
     GridBox box;   // bounding box of the vertices, for culling
     Sphere bounds; // local space, for the error rule; encloses `box` and the bounds of all refinements of the group
-    // The error, in world units, of drawing the coarser clusters that replace this group.
+    // The max geometric error, in world units, of the coarser clusters that replace this group.
     double error = std::numeric_limits<double>::infinity();
     double attributeError = 0; // size of wrongly coloured or shaded surface, in world units
 
-    /// Returns the error that a cut compares with its limit. This is the larger of both errors.
+    /// Returns the error that the selection of detail compares with its limit, in world units. This is the larger of
+    /// the geometric error and the attribute error.
     double drawnError() const { return std::max(error, attributeError); }
 };
 
 using Triangle = std::array<std::uint8_t, 3>; // vertex indices within the cluster
 
-/// A decoded page. The clusters of a group are contiguous, and so are the vertices and the triangles of a cluster.
+/// A decoded page of a model. The clusters of a group are contiguous, and so are the vertices and the triangles of a
+/// cluster.
 struct Page {
     std::uint32_t level = 0; // level 0 is the full detail of the source
     std::vector<Group> groups;

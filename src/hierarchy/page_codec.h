@@ -1,5 +1,5 @@
-// Encodes a page as bytes: tables of groups, refinements and clusters, and then the geometry. zstd compresses all of
-// them.
+// Encodes and decodes a page: tables of groups, refinements and clusters, and then the geometry. zstd compresses all
+// of them.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -10,13 +10,13 @@
 
 namespace gnomon::hierarchy {
 
-/// The zstd level of all pages. It was chosen by measuring file sizes and build times. The decoding speed is the same
-/// for all levels.
+/// The zstd compression level of all pages. It was chosen by measuring file sizes and build times. The decoding speed
+/// is the same for all levels.
 constexpr int kCompressionLevel = 1;
 
-/// Encodes `page` and the `fields` of its vertices. The function is pure. A refinement refers to another page by its
-/// index among the children in the page table, not by its page id. A page can therefore be encoded before its id in the
-/// file is known. The ids of its children only need the correct order.
+/// Encodes `page` and the `fields` of its vertices as bytes. The function is pure. Another page is stored as an index
+/// among the children in the page table, not as a page id. A page can therefore be encoded before its id in the file is
+/// known. Only the order of the children's ids must be correct.
 std::vector<std::byte> encodePageBytes(const Page& page, const PageFields& fields = {});
 
 /// Decodes the page that the page table row `info` describes. Checks each count, index and range before its use. Never
@@ -24,7 +24,7 @@ std::vector<std::byte> encodePageBytes(const Page& page, const PageFields& field
 /// exhausted.
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info);
 
-/// Decodes a page like the function above, and the `fields` of its vertices.
+/// Decodes a page and also the `fields` of its vertices. Checks and errors are the same as without fields.
 Page decodePageBytes(std::span<const std::byte> bytes, const PageInfo& info, PageFields& fields);
 
 } // namespace gnomon::hierarchy

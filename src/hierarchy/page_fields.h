@@ -1,5 +1,5 @@
-// The fields of a page's vertices: scalar properties besides normal and colour. All fields of a vertex are packed into
-// one word.
+// The fields of a page's vertices. A field is a scalar property besides normal and colour. All fields of a vertex are
+// packed into one 32-bit word.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace gnomon::hierarchy {
 
-/// The max number of fields of a model. They share the 32 bits of a word.
+/// The max number of fields of a model, which share the 32 bits of one word per vertex.
 constexpr std::size_t kMaxFields = 4;
 
-/// How many bits of a vertex's word each field has. The first field has the lowest bits.
+/// The number of bits that each field has in the word of a vertex. The first field has the lowest bits.
 struct FieldLayout {
     std::array<std::uint8_t, kMaxFields> bits{}; // per field; 0 after the last field; at most 32 in total
 
-    /// Returns the layout that a build uses for `count` fields (at most kMaxFields). Each field has 16 bits, or an
+    /// Returns how `count` fields (at most kMaxFields) share the 32-bit word of a vertex. Each field has 16 bits, or an
     /// equal share of the 32 bits if there are more than two fields.
     static constexpr FieldLayout of(std::size_t count) {
         FieldLayout layout;
@@ -38,10 +38,10 @@ struct FieldLayout {
         return shift;
     }
 
-    /// Returns the largest integer that the bits of a field can store.
+    /// Returns the largest integer that the given field can store.
     constexpr std::uint32_t maxNumber(std::size_t field) const { return (1U << bits[field]) - 1U; }
 
-    /// Returns the integer of field `field` in the word of a vertex. The field must exist.
+    /// Returns the integer value of a field from the word of a vertex. The field must exist.
     constexpr std::uint32_t number(std::uint32_t word, std::size_t field) const {
         return word >> shift(field) & maxNumber(field);
     }
@@ -49,7 +49,7 @@ struct FieldLayout {
     bool operator==(const FieldLayout&) const = default;
 };
 
-/// The fields of all vertices of a page.
+/// The field values of all vertices of a page, one word per vertex.
 struct PageFields {
     FieldLayout layout;
     std::vector<std::uint32_t> words; // one word per vertex; empty if there are no fields

@@ -1,4 +1,4 @@
-// The cameras of a model's source. The model file stores them as text among the build options.
+// The cameras that the source mesh of a model contains. The model file stores them as text among the build options.
 #pragma once
 
 #include "core/camera.h"
@@ -10,17 +10,17 @@
 
 namespace gnomon::hierarchy {
 
-/// The key of the cameras in ModelSummary::options. The key is absent if the source has no camera.
+/// The key under which ModelSummary::options stores the cameras. The key is absent if the source has no camera.
 inline constexpr const char* kCamerasOption = "cameras";
 
-/// Returns a text with one line per camera: projection, eye, target, up, and the full vertical field of view in
-/// radians.
+/// Returns the text that a model file stores for `cameras`, one line per camera: projection, eye, target, up, and the
+/// full vertical field of view in radians.
 std::string camerasText(std::span<const Camera> cameras);
 
-/// Returns the number of cameras that the model stores.
+/// Returns how many cameras from its source the model stores.
 std::size_t cameraCount(const ModelSummary& summary);
 
-/// Returns the cameras that the model stores. Throws Error if the stored text is damaged.
+/// Returns the cameras from its source that the model stores. Throws Error if the stored text is damaged.
 std::vector<Camera> camerasOf(const ModelFile& model);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// Features of a surface that show which of the six axis directions is probably its up direction.
+// Computes features of a surface that show which of the six axis directions is probably up.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@
 
 namespace gnomon::hierarchy {
 
-/// The number of candidate directions: +x, -x, +y, -y, +z, -z.
+/// The number of candidates for the up direction: +x, -x, +y, -y, +z, -z.
 constexpr int kUpDirections = 6;
 
 /// The features of one candidate direction. "Lowest" and "below" assume that this direction is up. The outline is the
@@ -48,15 +48,15 @@ enum class UpFeature : std::size_t {
 
 constexpr auto kUpFeatures = static_cast<std::size_t>(UpFeature::Count);
 
-/// The numbers per direction. Each feature has four numbers: its value, the difference to its value for the opposite
-/// direction, and the differences to the max and the min of its values for the four perpendicular directions.
+/// The number of values per candidate direction. Each feature has four: its value, the difference to its value for the
+/// opposite direction, and the differences to the max and the min of its values for the four perpendicular directions.
 constexpr std::size_t kUpNumbers = 4 * kUpFeatures;
 
 using UpNumbers = std::array<float, kUpNumbers>;
 
-/// Returns the numbers of each direction. If the surface is rotated to another axis, the numbers move to the rotated
-/// directions, except for rounding errors. `triangles` contains the corners of the triangles in any unit. Returns an
-/// empty list if the surface has no area or no extent.
+/// Returns the feature values of each candidate direction. If the surface is rotated to another axis, the values move
+/// to the rotated directions, except for rounding errors. `triangles` contains the corners of the triangles in any
+/// unit. Returns an empty list if the surface has no area or no extent.
 std::vector<UpNumbers> upNumbers(std::span<const std::array<glm::vec3, 3>> triangles);
 
 } // namespace gnomon::hierarchy

@@ -1,5 +1,5 @@
-// Guesses the up direction of a model from its place on the earth and from its shape. The guess is used if neither the
-// user nor the source names the direction.
+// Guesses the up direction of a model from its position on the earth and from its shape. The guess is used if neither
+// the user nor the source names the direction.
 #pragma once
 
 #include "core/words.h"
@@ -16,8 +16,8 @@ namespace gnomon::hierarchy {
 
 struct Grid;
 
-/// The confidence in the up direction. Told: the user or the source named it. Sure: the guess is almost never wrong.
-/// Guess: any other guess.
+/// Tells how reliable the up direction is. Told: the user or the source named it. Sure: it is a guess that is almost
+/// never wrong. Guess: it is any other guess.
 enum class UpConfidence : std::uint8_t { Told, Sure, Guess };
 inline constexpr std::array kUpConfidences = {
     Word<UpConfidence>{UpConfidence::Told, "told"},
@@ -25,16 +25,16 @@ inline constexpr std::array kUpConfidences = {
     Word<UpConfidence>{UpConfidence::Guess, "guess"},
 };
 
-/// A guessed direction and its reason. The reason is a text that can follow the name of the axis, for example "by its
-/// shape".
+/// A guessed up direction and the reason for it. The reason is a text that can follow the name of the axis, for example
+/// "by its shape".
 struct UpGuess {
     UpAxis up;
     std::string because;
     UpConfidence confidence = UpConfidence::Guess;
 };
 
-/// Votes of the source's file type for the directions +x, -x, +y, -y, +z, -z. Their unit is that of the votes of the
-/// shape. A guess is sure if its lead is at least kSureVotes.
+/// Votes for the up directions +x, -x, +y, -y, +z, -z that follow from the file type of the source. They have the unit
+/// of the votes of the shape. A guess is sure if its lead is at least kSureVotes.
 using UpVotes = std::array<int, 6>;
 constexpr int kSureVotes = 2500;
 
@@ -44,20 +44,20 @@ constexpr int kSureVotes = 2500;
 /// then the normal of the ellipsoid.
 std::optional<UpGuess> upOfPlace(const Box& box);
 
-/// Collects geometry from a cut of a model and guesses the up direction from it. The same pages give the same guess on
-/// all platforms, because the computation uses no library function with platform-dependent rounding.
+/// Collects triangles of a coarse version of a model and guesses the up direction from them. The same pages give the
+/// same guess on all platforms, because the computation uses no library function with platform-dependent rounding.
 class UpSurvey {
 public:
-    /// Creates a survey of the geometry inside the box `part` (world space).
+    /// Creates an estimator that uses the geometry inside the box `part` (world space).
     UpSurvey(const Grid& grid, const Box& part);
 
-    /// Adds the clusters of `page` that the uniform cut with the error limit `error` contains.
+    /// Adds those clusters of `page` that belong to the uniform cut with the error limit `error`.
     void add(const Page& page, double error);
 
-    /// Returns the direction that follows from the place. If the place gives none, returns the direction with the most
-    /// votes. The votes are the sum of the votes of the shape and of `votes`. The votes of the shape are a sum over
-    /// decision trees (up_trees.h), which were fitted to meshes with known up axes. If the lead of the direction is
-    /// less than kSureVotes, only the axes y and z are candidates.
+    /// Returns the guessed up direction. It follows from the position on the earth if possible. Otherwise it is the
+    /// direction with the most votes, which are the sum of the votes of the shape and of `votes`. The votes of the
+    /// shape are a sum over decision trees (up_trees.h), which were fitted to meshes with known up axes. If the lead of
+    /// the direction is less than kSureVotes, only the axes y and z are candidates.
     UpGuess guess(const UpVotes& votes = {}) const;
 
     const std::vector<std::array<glm::vec3, 3>>& triangles() const { return triangles_; }

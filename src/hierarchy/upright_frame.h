@@ -1,4 +1,4 @@
-// The axes right, up and front of a model, for an observer who stands on the ground of its world.
+// The axes right, up and front of a model, for an observer who stands upright in its world.
 #pragma once
 
 #include "core/box.h"
@@ -22,7 +22,7 @@ struct UprightFrame {
     }
 };
 
-/// Returns the frame for the up direction `up`, which can have any length greater than 0. If `up` is an axis, the frame
+/// Returns the axes for the up direction `up`, which can have any length greater than 0. If `up` is an axis, the frame
 /// is a rotation by multiples of 90 degrees, so coordinates stay exact. The front follows common modelling programs: it
 /// is +z if y is up, and -y if z is up.
 UprightFrame uprightFrame(const glm::dvec3& up);

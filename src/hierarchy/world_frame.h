@@ -11,21 +11,21 @@
 
 namespace gnomon::hierarchy {
 
-/// The up direction (away from the ground) as a unit vector in the coordinates of the source. The model stores these
-/// coordinates unchanged.
+/// The up direction of a model (away from the ground), as a unit vector in the coordinates of the source. The model
+/// stores these coordinates unchanged.
 struct UpAxis {
     glm::dvec3 direction{0, 1, 0};
 
     bool operator==(const UpAxis& other) const { return direction == other.direction; }
 };
 
-/// Returns the name of an axis: x, y, z, -x, -y or -z. For other directions it returns the coordinates "X,Y,Z".
+/// Returns the name of the up axis: x, y, z, -x, -y or -z. For other directions it returns the coordinates "X,Y,Z".
 std::string upAxisText(const UpAxis& up);
 
-/// Returns the axis whose name is `name` (x, y, z, -x, -y or -z), or nullopt for other names.
+/// Returns the up direction that `name` names (x, y, z, -x, -y or -z), or nullopt for other names.
 std::optional<UpAxis> upAxisNamed(std::string_view name);
 
-/// The unit of the coordinates. The enumerators have the numbers of the file format.
+/// The unit of length of a model's coordinates. The enumerators have the numbers of the file format.
 enum class Unit : std::uint8_t { Metre = 0, Centimetre = 1, Millimetre = 2, Foot = 3, Inch = 4 };
 
 struct UnitRow {
@@ -41,12 +41,12 @@ constexpr std::array<UnitRow, 5> kUnits = {
      {Unit::Foot, "ft", 0.3048},
      {Unit::Inch, "in", 0.0254}}};
 
-/// Returns the row of kUnits with the name and length of `unit`.
+/// Returns the row of the table kUnits for `unit`, with its name and its length.
 constexpr const UnitRow& rowOf(Unit unit) {
     return kUnits.at(static_cast<std::size_t>(unit));
 }
 
-/// Returns the unit of kUnits with this name, or nullopt.
+/// Returns the unit with the name `name` in the table kUnits, or nullopt.
 std::optional<Unit> unitNamed(std::string_view name);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// Orders the triangles, corners and vertices within each cluster of a page so that their encoding is short.
+// Sorts the triangles, corners and vertices within each cluster of a page so that their encoding is short.
 #pragma once
 
 #include "hierarchy/page.h"
@@ -6,13 +6,14 @@
 
 namespace gnomon::hierarchy {
 
-/// Reorders the triangles, their corners and the vertices within each cluster of `page`. Each triangle then continues
-/// across an edge that is still open, and vertices are in the order of their first use. The surface and the winding of
-/// triangles do not change. The result is identical on all platforms. `fields` are reordered with the vertices. Call
-/// this before encodePage. The ranges of clusters must have no gaps or overlaps, and corners must be in range.
+/// Sorts the triangles, their corners and the vertices within each cluster of `page`. If possible, each triangle then
+/// shares an open edge with an earlier triangle. Vertices are in the order of their first use. The surface and the
+/// winding of triangles do not change. The result is identical on all platforms. `fields` are sorted with the vertices.
+/// Must be called before encodePage. The ranges of clusters must have no gaps or overlaps, and corners must be in
+/// range.
 void orderForCoding(Page& page, PageFields& fields);
 
-/// Reorders a page whose vertices have no fields, as above.
+/// Sorts the triangles, corners and vertices of a page whose vertices have no fields.
 inline void orderForCoding(Page& page) {
     PageFields none;
     orderForCoding(page, none);

@@ -1,4 +1,4 @@
-// The encoder of the triangles of a cluster.
+// Encodes the triangles of a cluster.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -12,8 +12,8 @@
 
 namespace gnomon::hierarchy {
 
-/// The three corners that predict a vertex which was new across an edge. The previous vertex predicts all other
-/// vertices.
+/// The three corners that predict the position of a vertex by a parallelogram. The previous vertex predicts all
+/// vertices without such corners.
 struct Parents {
     std::uint8_t from = 0;
     std::uint8_t to = 0;
@@ -22,8 +22,8 @@ struct Parents {
 
     Parents() = default;
 
-    /// Creates the predictors of vertex `v` from the edge across which it was new. They are valid only if all three
-    /// corners come before `v`.
+    /// Stores the three corners that predict vertex `v`: the ends of `edge`, across which it was new, and the opposite
+    /// corner. They are valid only if all three come before `v`.
     Parents(const OpenEdge& edge, unsigned v)
         : from(static_cast<std::uint8_t>(edge.from)),
           to(static_cast<std::uint8_t>(edge.to)),
@@ -33,7 +33,8 @@ struct Parents {
               static_cast<unsigned>(edge.opposite < v))) {}
 };
 
-// The predictors of each vertex of a cluster. The additional entry receives writes before a vertex is known to be new.
+// The predicting corners of each vertex of a cluster. The additional entry receives writes before a vertex is known to
+// be new.
 using ParentTable = std::array<Parents, 257>;
 
 /// Writes the codes of the triangles of one cluster.

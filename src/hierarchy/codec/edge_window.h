@@ -1,5 +1,5 @@
-// A window of the most recent open edges of a sequence of triangles. The encoder, the decoder and the ordering of
-// triangles share it.
+// A window of the most recent open edges of a sequence of triangles. An edge is open if no second triangle uses it
+// yet. The encoder, the decoder and the ordering of triangles share this window.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace gnomon::hierarchy {
 
-/// A directed edge as the neighbouring triangle uses it, and the opposite corner of the triangle that left the edge
+/// A directed edge as a neighbouring triangle would use it, and the opposite corner of the triangle that left the edge
 /// open.
 struct OpenEdge {
     std::uint32_t from = 0;
@@ -15,13 +15,13 @@ struct OpenEdge {
     std::uint32_t opposite = 0;
 };
 
-/// A ring buffer of the most recent open edges. `recent(0)` is the newest edge.
+/// A ring buffer of the most recent open edges, in which `recent(0)` is the newest edge.
 class EdgeWindow {
 public:
     static constexpr unsigned kSize = 16;
 
-    /// Adds the edges of triangle (a, b, c) that are open for neighbours. These are two edges if the triangle was
-    /// entered across (a, b), and otherwise three.
+    /// Adds the edges of triangle (a, b, c) that are open for later triangles. These are two edges if the triangle
+    /// itself continues across the open edge (a, b), and otherwise three.
     void pushTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool entered) {
         if (!entered) push({b, a, c});
         push({a, c, b});
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// Stores an edge with one write of a whole word. With separate byte writes, the load of the word that follows
+    /// Stores an edge with one write of a whole word. After separate byte writes, the load of the word that follows
     /// immediately would stall.
     void push(const OpenEdge& edge) {
         edges_[head_ & (kSize - 1)] = edge.from | edge.to << 8U | edge.opposite << 16U;

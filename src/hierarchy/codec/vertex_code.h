@@ -25,7 +25,7 @@ constexpr std::uint32_t unzigzag(std::uint32_t code) {
     return (code >> 1U) ^ (0U - (code & 1U));
 }
 
-/// The code of the normals of a page: offset binary numbers, without the low bits that are 0 in all normals of the
+/// The code of the normals of a page: offset binary numbers, without those low bits that are 0 in all normals of the
 /// page. With this code, the mean of two codes lies between them.
 struct NormalCode {
     unsigned shift = 0; // number of removed low bits, at most 15
@@ -43,7 +43,7 @@ struct NormalCode {
     std::uint32_t mask() const { return (1U << width()) - 1U; }
 };
 
-/// The attributes that all vertices of a page have.
+/// Tells which attributes all vertices of a page have besides their position.
 struct AttributeLayout {
     bool hasNormals = false;
     bool hasColors = false;

@@ -1,4 +1,4 @@
-// The decoder of the vertices of a page's clusters.
+// Decodes the vertices of a page's clusters.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -8,8 +8,8 @@
 
 namespace gnomon::hierarchy {
 
-/// Decodes `page.vertices` and the boxes of `page.clusters` from `in`. `edges` is the result of decodeConnectivity. If
-/// the page stores fields, `fields` must not be null and receives them. Throws Damage if the bytes are invalid.
+/// Decodes the vertices of `page` and the boxes of its clusters from `in`. `edges` is the result of decodeConnectivity.
+/// If the page stores fields, `fields` must not be null and receives them. Throws Damage if the bytes are invalid.
 void decodeVertices(ByteReader& in, const EdgeWords& edges, Page& page, PageFields* fields);
 
 } // namespace gnomon::hierarchy

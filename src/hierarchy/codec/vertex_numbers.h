@@ -1,4 +1,4 @@
-// Reads the stored numbers of a page's vertices.
+// Reads the stored numbers from which the vertices of a page are decoded.
 #pragma once
 
 #include "hierarchy/bytes.h"
@@ -9,12 +9,12 @@
 
 namespace gnomon::hierarchy {
 
-/// The stored numbers of the vertices of a page, sorted by their vertices. Reuse this object for many pages, because
-/// newly allocated memory costs a page fault per 4 KiB. All arrays except `referring` and `fresh` have kMaxLanes
-/// additional elements.
+/// The stored numbers of the vertices of a page, sorted by vertex. Reuse this object for many pages, because newly
+/// allocated memory costs a page fault per 4 KiB. All arrays except `referring` and `fresh` have kMaxLanes additional
+/// elements.
 struct VertexNumbers {
-    // One number per vertex: 0 for a new vertex. For a reference to an earlier vertex, it is 1 + zigzag(distance from
-    // the vertex after the last referenced one).
+    // One number per vertex. It is 0 for a new vertex. For a reference to an earlier vertex it is 1 + zigzag(d), where
+    // d is the distance from the vertex after the last referenced one.
     std::vector<std::uint32_t> references;
     std::vector<std::uint32_t> referring; // indices of the vertices that are references, ascending
     // indices of all other vertices, ascending; the following arrays have one entry for each of them
@@ -24,11 +24,11 @@ struct VertexNumbers {
     std::vector<std::uint32_t> colors;    // differences, one byte per channel; empty without colours
 };
 
-/// Reads the byte planes of one channel of `numbers` numbers. Throws Damage if the bytes are invalid.
+/// Reads the byte planes of one channel of `numbers` numbers. Throws Damage if there are not enough bytes.
 Planes takePlanes(ByteReader& in, std::size_t numbers);
 
-/// Reads the stored numbers of `vertices` vertices, beginning with the references. The memory is bounded by the number
-/// of available bytes. Throws Damage if the bytes are invalid.
+/// Reads the stored numbers of `vertices` vertices, references first. The number of available bytes limits the
+/// allocated memory. Throws Damage if the bytes are invalid.
 void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// Settings for reading from servers: certificates, cache and timeouts.
+// Settings for reading models from web servers: certificates, cache and timeouts.
 #pragma once
 
 #include "core/units.h"
@@ -16,7 +16,7 @@ struct Access {
     std::chrono::milliseconds retryTime{30'000}; // max time of retries while a server does not respond
 };
 
-/// Returns the settings of the whole process. The command line sets them before a model is opened.
+/// Returns the server settings of the whole process. The command line changes them before a model is opened.
 Access& commonAccess();
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// Reads a model from a local file.
+// Reads the bytes of a model from a local file.
 #pragma once
 
 #include "core/file.h"
@@ -8,7 +8,7 @@ namespace gnomon::hierarchy {
 
 class FileSource final : public Source {
 public:
-    /// Opens the file. Throws Error if there is no file at `path`.
+    /// Opens a local model file. Throws Error if there is no file at `path`.
     explicit FileSource(const std::string& path);
 
     const std::string& name() const override { return file_.path(); }

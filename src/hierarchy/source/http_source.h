@@ -1,4 +1,4 @@
-// Reads a model from a server by byte ranges.
+// Reads the bytes of a model from a web server by byte ranges.
 #pragma once
 
 #include "hierarchy/source/access.h"
@@ -13,12 +13,12 @@
 
 namespace gnomon::hierarchy {
 
-/// A file at a web address. The server must support byte ranges (RFC 9110, section 14). A cache on disk stores the
-/// received ranges. The start and the end of the file, which contain the model's header and tables, are read with one
-/// request each.
+/// A model file at a web address. The server must support byte ranges (RFC 9110, section 14). A cache on disk stores
+/// the received ranges. The start and the end of the file, which contain the model's header and tables, are read with
+/// one request each.
 class HttpSource final : public Source {
 public:
-    /// Requests the start of the file. Throws Error if the server does not deliver byte ranges of `address`.
+    /// Requests the start of the file at `address`. Throws Error if the server does not deliver byte ranges.
     HttpSource(const std::string& address, const Access& access);
 
     const std::string& name() const override { return name_; }
@@ -29,7 +29,7 @@ public:
 
     bool readAnew(std::uint64_t offset, std::span<std::byte> out) const override;
 
-    /// Returns the state of the content according to the last answer of the server.
+    /// Returns whether the content is unchanged, according to the last answer of the server.
     Fate fate() const override { return fate_; }
 
     std::string stamp() const override;

@@ -1,4 +1,4 @@
-// Opens a model by its path or web address.
+// Opens the bytes of a model by path or web address.
 #pragma once
 
 #include "hierarchy/source/access.h"
@@ -9,10 +9,10 @@
 
 namespace gnomon::hierarchy {
 
-/// Returns true if `name` is an http:// or https:// address instead of a path.
+/// Returns true if `name` begins with http:// or https://, so that it is a web address instead of a path.
 bool isAddress(const std::string& name);
 
-/// Opens the file at the path `name`, or the content at the address `name`. Throws Error if that fails.
+/// Opens a local file or a web address for reading. Throws Error if that fails.
 std::unique_ptr<Source> openSource(const std::string& name, const Access& access = commonAccess());
 
 } // namespace gnomon::hierarchy

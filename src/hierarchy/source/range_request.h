@@ -1,4 +1,4 @@
-// Requests byte ranges from a server and checks the answers strictly.
+// Requests byte ranges from a web server and checks its answers strictly.
 #pragma once
 
 #include "hierarchy/source/access.h"
@@ -15,8 +15,8 @@
 
 namespace gnomon::hierarchy {
 
-/// The identity of the content at an address. The content is unchanged if its identity is unchanged. A text is empty if
-/// the server does not send it.
+/// Identifies the version of the content at a web address. The content is unchanged if its identity is unchanged. A
+/// text is empty if the server does not send it.
 struct Identity {
     std::uint64_t size = 0;
     std::string tag;      // the header field ETag
@@ -46,20 +46,20 @@ struct RangeAnswer {
     std::optional<RangeFailure> failure;
 };
 
-/// The header fields of an answer with a part of the content (status 206). If a field occurs twice, the last one
-/// counts.
+/// The header fields of an HTTP answer that contains a part of the content (status 206). If a field occurs twice, the
+/// last one counts.
 struct PartHeader {
     std::string range;    // the header field Content-Range
     std::string encoding; // the header field Content-Encoding
     Identity identity;    // its size is the size of the whole content according to Content-Range
 
-    /// Parses one header line. The names of fields can be in upper or lower case. A status line starts a new header and
-    /// clears all fields.
+    /// Parses one line of an HTTP header. The names of fields can be in upper or lower case. A status line starts a new
+    /// header and clears all fields.
     void take(std::string_view line);
 };
 
-/// The place of a part according to Content-Range: the bytes `first` to `last` of `of` bytes. `partPlace` returns
-/// nullopt if the field is incomplete.
+/// The position of a part in the content, as the Content-Range field gives it: bytes `first` to `last` of `of` bytes.
+/// `partPlace` returns nullopt if the field is incomplete.
 struct PartPlace {
     std::uint64_t first = 0;
     std::uint64_t last = 0;
@@ -68,10 +68,10 @@ struct PartPlace {
 
 std::optional<PartPlace> partPlace(const std::string& range);
 
-/// A pool of connections to a server. Many threads can use the pool. Each request uses its own connection.
+/// A pool of connections to a web server. Many threads can use the pool, and each request has its own connection.
 class Connections {
 public:
-    /// Creates a pool for an http:// or https:// address. Throws Error if libcurl does not start.
+    /// Creates a connection pool for an http:// or https:// address. Throws Error if libcurl does not start.
     Connections(std::string address, const Access& access);
     ~Connections();
     Connections(const Connections&) = delete;
@@ -79,11 +79,11 @@ public:
     Connections(Connections&&) = delete;
     Connections& operator=(Connections&&) = delete;
 
-    /// Fills `out` with the bytes from `offset`, and checks that the content still has the identity `known`. If `known`
+    /// Requests the bytes from `offset` into `out`. Checks that the content still has the identity `known`. If `known`
     /// is null, the content may be shorter than `out`. Additional bytes from the server are ignored.
     RangeAnswer get(std::uint64_t offset, std::span<std::byte> out, const Identity* known) const;
 
-    /// Ends all waiting requests. All later requests fail.
+    /// Ends all waiting requests to the server. All later requests fail.
     void stop() const { isStopped_ = true; }
 
     bool isStopped() const { return isStopped_; }

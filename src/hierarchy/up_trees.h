@@ -1,5 +1,5 @@
-// Decision trees that vote for the up direction of a model by its features (up_features.h).
-// tests/orientation/fit_trees.cpp fits the trees and writes this file.
+// Decision trees that vote for a direction by its numbers (up_features.h). tests/orientation/fit_trees.cpp fits them
+// and writes this file.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace gnomon::hierarchy {
 
-/// A decision tree of three questions. From node n, a feature value below the limit leads to node 2n + 1, and another
-/// value to node 2n + 2. After the last node come the votes, in thousandths of the logarithm of odds.
+/// A tree of three questions. From node n a number below the limit leads to node 2n + 1, another one to 2n + 2; behind
+/// the last node are the votes, in thousandths of the logarithm of odds.
 struct UpTree {
     std::array<std::uint8_t, 7> features;
     std::array<float, 7> limits;

@@ -1,4 +1,4 @@
-// Reads folders of the user from environment variables.
+// Reads paths of the user's folders from environment variables.
 #pragma once
 
 #include <cstdlib>
@@ -6,8 +6,8 @@
 
 namespace gnomon::viewer {
 
-/// Returns the absolute path in the environment variable `name`, or an empty text. The XDG Base Directory Specification
-/// says that relative paths are ignored.
+/// Returns the absolute path that the environment variable `name` contains. Returns an empty text for a relative path,
+/// because the XDG Base Directory Specification requires programs to ignore it.
 inline std::string environmentPath(const char* name) {
     const char* value = std::getenv(name); // NOLINT(concurrency-mt-unsafe): no code sets variables
     return value != nullptr && *value == '/' ? value : "";

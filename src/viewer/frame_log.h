@@ -1,4 +1,4 @@
-// The log of a session in the window: one row per frame, with the same columns as the log of `gnomon bench`. The file
+// The log of a window session. It has one row per frame and the same columns as the log of `gnomon bench`. The file
 // gets its final name after it is complete.
 #pragma once
 
@@ -10,12 +10,12 @@ namespace gnomon::viewer {
 /// A CSV file with one row per drawn frame.
 class FrameLog {
 public:
-    /// Opens the log. Throws Error if `path` cannot be written.
+    /// Creates the log file. Throws Error if `path` cannot be written.
     explicit FrameLog(const std::string& path);
 
     void add(const telemetry::FrameRow& row);
 
-    /// Renames the file to its final name.
+    /// Completes the log file and renames it to its final name.
     void finish() { file_.commit(); }
 
 private:

@@ -1,4 +1,4 @@
-// The standard cameras of a model in the window: the first view, and the views from its sides.
+// Computes the standard cameras of a model in the window: the first view, and the views from its sides.
 #pragma once
 
 #include "hierarchy/model_file.h"
@@ -12,29 +12,29 @@ namespace gnomon::viewer {
 /// Computes the standard views of one model with the options of the window.
 class FramedModel {
 public:
-    /// Reads the model's outline. Throws Error.
+    /// Reads points of the surface of `model`, which standard views must show. Throws Error.
     FramedModel(const settings::Settings& settings, const hierarchy::ModelFile& model);
 
-    /// Returns the requested view for an image of `size` pixels (at least 1). Without a requested camera the view
-    /// frames the model. Throws Error for an invalid camera file.
+    /// Returns the first view of the model for an image of `size` pixels (at least 1). If the user requests no camera,
+    /// the view shows the whole model. Throws Error for an invalid camera file.
     plan::View home(const glm::ivec2& size) const { return view(settings_, size); }
 
-    /// Returns the camera of the first view with another projection.
+    /// Returns the camera of the first view, with its projection changed to `projection`.
     Camera home(const glm::ivec2& size, Projection projection) const;
 
-    /// Returns the camera that frames the model from a side.
+    /// Returns a camera that sees the whole model from `side`.
     Camera from(path::ViewSide side, const glm::ivec2& size, Projection projection) const;
 
     const Box& bounds() const { return summary_.bounds; }
 
-    /// Returns the up axis of the model's world.
+    /// Returns the up direction of the model's world.
     glm::dvec3 up() const { return settings_.up.value_or(summary_.up.direction); }
 
-    /// Returns the point light that the settings `asked` request, or nullopt if they request none.
+    /// Returns the point light that `asked` requests, or nullopt if it requests none.
     std::optional<plan::PointLight> pointLight(const settings::Settings& asked) const;
 
-    /// Starts `walk` at the first view. If the settings `asked` contain no light, sets their light to the default for
-    /// the up axis. Throws Error in the same cases as `home`, and then changes nothing.
+    /// Moves the camera of `walk` to the first view of the model. If `asked` requests no light, sets its light to the
+    /// default for the up direction. Throws Error in the same cases as `home`, and then changes nothing.
     void enter(Walk& walk, settings::Settings& asked, const glm::ivec2& size) const;
 
 private:

@@ -1,4 +1,4 @@
-// Short messages that the window shows for some seconds, and that it forwards to a log.
+// Short messages that the window shows for some seconds. Some of them are also forwarded to a log.
 #pragma once
 
 #include <exception>
@@ -8,36 +8,37 @@
 
 namespace gnomon::viewer {
 
-/// A clock that returns seconds since an arbitrary moment.
+/// A clock: returns the seconds since an arbitrary moment.
 using Clock = std::function<double()>;
 
-/// A message of one printable line.
+/// A message of one line of visible characters, with the time when it disappears.
 struct Message {
     std::string text;
     bool isError = false;
     double until = 0; // seconds on the clock
 };
 
-/// The visible messages of the window.
+/// The list of messages that the window shows now.
 class Messages {
 public:
-    /// Creates a list. It forwards notes and failures to `tell`.
+    /// Creates an empty list of messages. It forwards notes and failures to `tell`.
     Messages(Clock now, std::function<void(const std::string&)> tell) : now_(std::move(now)), tell_(std::move(tell)) {}
 
-    /// Shows the result of a key press for two seconds. It replaces the previous result of a key press. The message is
-    /// not forwarded.
+    /// Shows `text`, the result of a key press, for two seconds. It replaces the result of the previous key press and
+    /// is not forwarded to the log.
     void show(const std::string& text);
 
-    /// Shows a result, such as a saved file, for six seconds.
+    /// Shows `text`, a result such as a saved file, for six seconds, and forwards it to the log.
     void note(const std::string& text);
 
-    /// Shows a failure for fifteen seconds.
+    /// Shows the reason of a failure for fifteen seconds, and forwards it to the log.
     void fail(const std::string& reason);
 
-    /// Removes expired messages. Returns true if there were any.
+    /// Removes messages whose time is over. Returns true if there were any.
     bool expire();
 
-    /// Runs `action` and shows its exception as a failure. Returns true if there was no exception.
+    /// Runs `action`. If it throws an exception, shows the message as a failure and returns false. Otherwise returns
+    /// true.
     template <class Do>
     bool attempt(const Do& action) {
         try {

@@ -1,4 +1,5 @@
-// Opens meshes without an explicit build: a cached model next to the mesh, and the thread that builds it.
+// Opens meshes in the window without an explicit build. A thread builds a model next to the mesh, which is a cache for
+// later sessions.
 #pragma once
 
 #include "core/progress.h"
@@ -12,26 +13,26 @@
 
 namespace gnomon::viewer {
 
-/// Returns true if `path` ends like the path of a model (.gnm). All other files are meshes.
+/// Returns true if `path` ends like the path of a model (.gnm). The window treats all other files as meshes.
 bool isModelPath(const std::string& path);
 
-/// Returns the path of a mesh's cache: "scan.ply.gnm" for "scan.ply". It does not collide with names that users choose
-/// for models.
+/// Returns the path of the model that is built for a mesh: "scan.ply.gnm" for "scan.ply". Users are unlikely to choose
+/// this name for a model of their own.
 std::string cachePath(const std::string& meshPath);
 
-/// The options of a cache.
+/// The options with which a mesh is built into a cached model.
 struct CacheOptions {
     Bytes memory; // max resident size of the build
     int threads = 0;
     std::string sourceRoot{}; // folder that files of the mesh may come from; empty: the folder of the mesh
 };
 
-/// Returns true if the cache is up to date, so that a build would write the same file. The record (CACHE.json) must
-/// contain the same version, options and model, the same size and time of change of each file that was read, and the
-/// same names of libraries or textures in the folder of the mesh.
+/// Returns true if the cached model is up to date, so that a build would write the same file. The record (CACHE.json)
+/// must contain the same version, options and model, the same size and time of change of each file that was read, and
+/// the same names of libraries or textures in the folder of the mesh.
 bool isCacheFresh(const std::string& meshPath, const CacheOptions& options);
 
-/// The progress of a build.
+/// The progress of a running build of a cached model.
 struct BuildStatus {
     std::string stage;
     std::string unit;
@@ -40,8 +41,8 @@ struct BuildStatus {
     double seconds = 0;      // since the start of the build
 };
 
-/// Builds the cache of a mesh in a separate thread, and writes the record for `isCacheFresh`. The destructor stops the
-/// build and waits for the thread.
+/// Builds the cached model of a mesh in a separate thread, and writes the record for `isCacheFresh`. The destructor
+/// stops the build and waits for the thread.
 class CacheBuild {
 public:
     CacheBuild(std::string meshPath, const CacheOptions& options);
@@ -57,7 +58,7 @@ public:
 
     bool isDone() const { return isDone_; }
 
-    /// Returns the reason of a failure after the end, or nothing if there is a model.
+    /// After the end of the build, returns the reason of its failure, or nullopt if it succeeded.
     const std::optional<std::string>& failure() const { return failure_; }
 
 private:

@@ -1,4 +1,4 @@
-// The open file of the window: a model, or a mesh whose model is being built. Also watches the model's file for
+// The file that the window shows: a model, or a mesh whose model is being built. The model's file is watched for
 // changes.
 #pragma once
 
@@ -13,11 +13,12 @@
 
 namespace gnomon::viewer {
 
-/// Opens files. Errors are shown as messages, and the previous file stays open. All arguments must outlive the object.
+/// Opens files in the window. Errors are shown as messages, and the previous file stays open. All arguments of the
+/// constructor must outlive the object.
 class OpenFile {
 public:
-    /// Creates the object. It calls `onOpen` before a new model replaces the previous one. If `onOpen` throws, the
-    /// previous model stays.
+    /// Creates the object without an open file. It calls `onOpen` before a new model replaces the previous one. If
+    /// `onOpen` throws, the previous model stays open.
     OpenFile(
         const ViewerOptions& options,
         const gl::Context& context,
@@ -30,20 +31,20 @@ public:
           now_(std::move(now)),
           onOpen_(std::move(onOpen)) {}
 
-    /// Opens a model, or the cache of a mesh. Starts a build if the cache is outdated.
+    /// Opens a model file, or the cached model of a mesh. Starts a build if the cached model is outdated.
     void open(const std::string& file);
 
-    /// Opens the model when its build is finished. Call this in each frame.
+    /// Opens the model as soon as its build is finished. Must be called in each frame.
     void watchBuild();
 
-    /// Checks once per second whether the model's file has changed or vanished, and shows a message. Call this in each
-    /// frame. Returns true if another frame is needed because a server may still send data.
+    /// Checks once per second whether the file of the open model has changed or vanished, and shows a message. Must be
+    /// called in each frame. Returns true if another frame is needed because a server may still send data.
     bool watchFile();
 
-    /// Returns the scene of the open model, or null.
+    /// Returns the scene of the open model, or null if no model is open.
     Scene* scene() const { return scene_.get(); }
 
-    /// Returns the current build, or null.
+    /// Returns the running build, or null if there is none.
     const CacheBuild* build() const { return build_.get(); }
 
 private:

@@ -1,4 +1,5 @@
-// Converts user input to a camera: flying, looking, orbiting, and gliding to a target. It has no window and no clock.
+// Moves a camera by user input: flying, looking around, orbiting, and gliding to a target. It needs no window and no
+// clock.
 #pragma once
 
 #include "core/camera.h"
@@ -7,79 +8,79 @@
 
 namespace gnomon::viewer {
 
-/// The direction of flight: right, up and forward in camera axes, each from -1 to 1.
+/// The direction of a camera flight: right, up and forward in camera axes, each from -1 to 1.
 struct Flight {
     glm::dvec3 direction{0};
     double haste = 1; // factor of the speed
 };
 
-/// The depths of the visible scene in world units.
+/// The nearest and the farthest view depth of the visible scene, in world units.
 struct SceneDepths {
     double near = 0; // above 0
     double far = 0;  // at least near
 };
 
-/// A camera that the user moves. `camera().up` is the up axis of the world, and the view never tips over it.
+/// A camera that the user moves. Its up direction is the one of the world, and the view never tips over this axis.
 class CameraControl {
 public:
-    /// Starts at `home`. The up axis of the world is `home.up`. If the view direction of `home` is parallel to
-    /// `home.up` or to `up`, the up axis is `up` instead (any length above 0). Throws Error if `home` is invalid.
+    /// Starts with the camera `home`. The up direction of the world is `home.up`. If the view direction of `home` is
+    /// parallel to `home.up` or to `up`, it is `up` instead (any length above 0). Throws Error if `home` is invalid.
     CameraControl(const Camera& home, const glm::dvec3& up);
 
     Camera camera() const;
 
-    /// Moves the camera for `seconds`: along `flight` with some inertia, or along the current glide. A flight ends the
-    /// glide. With parallel projection a forward flight enlarges the image. Times above 0.1 s count as 0.1 s, so that a
-    /// slow frame does not move the camera far.
+    /// Moves the camera for `seconds`: along `flight` with some inertia, or along the current glide to a target. A
+    /// flight ends the glide. With parallel projection a forward flight enlarges the image. Times above 0.1 s count as
+    /// 0.1 s, so that a slow frame does not move the camera far.
     void advance(const Flight& flight, double seconds);
 
-    /// Returns true if `advance` without a flight would move the camera.
+    /// Returns true if the camera still moves without a flight by the user.
     bool isMoving() const;
 
-    /// Turns the view: yaw to the right and pitch upwards, in radians.
+    /// Turns the view direction about the eye: yaw to the right and pitch upwards, in radians.
     void look(double yawRadians, double pitchRadians);
 
-    /// Turns the camera about `pivot`. The pivot stays at its place on the screen. With parallel projection the scale
-    /// does not change.
+    /// Orbits the camera about `pivot`, by angles in radians. The pivot stays at its position on the screen. With
+    /// parallel projection the scale does not change.
     void orbit(const glm::dvec3& pivot, double yawRadians, double pitchRadians);
 
     /// Moves the camera to the right and up, in world units.
     void shift(double right, double up);
 
-    /// Moves the camera towards `point`, which stays at its place on the screen. Five notches halve the distance.
-    /// Negative notches double it.
+    /// Moves the camera towards `point`, which stays at its position on the screen. Five notches of the mouse wheel
+    /// halve the distance to it. Five negative notches double it.
     void zoomTo(const glm::dvec3& point, double notches);
 
-    /// Glides to a view of `point` from half the distance.
+    /// Starts a glide to a view of `point` from half the present distance.
     void focusOn(const glm::dvec3& point);
 
-    /// Glides to `camera`. The up axis does not change, unless `camera` looks along it.
+    /// Starts a glide to `camera`. The up direction does not change, unless `camera` looks along it.
     void goTo(const Camera& camera);
 
-    /// Jumps to `camera`. The up axis does not change, unless `camera` looks along it.
+    /// Moves the camera to `camera` at once. The up direction does not change, unless `camera` looks along it.
     void jumpTo(const Camera& camera);
 
     /// Switches between perspective and parallel projection. Objects at the distance of the target do not change their
-    /// size.
+    /// size on the screen.
     void toggleProjection();
 
-    /// Adapts the speed to the visible depths. The speed follows them within some tenths of a second. `seconds` is the
-    /// time since the last call.
+    /// Adapts the flying speed to the visible depths, within some tenths of a second. `seconds` is the time since the
+    /// last call.
     void see(const SceneDepths& depths, double seconds);
 
-    /// Processes the wheel: four notches double the speed.
+    /// Changes the flying speed by notches of the mouse wheel. Four notches double it.
     void changeSpeed(double notches);
 
-    /// Returns the speed at haste 1 in world units per second: half the geometric mean of the visible depths per
-    /// second, times the factor of the wheel.
+    /// Returns the flying speed without the factor `haste`, in world units per second. It is half the geometric mean of
+    /// the visible depths per second, times the factor of the mouse wheel.
     double speed() const;
 
-    /// Returns the estimated distance of the object that the user looks at: from the last focus, or from the visible
-    /// depths.
+    /// Returns the estimated distance of the object that the user looks at. It comes from the last focus, or from the
+    /// visible depths.
     double distance() const { return pose_.distance; }
 
 private:
-    /// A camera position with angles in the frame of `right_`, `up_` and `front_`.
+    /// The position of a camera and its angles relative to the axes `right_`, `up_` and `front_`.
     struct Pose {
         glm::dvec3 eye{0};
         double yaw = 0;   // 0 looks along front_, pi/2 along right_

@@ -1,4 +1,4 @@
-// Collects the events of the window since the last frame from GLFW's callbacks.
+// Collects the keyboard and mouse events of a window since the last frame, from the callbacks of GLFW.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -17,7 +17,7 @@ struct KeyPress {
     bool withShift = false;
 };
 
-/// A mouse drag since the last frame, in pixels of the framebuffer; x to the right, y down.
+/// A mouse drag since the last frame, in pixels of the framebuffer. x points to the right, and y points down.
 struct Drag {
     int button = 0;    // button code of GLFW
     int modifiers = 0; // GLFW modifier bits at the start of the drag
@@ -25,15 +25,15 @@ struct Drag {
     bool hasBegun = false; // whether the drag started in this frame
 };
 
-/// A click: the left button was released where it was pressed.
+/// A mouse click: the left button was released at the position where it was pressed.
 struct Click {
     glm::dvec2 at{0}; // pixels of the framebuffer
     bool withShift = false;
     std::size_t pressesBefore = 0; // number of key presses before the click since the last frame
 };
 
-/// The keys and the mouse of one window. The object must outlive the callbacks of the window. It must be created before
-/// Dear ImGui, whose callbacks forward events to it.
+/// The keyboard and mouse events of one window. The object must outlive the callbacks of the window. It must be created
+/// before Dear ImGui, whose callbacks forward events to it.
 class Input {
 public:
     explicit Input(GLFWwindow* window);
@@ -43,7 +43,7 @@ public:
     Input(Input&&) = delete;
     Input& operator=(Input&&) = delete;
 
-    /// Starts a new frame: clears presses, drags and wheel of the last frame. Held keys remain held.
+    /// Starts a new frame: forgets the key presses, drags and wheel notches of the last frame. Held keys remain held.
     void beginFrame();
 
     /// Returns true if any event arrived since `beginFrame`, including mouse movements.
@@ -51,7 +51,7 @@ public:
 
     const std::vector<KeyPress>& presses() const { return presses_; }
 
-    /// Returns true if `key` is held or was pressed since the last frame. A short tap therefore counts for one frame.
+    /// Returns true if `key` is held, or was pressed since the last frame. A short tap therefore counts for one frame.
     bool isHeld(int key) const;
 
     bool isHeldControl() const;
@@ -62,19 +62,19 @@ public:
 
     double wheel() const { return wheel_; }
 
-    /// Returns true if the left button was clicked twice in a row at one place.
+    /// Returns true if the left mouse button was clicked twice in a row at one position.
     bool hasDoubleClicked() const { return hasDoubleClicked_; }
 
-    /// Returns the position of the cursor in pixels of the framebuffer, from the upper left corner.
+    /// Returns the position of the mouse cursor in pixels of the framebuffer, from the upper left corner.
     glm::dvec2 cursor() const { return cursor_; }
 
     const std::vector<std::string>& dropped() const { return dropped_; }
 
-    /// Returns true if the content scale changed since the last frame.
+    /// Returns true if the content scale (pixels per point) of the window changed since the last frame.
     bool hasNewScale() const { return hasNewScale_; }
 
-    /// Sets whether the mouse is over an element of the panel that uses its clicks. The caller must set this before the
-    /// events of the frame arrive.
+    /// Sets whether the mouse is over an element of the panel that uses its clicks. Must be called before the events of
+    /// the frame arrive.
     void setMouseTaken(bool isTaken) { isMouseTaken_ = isTaken; }
 
 private:

@@ -1,4 +1,4 @@
-// The table of all keys of the window. It dispatches key presses and generates the help.
+// The table of all keys of the window. It maps key presses to actions, and the help is generated from it.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace gnomon::viewer {
 
-/// The action of a key. The `value` of a binding selects a variant or an amount.
+/// The action that a key triggers. The `value` of the key's binding selects a variant or an amount.
 enum class Action : std::uint8_t {
     Fly, // while the key is held; value is a Way
     Focus,
@@ -43,7 +43,7 @@ enum class Action : std::uint8_t {
 /// The directions of flight.
 enum class Way : std::uint8_t { Forward, Back, Left, Right, Down, Up };
 
-/// A key, with or without Shift, and its action.
+/// Binds a key, with or without Shift, to an action.
 struct Binding {
     int key = 0; // key code of GLFW
     bool withShift = false;
@@ -54,10 +54,10 @@ struct Binding {
     std::string setting{}; // for StepSetting: a name in the table of settings
 };
 
-/// Returns all bindings in the order of the help.
+/// Returns all key bindings in the order of the help.
 std::span<const Binding> bindings();
 
-/// A mouse gesture and its effect, for the help.
+/// A mouse gesture and its effect, as the help shows them.
 struct MouseUse {
     const char* gesture;
     const char* help;
@@ -66,11 +66,11 @@ struct MouseUse {
 /// Returns all mouse gestures in the order of the help.
 std::span<const MouseUse> mouseUses();
 
-/// Returns the bindings and mouse gestures as lines of text.
+/// Returns the help text of the window: all key bindings and mouse gestures, one per line.
 std::string keysForPeople();
 
-/// Returns the binding of `key`. A key without a binding for Shift uses its plain binding, because Shift also makes
-/// flights faster.
+/// Returns the binding of `key`. If there is no binding with Shift, returns the binding without Shift, because Shift
+/// also makes flights faster.
 const Binding* bindingOf(int key, bool withShift);
 
 } // namespace gnomon::viewer

@@ -1,4 +1,5 @@
-// Moves section planes with the mouse: the plane under the cursor follows it. Also creates boxes of six sections.
+// Moves section planes with the mouse, so that the plane under the cursor follows it. Also creates boxes of six
+// sections.
 #pragma once
 
 #include "core/box.h"
@@ -11,20 +12,20 @@
 
 namespace gnomon::viewer {
 
-/// Returns six sections around `bounds` (world space). They cut off nothing until they are moved.
+/// Returns six section planes around `bounds` (world space). They remove no geometry until the user moves them.
 std::vector<settings::Section> sectionBox(const Box& bounds);
 
-/// Returns a description of the cut by a section of a model within `bounds`.
+/// Returns a text that says where a section plane cuts a model with the bounds `bounds`.
 std::string sectionInWords(const settings::Section& section, const Box& bounds);
 
-/// The drag of a section plane along its normal.
+/// A mouse drag that moves a section plane along its normal.
 class SectionDrag {
 public:
-    /// Moves a plane along its normal. At the start of a drag it selects the plane nearest to the surface point under
-    /// the cursor, or the last plane if there is no surface. The selected point then follows the cursor, as far as the
-    /// direction of the normal permits. If the camera looks along the normal, moving the cursor up moves the plane in
-    /// the direction of its normal. The plane stays within `bounds`. `sections` must not be empty, and `size` is the
-    /// image size in pixels.
+    /// Moves a section plane along its normal. At the start of a drag it selects the plane nearest to the surface point
+    /// under the cursor, or the last plane if there is no surface. The selected point then follows the cursor, as far
+    /// as the direction of the normal permits. If the camera looks along the normal, moving the cursor up moves the
+    /// plane in the direction of its normal. The plane stays within `bounds`. `sections` must not be empty, and `size`
+    /// is the image size in pixels.
     void drag(
         const Drag& drag,
         const DragScene& scene,
@@ -33,7 +34,7 @@ public:
         const Box& bounds,
         std::vector<settings::Section>& sections);
 
-    /// Returns the index of the selected plane.
+    /// Returns the index of the section plane that the drag moves.
     std::size_t held() const { return held_; }
 
 private:

@@ -1,4 +1,4 @@
-// Applies keys to the settings.
+// Applies key presses to the settings of the window.
 #pragma once
 
 #include "core/box.h"
@@ -10,16 +10,17 @@
 
 namespace gnomon::viewer {
 
-/// Shows or hides the element of `binding`. Returns false if the binding has another purpose.
+/// Shows or hides the element of the window that `binding` names. Returns false if the key has another purpose.
 bool changeShown(const Binding& binding, ViewSettings& settings);
 
-/// Applies the quality step of `binding` and returns a description of the new value. Returns nothing if the binding has
-/// another purpose.
+/// Changes the quality setting that `binding` names by its step. Returns a description of the new value, or nullopt if
+/// the key has another purpose.
 std::optional<std::string> changeQuality(const Binding& binding, settings::Settings& settings);
 
-/// Changes the sections of a model within `bounds` (world space): removes all, adds a horizontal one at half height,
-/// adds a box of six, or moves the most horizontal one along `up`. Geometry above the horizontal section is cut off.
-/// Returns a description of the new value, or nothing if `binding` has another purpose.
+/// Changes the section planes of a model within `bounds` (world space). Depending on `binding` it removes all planes,
+/// adds a horizontal one at half height, adds a box of six, or moves the most horizontal one along `up`. A horizontal
+/// plane removes the geometry above it. Returns a description of the new value, or nullopt if the key has another
+/// purpose.
 std::optional<std::string> changeSection(
     const Binding& binding, settings::Settings& settings, const Box& bounds, const glm::dvec3& up);
 

@@ -1,12 +1,12 @@
-// Dear ImGui for a window: its context, style and frames.
+// Connects Dear ImGui to a window: its context, style and frames.
 #pragma once
 
 struct GLFWwindow;
 
 namespace gnomon::viewer {
 
-/// Dear ImGui for one window, whose context must be current. Its callbacks forward events to the previously installed
-/// callbacks.
+/// The Dear ImGui context of one window, whose OpenGL context must be current. Its callbacks also call the callbacks
+/// that were installed before.
 class ImGuiLayer {
 public:
     explicit ImGuiLayer(GLFWwindow* window);
@@ -16,12 +16,12 @@ public:
     ImGuiLayer(ImGuiLayer&&) = delete;
     ImGuiLayer& operator=(ImGuiLayer&&) = delete;
 
-    /// Adapts fonts and distances to the scale of the screen.
+    /// Adapts fonts and distances of the user interface to the scale of the screen.
     void rescale();
 
-    /// Begins a frame. All elements must be described between beginFrame and endFrame.
+    /// Begins a frame of Dear ImGui. All user interface elements must be submitted between beginFrame and endFrame.
     void beginFrame();
-    /// Draws the described elements into the current framebuffer.
+    /// Draws the submitted user interface elements into the current framebuffer.
     void endFrame();
 
     bool wantsMouse() const;

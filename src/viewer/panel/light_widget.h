@@ -1,5 +1,5 @@
-// The light widget: the user drags the light over a hemisphere that is coloured by the storage factor of each
-// direction.
+// The light widget: a disc over which the user drags the light. Its colours show the storage factor (texels per pixel
+// that shadow maps need) of each light direction.
 #pragma once
 
 #include "frame/renderer.h"
@@ -7,8 +7,8 @@
 
 namespace gnomon::viewer {
 
-/// Describes the widget for Dear ImGui. `frame` provides the depth range and the scheme. Returns true if the user
-/// changed `towardsLight`.
+/// Submits the light widget to Dear ImGui. `frame` provides the depth range and the shadow scheme. Returns true if the
+/// user changed `towardsLight`.
 bool drawLightWidget(const frame::Frame* frame, const Camera& camera, TexelPlot& plot, glm::dvec3& towardsLight);
 
 } // namespace gnomon::viewer

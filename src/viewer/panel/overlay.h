@@ -1,15 +1,16 @@
-// Draws the overlay over the image: statistics, graph, panel, help, messages and wire frames.
+// Draws the user interface over the image: statistics, graph, panel, help, messages and wire frames.
 #pragma once
 
 #include "viewer/panel/overlay_content.h"
 
 namespace gnomon::viewer {
 
-/// Fills the window with `picture`, blended with the current content. Must be called between ImGuiLayer's beginFrame
-/// and endFrame.
+/// Fills the window with `picture`, blended over its current content. Must be called between beginFrame and endFrame of
+/// ImGuiLayer.
 void drawPicture(const ShownPicture& picture);
 
-/// Describes all elements that `settings` enable. Must be called between ImGuiLayer's beginFrame and endFrame.
+/// Submits to Dear ImGui all user interface elements that `settings` enable, and returns the user's response. Must be
+/// called between beginFrame and endFrame of ImGuiLayer.
 OverlayAnswer drawOverlay(const OverlayContent& content, ViewSettings& settings, TexelPlot& plot);
 
 } // namespace gnomon::viewer

@@ -1,4 +1,4 @@
-// The input of the overlay, and the user's response to it.
+// The data that the user interface over the image shows, and the user's response to it.
 #pragma once
 
 #include "viewer/input/key_table.h"
@@ -17,7 +17,7 @@
 
 namespace gnomon::viewer {
 
-/// The data that the overlay shows.
+/// The data that the user interface over the image shows.
 struct OverlayContent {
     const Scene* scene = nullptr; // null: no model is open
     Camera camera;                // camera of the image
@@ -36,7 +36,7 @@ struct OverlayContent {
     std::string buildOf;
 };
 
-/// The user's response with the mouse.
+/// The user's response to the user interface with the mouse.
 struct OverlayAnswer {
     bool hasChanged = false;     // a setting has changed
     bool isUnfinished = false;   // another frame would show more

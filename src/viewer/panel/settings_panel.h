@@ -1,12 +1,12 @@
-// The panel for settings with the mouse: scheme, texels, detail, overlay, light.
+// The panel with which the user changes settings by mouse: shadow scheme, texels, detail, overlay, light.
 #pragma once
 
 #include "viewer/panel/overlay_content.h"
 
 namespace gnomon::viewer {
 
-/// Describes the panel in the upper right corner. Must be called between ImGuiLayer's beginFrame and endFrame, with an
-/// open model.
+/// Submits the panel in the upper right corner to Dear ImGui. A model must be open. Must be called between beginFrame
+/// and endFrame of ImGuiLayer.
 OverlayAnswer drawPanel(const OverlayContent& content, ViewSettings& settings, TexelPlot& plot);
 
 } // namespace gnomon::viewer

@@ -1,4 +1,5 @@
-// Wire frames of convex volumes such as the view frustum: their edges, and the projection of the edges onto an image.
+// Computes wire frames of convex volumes such as the view frustum: their edges, and the projection of the edges onto
+// an image.
 #pragma once
 
 #include "core/camera.h"
@@ -13,17 +14,17 @@ namespace gnomon::viewer {
 
 using Segment = std::array<glm::dvec3, 2>;
 
-/// Returns the edges of the intersection of `volume` and `limit`. An edge is the part of the intersection line of two
-/// planes that is inside all other planes. Coincident planes produce an edge repeatedly.
+/// Returns the edges of the intersection of the convex volumes `volume` and `limit`. An edge is the part of the
+/// intersection line of two planes that is inside all other planes. Coincident planes produce an edge repeatedly.
 std::vector<Segment> edges(const ConvexVolume& volume, const ConvexVolume& limit);
 
-/// Returns the planes of `box`.
+/// Returns the convex volume of the six planes of `box`.
 ConvexVolume volumeOf(const Box& box);
 
-/// Converts a volume from camera space to world space.
+/// Transforms a convex volume from the camera space of `camera` to world space.
 ConvexVolume inWorld(const ConvexVolume& volume, const Camera& camera);
 
-/// The wire frame of a volume of the plan, in world space.
+/// The wire frame of a volume that the plan of a frame uses, in world space.
 struct PlanVolume {
     enum class Kind : std::uint8_t { View, Partition, Casters };
     Kind kind = Kind::View;
@@ -31,11 +32,12 @@ struct PlanVolume {
     std::vector<Segment> edges;
 };
 
-/// Returns the part of the view with guaranteed shadow resolution, each partition, and the volume of the casters of
-/// each partition. All are clipped to `bounds` and the eye.
+/// Returns wire frames of the volumes that `plan` uses: the part of the view with guaranteed shadow resolution, each
+/// partition of the view, and the volume of the shadow casters of each partition. All are clipped to `bounds` and the
+/// eye.
 std::vector<PlanVolume> planVolumes(const plan::FramePlan& plan, const Box& bounds);
 
-/// An image that segments are projected onto.
+/// The camera and the size of an image onto which line segments are projected.
 struct PictureFrame {
     Camera camera;
     int width = 1; // pixels
@@ -44,8 +46,8 @@ struct PictureFrame {
 
 using PixelSegment = std::array<glm::dvec2, 2>;
 
-/// Projects `segments` (world space) onto `frame`, in pixels from its upper left corner. They are clipped at a plane
-/// just in front of the eye.
+/// Projects the world-space `segments` onto an image. The results are in pixels from the upper left corner of `frame`.
+/// The segments are clipped at a plane just in front of the eye.
 std::vector<PixelSegment> onPicture(std::span<const Segment> segments, const PictureFrame& frame);
 
 } // namespace gnomon::viewer

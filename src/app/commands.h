@@ -27,21 +27,21 @@ struct CommonOptions {
 /// Adds `--threads` and `--progress` to `command`.
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// Yes: the command calls Progress::advance often, and an exception from there stops it. No: a signal ends the process
-/// at once.
+/// Tells whether a command can stop in the middle. Yes: the command calls Progress::advance often, and an exception
+/// from there stops it. No: a signal ends the process at once.
 enum class Polling : std::uint8_t { No, Yes };
 
-/// Returns the progress display of `options`, which writes to stderr. With Polling::Yes, the first Ctrl-C makes
-/// `advance` throw gnomon::Interrupted.
+/// Returns the progress display that `options` select, which writes to stderr. With Polling::Yes, its `advance` throws
+/// gnomon::Interrupted after the first Ctrl-C.
 std::unique_ptr<Progress> makeProgress(const CommonOptions& options, Polling polling = Polling::Yes);
 
-/// Returns a validator for memory sizes such as 512M or 2G.
+/// Returns a validator for memory sizes on the command line, such as 512M or 2G.
 CLI::Validator memorySize();
 
-/// Adds --cacert and --http-cache, the options for models on servers.
+/// Adds --cacert and --http-cache, the options for models on web servers.
 void addServerOptions(CLI::App& command);
 
-/// Adds the argument MODEL, the path or address of a .gnm file, and the options for servers.
+/// Adds the argument MODEL, the path or web address of a .gnm file, and the options for web servers.
 void addModel(CLI::App& command, std::string& model);
 
 void addBenchCommand(CLI::App& program);
@@ -50,7 +50,7 @@ void addBenchCommand(CLI::App& program);
 using BuildBy = std::function<std::optional<pipeline::BuildReport>(
     read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress)>;
 
-/// Adds `gnomon build`. `buildBy` builds the model; without it, this process builds the model alone.
+/// Adds the command `gnomon build`. `buildBy` builds the model. Without it, this process builds the model alone.
 void addBuildCommand(CLI::App& program, const BuildBy& buildBy = {});
 void addExplainCommand(CLI::App& program);
 void addExportCommand(CLI::App& program);
@@ -61,8 +61,8 @@ void addMeasureCommand(CLI::App& program);
 void addPathCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 
-/// Adds `gnomon sun`. With `team`, the command has only the subcommand `hours`, which the processes of the team compute
-/// together. Otherwise it has all subcommands, and only this process computes.
+/// Adds the command `gnomon sun`. With `team`, it has only the subcommand `hours`, which all processes of the team
+/// compute together. Otherwise it has all subcommands, and this process computes alone.
 void addSunCommand(CLI::App& program, const std::shared_ptr<task::SunHoursTeam>& team = {});
 void addTheoryCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);

@@ -1,12 +1,12 @@
-// A min stack size of 8 MiB for the main thread and all threads that it starts.
+// Ensures a stack of at least 8 MiB for the main thread and all threads that it starts.
 #pragma once
 
 #include <functional>
 
 namespace gnomon::app {
 
-/// Runs `work` and returns its result. If the user's limit for stacks (`ulimit -s`) is below 8 MiB, `work` runs on a
-/// thread with a stack of 8 MiB. All threads that are started later then have stacks of this size too.
+/// Runs `work` on a stack of at least 8 MiB and returns its result. If the user's limit for stacks (`ulimit -s`) is
+/// lower, `work` runs on a new thread. All threads that are started later then have stacks of 8 MiB too.
 int onLargeStack(const std::function<int()>& work);
 
 } // namespace gnomon::app

@@ -1,11 +1,12 @@
-// Errors about limits, with the options of the command line that set them.
+// Adds the names of command-line options to errors about limits.
 #pragma once
 
 #include "core/limit_error.h"
 
 namespace gnomon::app {
 
-/// Returns `error` with the names of the options that set its limits, such as --memory.
+/// Returns `error` with the names of the options that set its limits, such as --memory, so that the user can change
+/// them.
 Error inOptions(const LimitError& error);
 
 } // namespace gnomon::app

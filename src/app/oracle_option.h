@@ -1,4 +1,4 @@
-// The option --oracle of the commands render and bench.
+// The option --oracle of the commands render and bench, which compares shadows with the ground truth.
 #pragma once
 
 #include "app/commands.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::app {
 
-/// Adds `--oracle` to `command`: the ground truth with which shadows are compared. `groundTruth` must exist until the
-/// command line is parsed.
+/// Adds the option `--oracle` to `command`. It selects the ground truth with which shadows are compared. `groundTruth`
+/// must exist until the command line is parsed.
 void addOracleOption(CLI::App& command, validation::GroundTruth& groundTruth);
 
 } // namespace gnomon::app

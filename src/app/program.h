@@ -1,4 +1,4 @@
-// A program with subcommands, and the conversion of errors to exit codes.
+// Runs a program with subcommands, and converts errors to exit codes.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace gnomon::app {
 
-/// The name and the subcommands of a program.
+/// The name and the subcommands of a command-line program.
 struct Program {
     const char* name;
     const char* description;
@@ -16,11 +16,12 @@ struct Program {
     bool isSilent = false;                                // true: another process prints help and version
 };
 
-/// Parses the command line and runs the chosen command. Throws UsageError and the exceptions of the command.
+/// Parses the command line and runs the subcommand that the user chose. Throws UsageError and the exceptions of the
+/// subcommand.
 void runProgram(const Program& about, int argc, char** argv);
 
-/// Runs `work` and returns the exit code: 0 for success, 2 for a UsageError, and 1 for all other exceptions. Prints the
-/// message of an exception to stderr, in one line.
+/// Runs `work` and returns the exit code of the program: 0 for success, 2 for a UsageError, and 1 for all other
+/// exceptions. Prints the message of an exception to stderr, in one line.
 int exitCodeOf(const std::function<void()>& work);
 
 } // namespace gnomon::app

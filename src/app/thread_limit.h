@@ -1,4 +1,4 @@
-// Applies the option --threads during the lifetime of an object.
+// Limits the number of worker threads, for the option --threads.
 #pragma once
 
 #include "app/commands.h"
@@ -9,13 +9,13 @@
 
 namespace gnomon::app {
 
-/// Limits the worker threads of TBB to the number of `--threads` while the object exists. 0 means no limit. The limit
-/// excludes threads that load pages, because they mostly wait.
+/// Limits the worker threads of TBB to the number of `--threads` while the object exists. 0 means no limit. Threads
+/// that load pages are not limited, because they mostly wait.
 class ThreadLimit {
 public:
     explicit ThreadLimit(const CommonOptions& options);
 
-    /// Returns the max number of threads that can work now, with or without a limit.
+    /// Returns the max number of worker threads, with or without a limit.
     static int current();
 
 private:

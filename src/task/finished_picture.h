@@ -1,4 +1,4 @@
-// A finished picture: the mean of the requested number of frames.
+// Draws a picture as the mean of several frames.
 #pragma once
 
 #include "core/progress.h"
@@ -11,7 +11,7 @@
 
 namespace gnomon::task {
 
-/// The picture of one view. After it is drawn, the backend of the session still contains its last frame.
+/// The finished picture of one view. After it is drawn, the backend of the session still contains the last frame.
 struct FinishedPicture {
     frame::Frame frame; // first frame, whose samples are at the centres of the pixels
     render::Picture picture;
@@ -31,10 +31,10 @@ struct PictureRequest {
 /// picture fits into the memory of the session.
 std::vector<render::ImageRows> bandsOf(Session& session, const PictureRequest& request);
 
-/// Draws the frames of the picture and returns their mean. If the number of samples is above 1 and the plan requires
-/// more light directions than samples, draws one frame per light direction. A picture that does not fit into the memory
-/// of the session is drawn in bands, with the same bytes as result. `progress` advances by the number of samples in
-/// total. The caller sets its stage.
+/// Draws the frames of a picture and returns their mean. If more than one sample is requested, and the plan needs more
+/// light directions than samples, draws one frame per light direction. A picture that does not fit into the memory of
+/// the session is drawn in bands of rows, with the same bytes as result. `progress` advances by the number of samples
+/// in total. The caller sets its stage.
 FinishedPicture drawFinished(Session& session, const PictureRequest& request, Progress& progress);
 
 } // namespace gnomon::task

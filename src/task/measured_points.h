@@ -1,4 +1,4 @@
-// Measures of points without a window. The points are given by coordinates or by pixels of a view.
+// Measures points of a model without a window. The points are given by coordinates or by pixels of a view.
 #pragma once
 
 #include "inspect/measures.h"
@@ -10,8 +10,8 @@
 
 namespace gnomon::task {
 
-/// The points to measure. If `pixels` is empty, the points are `points`. Otherwise they are the surface points at the
-/// centres of `pixels` in the view of `settings`.
+/// The points of a model to measure. If `pixels` is empty, the points are `points`. Otherwise they are the surface
+/// points that the centres of `pixels` show in the view of `settings`.
 struct PointTask {
     std::string model;
     settings::Settings settings;
@@ -21,14 +21,14 @@ struct PointTask {
     bool takesVertices = false;     // uses the nearest vertex of the drawn triangle instead of the surface point
 };
 
-/// The measured points, and the model that they refer to.
+/// The measurements between points, and the model to which they refer.
 struct MeasuredPoints {
     inspect::Surveyed of;
     inspect::Measure measure;
 };
 
-/// Measures the points of `task`. Throws Error if a pixel shows the background, or if a point is too far from the model
-/// for its grid (more than 2^39 steps).
+/// Measures the points of `task` and returns the results. Throws Error if a pixel shows the background, or if a point
+/// is too far from the model for its grid (more than 2^39 steps).
 MeasuredPoints measurePoints(const PointTask& task);
 
 } // namespace gnomon::task

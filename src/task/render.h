@@ -1,4 +1,5 @@
-// Pictures of a model: one picture with its additional files, or a series along a path or around the model.
+// Draws pictures of a model: one picture with its additional files, or a series along a camera path or around the
+// model.
 #pragma once
 
 #include "core/progress.h"
@@ -12,7 +13,7 @@
 
 namespace gnomon::task {
 
-/// The values of a render after all defaults and automatic choices.
+/// The input of `gnomon render` after all defaults and automatic choices.
 struct RenderTask {
     std::string model;
     settings::Settings settings; // settings of the view and of the memory
@@ -27,11 +28,11 @@ struct RenderTask {
     std::function<void(const std::string& bytes)> stream; // receives the bytes of a series with the output "-"
 };
 
-/// Returns the task of `request`. Rejects contradictions, reads the cameras, and chooses quality, samples and backend.
-/// Throws UsageError and Error.
+/// Converts the options of `request` to a task for `render`. Rejects contradictions, reads the cameras, and chooses
+/// quality, samples and backend. Throws UsageError and Error.
 RenderTask renderTask(settings::Request request);
 
-/// Draws the pictures of `task`. Each file appears when it is complete. Throws Error.
+/// Draws and writes the pictures of `task`. Each file appears when it is complete. Throws Error.
 void render(const RenderTask& task, Progress& progress);
 
 } // namespace gnomon::task

@@ -1,4 +1,4 @@
-// A session: an open model with the backend and the renderer for the settings of a command.
+// An open model, with the backend and the renderer that the options of a command request.
 #pragma once
 
 #include "frame/renderer.h"
@@ -12,19 +12,19 @@
 
 namespace gnomon::task {
 
-/// Returns the backend for `command`, which draws `pictures` pictures. Searches for a GPU only if the backend is `auto`
-/// and could be a GPU.
+/// Returns the backend for `command`, which draws `pictures` pictures. Searches for a GPU only if the user requests
+/// `auto` and a GPU could be chosen.
 settings::BackendChoice backendFor(
     const settings::Settings& settings, settings::DrawingCommand command, int pictures = 1);
 
-/// Returns the text of a warning that frames exceed their error or lack pages. It names the options that change this.
+/// Returns the warning that frames exceed their requested error or lack pages. It names the options that change this.
 /// Returns an empty text if `shortfall` is empty.
 std::string shortfallLine(const telemetry::Shortfall& shortfall);
 
-/// A model, its backend and its renderer.
+/// An open model, with the backend and the renderer that draw it.
 class Session {
 public:
-    /// Opens the model and makes `backend`, which must not be Window. If the backend was chosen automatically and its
+    /// Opens the model and creates `backend`, which must not be Window. If the backend was chosen automatically and its
     /// GPU cannot be used, the software backend draws. Calls `warn` with one line for each damaged page and for each
     /// GPU that cannot be used.
     Session(
@@ -33,7 +33,7 @@ public:
         const std::function<void(const std::string&)>& warn,
         settings::Backend backend);
 
-    /// Opens the model and chooses the backend for one picture.
+    /// Opens the model and chooses the backend for drawing one picture.
     Session(
         const std::string& modelPath,
         const settings::Settings& settings,
@@ -54,7 +54,7 @@ public:
 
     frame::Renderer& renderer() { return renderer_; }
 
-    /// Calls `warn` with one line if frames since the last call exceeded their error or lacked pages.
+    /// Calls `warn` with one line if frames since the last call exceeded their requested error or lacked pages.
     void tellShortfall();
 
 private:

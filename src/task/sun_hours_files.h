@@ -1,4 +1,4 @@
-// The output files for the sun hours of a view: picture, PFM, CSV and page.
+// Writes the sun hours of an image: as a picture, PFM, CSV and HTML page.
 #pragma once
 
 #include "render/overlay/legend.h"
@@ -9,28 +9,28 @@
 
 namespace gnomon::task {
 
-/// A writer of the output files. All arguments of the constructor must outlive it. Each file appears when it is
-/// complete. All functions that write throw Error.
+/// Writes the output files of a sun hours computation. All arguments of the constructor must outlive the object. Each
+/// file appears when it is complete. All functions that write throw Error.
 class SunHoursFiles {
 public:
     SunHoursFiles(
         const sun::SunView& view, const sun::LitSteps& lit, const SunHoursRun& run, const sun::SunPeriod& period);
 
-    /// Writes a PNG with hours as colours and a legend. The colour scale goes from 0 to the hours in which the Sun is
-    /// up.
+    /// Writes a PNG that shows the sun hours as colours, with a legend. The colour scale goes from 0 to the hours in
+    /// which the Sun is above the horizon.
     void writePicture(const std::string& path) const;
 
-    /// Writes the hours per pixel as a PFM. The background is -1.
+    /// Writes the sun hours of each pixel as a PFM. Pixels of the background are -1.
     void writePfm(const std::string& path) const;
 
     /// Writes a CSV with one row per pixel that shows the model. A row contains column and row from the upper left, the
-    /// point in the coordinates of the source, the number of steps and the hours with sun. The last two columns are the
-    /// times of the first and the last step with sun (the middle of the step).
+    /// point in the coordinates of the source, and the number of time steps and of hours with sun. The last two columns
+    /// are the times of the first and the last step with sun (the middle of the step).
     void writeCsv(const std::string& path) const;
 
-    /// Writes index.html: hours as colours, with a slider over the times. Surfaces in shadow at the chosen time are
-    /// darker. The slider has at most 400 of the steps in which the Sun is up, evenly chosen. `errors` are sentences
-    /// about the errors of the hours.
+    /// Writes index.html, which shows the sun hours as colours, with a slider over the times of day. Surfaces in shadow
+    /// at the chosen time are darker. The slider has at most 400 of the time steps in which the Sun is above the
+    /// horizon, evenly chosen. `errors` are sentences about the errors of the hours.
     void writePage(const std::string& folder, const std::string& model, const std::vector<std::string>& errors) const;
 
 private:

@@ -1,4 +1,4 @@
-// Sun hours of points from a file, or of the vertices of a model.
+// Computes the sun hours of points from a file, or of all vertices of a model.
 #pragma once
 
 #include "core/progress.h"
@@ -6,8 +6,8 @@
 
 namespace gnomon::task {
 
-/// Computes the sun hours of the points or vertices of `task` and writes its file. Returns nullopt in all ranks of an
-/// MPI job except rank 0. Throws Error and UsageError.
+/// Computes the sun hours of the points or vertices of `task` and writes the output file. Returns nullopt in all ranks
+/// of an MPI job except rank 0. Throws Error and UsageError.
 std::optional<SunHoursSummary> computePointHours(const SunHoursTask& task, Progress& progress);
 
 } // namespace gnomon::task

@@ -1,4 +1,5 @@
-// The steps and the run of a sun hours task, for the pixels of a view as well as for points. A log makes it resumable.
+// Runs a sun hours computation over all time steps, for the pixels of an image or for points. A log makes it
+// resumable.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -7,40 +8,42 @@
 
 namespace gnomon::task {
 
-/// Returns "x,y,z" with the shortest text of each number that reads back as the same value.
+/// Returns a point as "x,y,z". Each number has the shortest text that reads back as the same value.
 std::string textOf(const glm::dvec3& point);
 
-/// Returns the time steps in the period of the task, with the direction of the Sun in a world with this up direction.
-/// Throws Error if the Sun is down in all steps.
+/// Returns the time steps in the period of the task, with the direction of the Sun in a world whose up direction is
+/// `up`. Throws Error if the Sun is below the horizon in all steps.
 std::vector<sun::SunStep> stepsOf(const SunHoursTask& task, const glm::dvec3& up);
 
-/// Returns a text that identifies the sections of a view. It is empty for a view without sections.
+/// Returns a text that identifies the section planes of a view, for the key of a log. It is empty for a view without
+/// sections.
 std::string keyOfSections(const plan::View& view);
 
-/// A run that tests receivers against the Sun in all steps.
+/// Tests points of a model for sunlight in all time steps of a period.
 class SunHoursRun {
 public:
-    /// Starts a run. `key` identifies the receivers within the model. The logs are in the folder of the first output of
-    /// the task. Throws Error.
+    /// Starts a computation. `key` identifies the tested points within the model. The logs are in the folder of the
+    /// first output of the task. Throws Error.
     SunHoursRun(const SunHoursTask& task, std::vector<sun::SunStep> steps, const std::string& key);
 
     const std::vector<sun::SunStep>& steps() const { return steps_; }
 
-    /// Tests `receivers` in all steps, together with all ranks of the task's team. Reads the steps that the logs
-    /// already contain. Returns nullptr in all ranks except rank 0. The result is valid while this object exists.
+    /// Tests `receivers` for sunlight in all time steps, together with all ranks of the task's team. Steps that the
+    /// logs already contain are read from there. Returns nullptr in all ranks except rank 0. The result is valid while
+    /// this object exists.
     const sun::LitSteps* decide(sun::Receivers& receivers, Progress& progress);
 
-    /// Reads from the logs which receivers light `light` reaches, and sets `isLit` to 0 or 1 per receiver. Call this
-    /// after `decide`. Throws Error if no log contains the light.
+    /// Reads from the logs which receivers the light direction `light` reaches, and sets `isLit` to 0 or 1 per
+    /// receiver. Must be called after `decide`. Throws Error if no log contains this light.
     void readLit(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
     double hours(std::uint32_t steps) const { return steps * stepSeconds_ / 3600; }
 
-    /// Returns the values of one receiver for the columns kSunHoursColumns.
+    /// Returns the values of one receiver as a CSV row with the columns kSunHoursColumns.
     std::string row(std::size_t receiver) const;
 
-    /// Removes the logs and returns the summary. Call this after all output files are complete. `detail` is
-    /// SunHoursSummary::detail.
+    /// Removes the logs and returns the summary of the computation. Must be called after all output files are complete.
+    /// `detail` is SunHoursSummary::detail.
     SunHoursSummary finish(std::size_t receivers, std::string detail);
 
 private:
@@ -56,7 +59,7 @@ private:
     sun::LitSteps lit_;
 };
 
-/// The header of the columns that `row` returns.
+/// The header of the CSV columns that `row` returns.
 inline constexpr const char* kSunHoursColumns = "steps,hours,first_sun,last_sun";
 
 } // namespace gnomon::task

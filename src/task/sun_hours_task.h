@@ -1,4 +1,4 @@
-// The task and the summary of a computation of sun hours.
+// The input and the summary of a computation of sun hours.
 #pragma once
 
 #include "settings/settings.h"
@@ -12,9 +12,9 @@
 
 namespace gnomon::task {
 
-/// The receivers, the period and the output files. An empty path means that the file is not requested. The receivers
-/// are the pixels of a view, the points of a file, or all vertices. For points and vertices, the casters are a uniform
-/// cut.
+/// The input of a sun hours computation: the tested points, the period and the output files. An empty path means that
+/// the file is not requested. The tested points are the pixels of a view, the points of a file, or all vertices. For
+/// points and vertices, shadows are cast by a cut of the model with the same error everywhere.
 struct SunHoursTask {
     SunHoursTeam* team = nullptr; // the processes that compute together
     std::string model;
@@ -31,7 +31,7 @@ struct SunHoursTask {
     bool isResumed = false;      // continues from the logs of an interrupted run, in the folder of the first output
 };
 
-/// The totals of a computation of sun hours, for the output of the command.
+/// The totals of a sun hours computation, which the command prints.
 struct SunHoursSummary {
     std::size_t receivers = 0; // pixels that show the model, points, or vertices
     std::size_t steps = 0;

@@ -1,4 +1,4 @@
-// The processes that compute sun hours together: only this process, or all ranks of an MPI job (src/mpi).
+// The processes that compute sun hours together: this process alone, or all ranks of an MPI job (src/mpi).
 #pragma once
 
 #include "core/progress.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::task {
 
-/// A team of this process only. The team of an MPI job overrides all virtual functions.
+/// A team that contains only this process. The team of an MPI job overrides all virtual functions.
 class SunHoursTeam {
 public:
     SunHoursTeam() = default;
@@ -18,7 +18,7 @@ public:
     SunHoursTeam(SunHoursTeam&&) = delete;
     SunHoursTeam& operator=(SunHoursTeam&&) = delete;
 
-    /// Returns the share of lights that this process computes. Only rank 0 writes files and messages.
+    /// Returns which light directions this process computes. Only rank 0 writes files and messages.
     virtual sun::LightShare share() const { return {}; }
 
     /// Returns true in rank 0.
@@ -28,10 +28,11 @@ public:
     /// model, the lights and the receivers.
     virtual void begin(const std::string& /*key*/, Progress& /*progress*/) {}
 
-    /// Throws Error if another rank failed, and Interrupted if rank 0 ended the job. Called after each light.
+    /// Throws Error if another rank has failed, and Interrupted if rank 0 has ended the job. Called after each light
+    /// direction.
     virtual void poll() {}
 
-    /// Waits for all ranks and adds their results to `lit`. The result is complete in rank 0 only.
+    /// Waits for all ranks and adds their sun hours to `lit`. The result is complete in rank 0 only.
     virtual void combine(sun::LitSteps& /*lit*/, Progress& /*progress*/) {}
 };
 

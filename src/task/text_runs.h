@@ -1,4 +1,4 @@
-// A text file that is written in blocks of about 1 MiB.
+// Writes a text file in blocks of about 1 MiB.
 #pragma once
 
 #include "core/file.h"
@@ -13,7 +13,7 @@ class TextRuns {
 public:
     explicit TextRuns(const std::string& path) : file_(path) {}
 
-    /// Appends `line`, which contains its own line break.
+    /// Appends `line` to the file. The line must end with a line break.
     void put(const std::string& line) {
         text_ += line;
         constexpr std::size_t kRun = std::size_t{1} << 20U;

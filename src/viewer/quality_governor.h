@@ -1,5 +1,5 @@
-// The quality governor keeps frames below the target time: it reduces quality while frames take too long, and restores
-// it when there is time.
+// The quality governor keeps the frame time of the window below a target. It reduces the quality while frames take too
+// long, and restores it when there is time.
 #pragma once
 
 #include "plan/frame_plan.h"
@@ -22,12 +22,12 @@ struct QualityLevel {
     bool operator==(const QualityLevel&) const = default;
 };
 
-/// The kinds of quality that the governor can reduce.
+/// The kinds of quality that the quality governor can reduce.
 enum class QualityKind : std::uint8_t { Detail, Slices, Texels, Resolution, Exactness };
 inline constexpr std::size_t kQualityKinds = 5;
 
-/// The errors of a frame's shadows according to its plan, in drawn pixels. A value is missing if there are no maps or
-/// no cheaper plan.
+/// The errors of a frame's shadows in drawn pixels, according to the plan of the frame. A value is missing if there are
+/// no shadow maps or no cheaper plan.
 struct ShadowErrors {
     std::optional<double> aliasingBound; // max perspective aliasing of this plan
     std::optional<double> fewerSlices;   // aliasing bound with one slice less
@@ -36,10 +36,10 @@ struct ShadowErrors {
     double texelShare = 0; // part of the maps' estimated cost that depends on texels; the rest depends on casters
 };
 
-/// Returns the errors of `plan`. If `withLess` is true, also returns the errors of cheaper plans for the same scene.
+/// Returns the shadow errors of `plan`. If `withLess` is true, also returns those of cheaper plans for the same scene.
 ShadowErrors shadowErrors(const plan::FramePlan& plan, const plan::SceneFacts& facts, bool withLess);
 
-/// The measured times and counts of a frame.
+/// The measured times and triangle counts of a frame.
 struct FrameLoad {
     double milliseconds = 0; // time of the whole frame
     double imageMs = 0;
@@ -50,37 +50,39 @@ struct FrameLoad {
     ShadowErrors errors;
 };
 
-/// Reduces the quality in steps. A step is half an octave of the error in pixels, one slice, half of the texels, half
-/// of the pixels (down to half of the resolution), or shadow maps in place of exact shadows. The governor selects the
-/// step with the smallest error per saved time. Errors are in pixels of the window. The errors of detail and resolution
-/// are known; the errors of shadow maps are the aliasing bounds of the plan. Saved times follow from the measured times
-/// and counts of the stages. The governor learns how many triangles a coarser cut saves, because many small parts do
-/// not become fewer. It compares the times of exact shadows and of maps when one kind follows the other. Two
-/// consecutive frames above the target cause a step. Twelve frames that would stay below the target cause a step back.
-/// A single slow frame changes nothing. The result depends only on the measured values, not on a clock.
+/// Reduces the quality of frames in steps. A step is half an octave of the error in pixels, one slice, half of the
+/// texels, half of the pixels (down to half of the resolution), or shadow maps in place of exact shadows. The governor
+/// selects the step with the smallest error per saved time. Errors are in pixels of the window. The errors of detail
+/// and resolution are known. The error of shadow maps is the max perspective aliasing of the plan. Saved times follow
+/// from the measured times and counts of the stages. The governor learns how many triangles a coarser level of detail
+/// saves, because many small parts do not become fewer. It compares the times of exact shadows and of maps when one
+/// kind follows the other. Two consecutive frames above the target cause a step. Twelve frames that would stay below
+/// the target cause a step back. A single slow frame changes nothing. The result depends only on the measured values,
+/// not on a clock.
 class QualityGovernor {
 public:
-    /// Processes a frame that was drawn with `level(wanted)`. `target` is in milliseconds, above 0.
+    /// Updates the quality after a frame that was drawn with `level(wanted)`. `target` is the target frame time in
+    /// milliseconds, above 0.
     void measure(const FrameLoad& load, double target, const QualityLevel& wanted);
 
-    /// Restores full quality.
+    /// Restores the full quality that the user chose.
     void relax();
 
-    /// Returns the quality to draw with if the user chose `wanted`.
+    /// Returns the quality for the next frame: `wanted`, which the user chose, with all present reductions.
     QualityLevel level(const QualityLevel& wanted) const;
 
-    /// Returns a description of the reductions, for example "detail 1 -> 2.8 px, slices 4 -> 3, texels 2048x2048 ->
-    /// 1448x1448, resolution 71%". Returns an empty text at full quality.
+    /// Returns a text that lists the present reductions, for example "detail 1 -> 2.8 px, slices 4 -> 3, texels
+    /// 2048x2048 -> 1448x1448, resolution 71%". The text is empty at full quality.
     std::string reductions(const QualityLevel& wanted) const;
 
-    /// Returns true if no further step would save time and the last frames exceeded the target.
+    /// Returns true if the last frames exceeded the target time and no further reduction of quality would save time.
     bool isExhausted() const { return isExhausted_; }
 
 private:
     using Steps = std::array<int, kQualityKinds>;
 
-    /// A step of one kind of quality. A reduction adds `error` and saves `milliseconds`. A step back removes `error`
-    /// and adds `milliseconds`.
+    /// A step of one kind of quality. As a reduction, it adds `error` and saves `milliseconds` per frame. As a step
+    /// back, it removes `error` and adds `milliseconds`.
     struct Change {
         QualityKind kind = QualityKind::Detail;
         double error = 0;        // pixels

@@ -1,5 +1,5 @@
-// The redraw scheduler of the window. It draws the scene until the image is at rest after a change, and the overlay
-// until its layout is complete.
+// Decides whether the window must draw another frame. After a change, the scene is drawn until the image is at rest,
+// and the user interface until its layout is complete.
 #pragma once
 
 #include "telemetry/frame_row.h"
@@ -9,10 +9,10 @@
 
 namespace gnomon::viewer {
 
-/// The number of frames that the scene and the overlay still need.
+/// Counts the frames of the scene and of the user interface that must still be drawn.
 class RedrawScheduler {
 public:
-    /// Requests scene frames after a change.
+    /// Requests frames of the scene, because the view or a setting has changed.
     void requestScene() {
         sceneFrames_ = kSettlingFrames;
         framesSinceRequest_ = 0;
@@ -20,55 +20,55 @@ public:
         ++changes_;
     }
 
-    /// Returns the number of changes so far.
+    /// Returns how many changes of the scene have been reported.
     std::uint64_t changes() const { return changes_; }
 
-    /// Requests overlay frames after a change of the overlay.
+    /// Requests frames of the user interface, because its content has changed.
     void requestOverlay() { overlayFrames_ = kLayoutFrames; }
 
-    /// Returns true if scene frames are pending.
+    /// Returns true if frames of the scene must still be drawn.
     bool needsScene() const { return sceneFrames_ > 0; }
 
     bool needsOverlay() const { return overlayFrames_ > 0; }
 
-    /// Requests one more scene frame if none is pending.
+    /// Requests one more frame of the scene if none is requested.
     void keepScene() { sceneFrames_ = std::max(sceneFrames_, 1); }
 
-    /// Returns true if the next scene frame is the last one that is requested so far.
+    /// Returns true if only one more frame of the scene is requested.
     bool isLastOfScene() const { return sceneFrames_ == 1; }
 
-    /// Counts a drawn scene frame.
+    /// Removes one frame from the requested frames of the scene, after it is drawn.
     void countScene() {
         sceneFrames_ = std::max(sceneFrames_ - 1, 0);
         ++framesSinceRequest_;
     }
 
-    /// Returns true if a frame may take longer, because nothing has changed for a while: for all but one of the
-    /// settling frames, or for 0.3 s of frame time if `hurries` is true. In the second case the next frame is the last
-    /// one.
+    /// Returns true if a frame may take longer, because nothing has changed for a while. This is the case after all but
+    /// one of the settling frames. If `hurries` is true, 0.3 s of frame time are also sufficient, and the next frame is
+    /// then the last one.
     bool isSettled(bool hurries) const {
         return framesSinceRequest_ >= kSettlingFrames - 1 || (hurries && millisecondsSinceRequest_ >= kSettlingMs);
     }
 
-    /// Skips the pending scene frames before the last one.
+    /// Reduces the requested frames of the scene to at most one.
     void settle() { sceneFrames_ = std::min(sceneFrames_, 1); }
 
-    /// Processes the result of a scene frame. If pages are missing, it requests more frames, unless no page has arrived
-    /// for a long time.
+    /// Requests more frames of the scene if pages are missing in the frame of `row`, unless no page has arrived for a
+    /// long time.
     void update(const telemetry::FrameRow& row);
 
-    /// Cancels scene frames, because the scene cannot be drawn.
+    /// Cancels all requested frames of the scene, because the scene cannot be drawn.
     void stopScene() { sceneFrames_ = 0; }
 
-    /// Counts a drawn overlay frame.
+    /// Removes one frame from the requested frames of the user interface, after it is drawn.
     void countOverlay() { overlayFrames_ = std::max(overlayFrames_ - 1, 0); }
 
-    /// Requests one more overlay frame if none is pending.
+    /// Requests one more frame of the user interface if none is requested.
     void keepOverlay() { overlayFrames_ = std::max(overlayFrames_, 1); }
 
 private:
-    // Number of frames after a change. The near end of the depth range reaches its final value in fewer frames, so that
-    // the resting image has this value.
+    // Number of frames of the scene after a change. The near end of the depth range reaches its final value in fewer
+    // frames, so that the resting image has this value.
     static constexpr int kSettlingFrames = 16;
     static constexpr double kSettlingMs = 300;
     static constexpr int kUnansweredFrames = 60; // max consecutive frames with missing pages if no page arrives

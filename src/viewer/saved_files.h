@@ -1,5 +1,5 @@
-// Saves the files of a session under numbered names: images in the user's picture folder, paths and cameras in the
-// current folder, measures next to the model. It never overwrites existing files.
+// Saves the files of a window session under numbered names: images in the user's picture folder, camera files in the
+// current folder, measurements next to the model. It never overwrites existing files.
 #pragma once
 
 #include "gl/api.h"
@@ -13,7 +13,7 @@
 namespace gnomon::viewer {
 
 /// Saves files whose names begin with the name of the model, for example "bunny_1.png" or "bunny_path1.json". All
-/// functions return the name of the file and throw Error if it cannot be written.
+/// functions throw Error if the file cannot be written. Functions with a result return the name of the file.
 class SavedFiles {
 public:
     SavedFiles() = default;
@@ -29,14 +29,15 @@ public:
 
     std::string savePath(const path::CameraPath& path) const;
 
-    /// Saves a file for `gnomon render --camera`.
+    /// Saves a camera file, which `gnomon render --camera` can read.
     std::string saveCamera(const Camera& camera) const;
 
-    /// Saves "bunny_measures1.json" and "bunny_measures1.csv" in the model's folder, or in the current folder if that
-    /// is not writable. Returns both names.
+    /// Saves the user's measurements as "bunny_measures1.json" and "bunny_measures1.csv" in the model's folder. If this
+    /// folder is not writable, the current folder is used. Returns both names.
     std::string saveMeasures(const std::string& json, const std::string& csv) const;
 
-    /// Saves frame `frame` of a played path in `folder` as "frame0000.png". Creates the folder if needed.
+    /// Saves the image of frame `frame` of a played camera path in `folder` as "frame0000.png". Creates the folder if
+    /// needed.
     void savePlayed(const std::string& folder, int frame, const render::Picture& picture) const;
 
 private:

@@ -1,4 +1,4 @@
-// An open model with its backend in the window: frames, images, and the state of its file.
+// The open model of the window and the backend that draws it: frames, images, and the state of the model's file.
 #pragma once
 
 #include "frame/accumulation.h"
@@ -23,27 +23,28 @@ struct Shot {
     plan::View view;
     plan::Quality quality;
     frame::FrameOptions options;
-    // Values that replace the surface colours of this frame. `options` must then request the visible surfaces.
+    // The values that replace the surface colours of this frame. If they are set, `options` must request the visible
+    // surfaces.
     settings::ValueColors colors;
     bool measuresAliasing = false; // measures the aliasing after the frame with a second drawing
     int samples = 1;               // with `isAccumulated`: number of frames in the mean
 
-    /// Returns the camera of the image.
+    /// Returns the camera from which the image is drawn.
     const Camera& seenBy() const { return options.observerCamera ? *options.observerCamera : view.camera; }
 };
 
-/// A texture with the image of the last frame.
+/// The image of the last frame as an OpenGL texture.
 struct ShownPicture {
     GLuint texture = 0;
     bool isBottomUp = false; // its first row is the lowest one
     bool isOpaque = false;   // its alpha is 1 everywhere
 };
 
-/// A model in the context of a window. The context must outlive it.
+/// An open model that is drawn in the OpenGL context of a window. The context must outlive it.
 class Scene {
 public:
-    /// Opens `path`. The backend is the one that `settings` request, else the one that suits the window's OpenGL. It
-    /// supports the values of `colors`. Calls `onDamaged` once for each damaged page. Throws Error.
+    /// Opens the model at `path`. The backend is the one that `settings` request, else the one that suits the window's
+    /// OpenGL. It can draw the values of `colors`. Calls `onDamaged` once for each damaged page. Throws Error.
     Scene(
         const std::string& path,
         const settings::Settings& settings,
@@ -51,7 +52,7 @@ public:
         const gl::Context& context,
         std::function<void(const std::string&)> onDamaged);
 
-    /// Cancels pending reads from a server.
+    /// Cancels the pending reads of the model's pages from a server.
     ~Scene() { model_.source().stop(); }
 
     Scene(const Scene&) = delete;
@@ -61,48 +62,50 @@ public:
 
     const hierarchy::ModelFile& model() const { return model_; }
 
-    /// Draws a frame. The result is valid until the next call. If it throws Error, the last image stays.
+    /// Draws a frame of the model and returns its data, which are valid until the next call. If it throws Error, the
+    /// last image stays.
     const frame::Frame& draw(const Shot& shot);
 
-    /// Makes the next frames independent of earlier frames.
+    /// Deletes the history of earlier frames, so that the next frame does not depend on them.
     void forget() { history_ = {}; }
 
     /// Returns the last frame, or null.
     const frame::Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
 
-    /// Draws the last frame again with another sample offset in its pixels. `shown` returns the mean. The frame must
-    /// have `isAccumulated`. If it throws Error, the image does not change.
+    /// Draws the last frame again with another sample offset in its pixels. `shown` returns the
+    /// mean of all samples. The frame must have `isAccumulated`. If it throws Error, the image does not change.
     void addSample();
 
-    /// Returns the number of frames in the mean, or 0 for a frame without `isAccumulated`.
+    /// Returns how many frames the shown mean contains, or 0 if the last frame does not have `isAccumulated`.
     int samples() const { return accumulation_.samples(); }
 
-    /// Returns the final number of frames in the mean: the requested number, or as many as the light directions need.
+    /// Returns how many frames the finished mean will contain: the requested number, or as many as the light directions
+    /// need.
     int wantedSamples() const { return accumulation_.wanted(); }
 
-    /// Returns the last image or the mean, as `gnomon render` would write it.
+    /// Returns the last image, or the mean of its samples, exactly as `gnomon render` would write it.
     render::Picture picture() const;
 
     /// Returns the image as a texture for a window of `size` pixels. If `usesEyeDome` is true, applies eye-dome
     /// lighting.
     ShownPicture shown(const glm::ivec2& size, bool usesEyeDome);
 
-    /// Returns true if the last frame had visible geometry.
+    /// Returns true if the last frame shows any geometry.
     bool isAnythingInView() const { return !frame_ || !frame_->facts.visible || frame_->facts.visible->anything; }
 
-    /// Returns the world point under a pixel of the last frame.
+    /// Returns the world-space point that a pixel of the last frame shows.
     std::optional<glm::dvec3> pick(const glm::ivec2& pixel);
 
-    /// Returns the point under a pixel with its triangle.
+    /// Returns the point that a pixel of the last frame shows, with its triangle.
     std::optional<frame::DrawnPoint> drawnPoint(const glm::ivec2& pixel);
 
-    /// Returns the state of the model's file since it was opened.
+    /// Returns whether the file of the model is unchanged, changed or gone since it was opened.
     hierarchy::Fate fate() const { return model_.source().fate(); }
 
-    /// Returns true if the last frame lacks pages that a server may still send.
+    /// Returns true if the last frame lacks pages of the model that a server may still send.
     bool isAwaiting() const;
 
-    /// Returns the capabilities of the backend that draws.
+    /// Returns which effects the backend of the scene can draw.
     plan::Capabilities capabilities() const { return backend_->capabilities(); }
 
 private:

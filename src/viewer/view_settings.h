@@ -1,4 +1,5 @@
-// The settings that keys and the panel change: quality, overlay, light, and the visible elements of the window.
+// The settings that the user changes in the window: quality, overlay, light, and the visible elements of the user
+// interface.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -13,7 +14,7 @@
 
 namespace gnomon::viewer {
 
-/// The shadow schemes that a key cycles through. Slices, faces and warp can also be set separately.
+/// The kinds of shadows that a key cycles through. Slices, faces and warp can also be set separately.
 enum class Scheme : std::uint8_t { Off, OneMap, Slices, Faces, FacesAndSlices, Exact, Rays, Auto };
 
 inline constexpr std::array kSchemes = {
@@ -26,7 +27,7 @@ inline constexpr std::array kSchemes = {
     Scheme::Rays,
     Scheme::Auto};
 
-/// Returns the name of a scheme, for example "no shadows" or "one map".
+/// Returns the name of a shadow scheme, for example "no shadows" or "one map".
 const char* name(Scheme scheme);
 
 /// The settings of a window.
@@ -41,29 +42,31 @@ struct ViewSettings {
     bool showsHelp = false;
 };
 
-/// Returns the values that can colour a picture of `model` by a backend with `capabilities`; first None.
+/// Returns the values by which a picture of `model` can be coloured, such as height or error. `capabilities` are those
+/// of the backend. The first entry is None.
 std::vector<settings::ValueColors> colorChoices(
     const hierarchy::ModelSummary& model, const plan::Capabilities& capabilities);
 
-/// Returns the initial range of the colour map: all values of `model`. The range of errors is from the max error of the
-/// finest level to that of the coarsest level. `up` has any length above 0.
+/// Returns the initial range of the colour map, which contains all values of `model`. The range of errors is from the
+/// max error of the finest level to that of the coarsest level. `up` has any length above 0.
 std::array<double, 2> widestEnds(
     const settings::ValueColors& colors, const hierarchy::ModelSummary& model, const glm::dvec3& up);
 
-/// Returns true if one of `choices` shows the same value as `colors`.
+/// Returns true if one of `choices` shows the same value of the surface as `colors`.
 bool isAmong(std::span<const settings::ValueColors> choices, const settings::ValueColors& colors);
 
-/// Replaces `colors` by the choice `step` positions later, cyclically. The colour map does not change. Returns a
-/// description of the new choice.
+/// Changes `colors` to the choice that is `step` positions later in `choices`, cyclically. The colour map does not
+/// change. Returns a description of the new choice.
 std::string stepColors(std::span<const settings::ValueColors> choices, int step, settings::ValueColors& colors);
 
 /// Returns the scheme that `quality` describes.
 Scheme schemeOf(const plan::Quality& quality);
 
-/// Sets `scheme`. The number of slices does not change, except that one slice becomes four.
+/// Changes `quality` to the shadows of `scheme`. The number of slices does not change, except that one slice becomes
+/// four.
 void choose(Scheme scheme, plan::Quality& quality);
 
-/// Selects the scheme `step` positions after the scheme of `quality`, cyclically.
+/// Changes the shadow scheme of `quality` to the one that is `step` positions later, cyclically.
 void stepScheme(plan::Quality& quality, int step);
 
 } // namespace gnomon::viewer

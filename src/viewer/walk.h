@@ -1,4 +1,5 @@
-// Moves the camera by user input or by a played path. Also records paths, and stores the frozen camera of culling.
+// Moves the camera of the window by user input or by a played camera path. Also records paths, and stores the camera
+// whose culling the user has frozen.
 #pragma once
 
 #include "viewer/input/camera_control.h"
@@ -10,15 +11,16 @@
 
 namespace gnomon::viewer {
 
-/// The camera motion of a session. All functions except `enter` and the constructor need a call of `enter` before.
+/// The motion of the camera during a window session. `enter` must be called before all other functions.
 class Walk {
 public:
-    /// Creates a walk. `path` is played first, until another path is recorded. See PathPlayer for `frames`. Actions are
-    /// reported in `messages`, which must outlive the object.
+    /// Creates a motion without a camera. `path` is played first, until another path is recorded. See PathPlayer for
+    /// `frames`. Actions are reported in `messages`, which must outlive the object.
     Walk(Messages& messages, Clock now, std::optional<path::CameraPath> path, std::optional<int> frames)
         : messages_(&messages), now_(std::move(now)), path_(std::move(path)), frames_(frames) {}
 
-    /// Starts at `home` in a world with this `up` axis. Throws Error, without any change, if `home` is invalid.
+    /// Moves the camera to `home`, in a world whose up direction is `up`. If `home` is invalid, throws Error and
+    /// changes nothing.
     void enter(const Camera& home, const glm::dvec3& up);
 
     bool hasEntered() const { return control_.has_value(); }
@@ -30,7 +32,8 @@ public:
     /// Returns the camera of the image.
     Camera camera() const { return player_ ? player_->camera() : control_->camera(); }
 
-    /// Returns the camera whose cut and maps the image uses.
+    /// Returns the camera for which clusters are culled and shadow maps are drawn. It differs from the camera of the
+    /// image if the user has frozen it.
     Camera culledBy() const { return frozen_.value_or(camera()); }
 
     bool isFrozen() const { return frozen_.has_value(); }
@@ -41,32 +44,33 @@ public:
 
     bool playsFixed() const { return player_ && player_->hasFixedStep(); }
 
-    /// Returns true if frames are needed without input: a path plays, a recorder runs, or the camera still moves. It
-    /// also works before any model.
+    /// Returns true if frames are needed without user input: a path plays, a recorder runs, or the camera still moves.
+    /// It can also be called before `enter`.
     bool isUnderWay() const { return player_ || recorder_ || (control_ && control_->isMoving()); }
 
-    /// Returns the played share of the path, 0 to 1, or a negative number if no path plays.
+    /// Returns the fraction of the camera path that has been played, 0 to 1, or a negative number if no path plays.
     double playedPart() const { return player_ ? player_->part() : -1; }
 
-    /// Returns the number of the current played frame.
+    /// Returns the number of the current frame of the played camera path.
     int playedFrame() const { return player_->frame(); }
 
     void toggleFreeze();
 
-    /// Starts a recording, or ends and saves it.
+    /// Starts the recording of a camera path. If a recording runs, ends it and saves the path.
     void toggleRecording(const SavedFiles& saved);
 
-    /// Starts playing and ends any recording, or stops playing. Returns true if a path starts.
+    /// Starts to play the camera path and ends any recording. If a path plays already, stops it. Returns true if a path
+    /// starts.
     bool togglePlaying(const SavedFiles& saved);
 
-    /// Adds the camera of a frame to the recording, if any.
+    /// Adds the camera of a frame to the recorded path, if a recording runs.
     void record(const Camera& camera);
 
-    /// Advances to the next frame of the path, which is `seconds` later by the clock. Returns false if the path ended.
-    /// User input then moves the camera again.
+    /// Advances to the next frame of the played path. In real time, this frame is `seconds` later. Returns false if the
+    /// path has ended, so that user input moves the camera again.
     bool advance(double seconds);
 
-    /// Ends a path at once, without a message.
+    /// Stops the played camera path at once, without a message.
     void stop() { player_.reset(); }
 
 private:

@@ -1,4 +1,4 @@
-// The session of the window: it dispatches user input and draws the result.
+// The session of a window: applies user input to the camera and the settings, and draws the result.
 #pragma once
 
 #include "core/progress.h"
@@ -25,12 +25,12 @@
 
 namespace gnomon::viewer {
 
-/// The run of `gnomon view` from its first frame to its last.
+/// A run of `gnomon view` from its first frame to its last.
 class WindowSession {
 public:
     explicit WindowSession(const ViewerOptions& options);
 
-    /// Runs until the window is closed or `interrupt` throws.
+    /// Runs the window until it is closed or `interrupt` throws an exception.
     void run(Progress& interrupt);
 
 private:
@@ -60,7 +60,7 @@ private:
 
     Projection projection() const { return walk_.control().camera().projection; }
 
-    /// Returns true if the session ends by itself. This is the case if it plays a path and writes the images: it ends
+    /// Returns true if the session ends without the user. It plays a camera path and writes the images, and it ends
     /// after the path, or if the path cannot be played.
     bool isScripted() const { return !options_.path.empty() && !options_.images.empty(); }
 
@@ -82,8 +82,8 @@ private:
     OverlayContent content() const;
     void drawWindow(const glm::ivec2& size);
 
-    /// A pending image of a resting view. It is saved after its last refinement, or before the window draws another
-    /// view.
+    /// An image of a resting view that must still be saved. It is saved after its last refinement, or before the window
+    /// draws another view.
     struct PictureDue {
         Shot shot; // input at the moment of the request
         std::uint64_t changes = 0;

@@ -1,4 +1,4 @@
-// Stores the recent views of models on disk for the next window.
+// Stores the recent camera positions of each model on disk for later window sessions.
 #pragma once
 
 #include "core/camera.h"
@@ -9,23 +9,23 @@
 
 namespace gnomon::viewer {
 
-/// A folder with one file per model. Its files are not trusted: the class reads at most kMaxBytes of a file, and an
-/// invalid file is an Error.
+/// A folder with one file of recent cameras per model. The files are not trusted: the class reads at most kMaxBytes of
+/// a file, and throws Error for an invalid file.
 class KeptViews {
 public:
-    /// Returns the folder $XDG_STATE_HOME/gnomon/views or ~/.local/state/gnomon/views. If neither is known, nothing is
-    /// stored.
+    /// Uses the folder $XDG_STATE_HOME/gnomon/views, or ~/.local/state/gnomon/views. If neither variable is set,
+    /// nothing is stored.
     static KeptViews ofUser();
 
-    /// Uses `folder`. With an empty folder nothing is stored.
+    /// Uses `folder`. If its name is empty, nothing is stored.
     explicit KeptViews(std::string folder) : folder_(std::move(folder)) {}
 
-    /// Returns the stored cameras of `model` (a file or an address), oldest first, or an empty list. Throws Error if
-    /// the file is invalid.
+    /// Returns the stored cameras of `model` (a file or a web address), oldest first. Returns an empty list if there
+    /// are none. Throws Error if the file is invalid.
     std::vector<Camera> load(const std::string& model) const;
 
-    /// Stores `cameras` of `model` atomically, unless they are equal to the last saved ones. If there are more than
-    /// kMaxModels files, it removes the oldest. Throws Error if the folder cannot be written.
+    /// Stores `cameras` of `model` atomically, unless they are equal to the last stored ones. If there are more than
+    /// kMaxModels files, removes the oldest ones. Throws Error if the folder cannot be written.
     void save(const std::string& model, const std::vector<Camera>& cameras);
 
     static constexpr std::size_t kMaxModels = 200;

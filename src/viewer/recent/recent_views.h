@@ -1,4 +1,5 @@
-// The recent views of the user: cameras that rested for a while, with back and forward.
+// The recent views of the user: cameras that did not move for half a second. The user can go back and forward through
+// them.
 #pragma once
 
 #include "core/camera.h"
@@ -8,29 +9,30 @@
 
 namespace gnomon::viewer {
 
-/// The last cameras of one model, oldest first, and the index of the current one.
+/// The last views of one model, oldest first, and the index of the current one.
 class RecentViews {
 public:
     RecentViews() = default;
 
-    /// Takes stored cameras, oldest first. It uses the last kMaxViews of them.
+    /// Starts with stored cameras, oldest first. Only the last kMaxViews of them are used.
     explicit RecentViews(std::vector<Camera> cameras);
 
-    /// Returns all cameras, oldest first.
+    /// Returns the cameras of all recent views, oldest first.
     const std::vector<Camera>& cameras() const { return cameras_; }
 
-    /// Processes the camera at a time (seconds on any clock). Adds the camera if it has rested for half a second.
+    /// Updates the views with the camera at the time `seconds` of any clock. A camera that has not moved for half a
+    /// second becomes a recent view.
     void see(const Camera& camera, double seconds);
 
-    /// Adds a camera, unless it is almost equal to the current one: within a hundredth of the distance to its target,
-    /// and one degree. The views after the current one are removed, and the oldest one if there are more than
+    /// Adds a view, unless it is almost equal to the current one: within a hundredth of the distance to its target, and
+    /// one degree. All views after the current one are removed. The oldest one is removed if there are more than
     /// kMaxViews.
     void stay(const Camera& camera);
 
-    /// Returns the previous camera, which becomes the current one. Returns nothing at the first camera.
+    /// Returns the camera of the previous view, which becomes the current one. Returns nullopt at the first view.
     std::optional<Camera> back();
 
-    /// Returns the next camera, which becomes the current one. Returns nothing at the last camera.
+    /// Returns the camera of the next view, which becomes the current one. Returns nullopt at the last view.
     std::optional<Camera> forth();
 
     static constexpr std::size_t kMaxViews = 100;

@@ -1,6 +1,6 @@
-// The public interface of the Gnomon library. It builds level-of-detail models from meshes, exports their cuts, draws
-// them with shadows, and computes the cost of shadow maps. Functions fail with std::runtime_error. what() is one line
-// with the failure, its place, the expected value and the found value.
+// The public interface of the Gnomon library. It builds level-of-detail models from meshes, exports them as meshes at
+// any level of detail, draws them with shadows, and computes the cost of shadow maps. Functions fail with
+// std::runtime_error. what() is one line with the failure, its place, the expected value and the found value.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace gnomon::api {
 
-/// Returns the version as "MAJOR.MINOR.PATCH". Versions with the same MAJOR (before 1.0: the same MINOR) are binary
-/// compatible.
+/// Returns the version of the library as "MAJOR.MINOR.PATCH". Versions with the same MAJOR (before 1.0: the same MINOR)
+/// are binary compatible.
 GNOMON_API std::string version();
 
 /// The options of a view and its quality, as in `gnomon render`. Keys are the option names without dashes, and values
@@ -37,12 +37,13 @@ struct BuildOptions {
     std::vector<std::string> fields{};              // scalar vertex properties of a PLY file that the model stores
     std::string up = "auto";                        // x, y, z, -x, -y, -z, a direction "x,y,z", or "auto" for a guess
     std::string unit = "m";                         // unit of the coordinates: m, cm, mm, ft or in
-    // Folder of textures, buffers and libraries. Empty means the folder of the input.
+    // Folder of textures, buffers and libraries that the inputs may use. If it is empty, it is the folder of the
+    // input.
     std::string sourceRoot{};
 };
 
-/// Builds the model `output` (.gnm) from `inputs` (PLY, glTF, OBJ, STL, OFF) out of core. Returns the report that
-/// `gnomon build --json` prints. The bytes of the model do not depend on memory or the number of threads.
+/// Builds the model file `output` (.gnm) from the meshes `inputs` (PLY, glTF, OBJ, STL, OFF) out of core. Returns the
+/// report that `gnomon build --json` prints. The bytes of the model do not depend on memory or the number of threads.
 GNOMON_API std::string build(
     const std::vector<std::string>& inputs,
     const std::string& output,
@@ -51,7 +52,7 @@ GNOMON_API std::string build(
 
 // Models: hierarchy and selection ------------------------------------------------------------------------------------
 
-/// The triangles of one cut of a model. A cut contains each part of the surface once, at some level of detail.
+/// The triangles of a model at chosen levels of detail (a cut). Each part of the surface occurs once.
 struct Mesh {
     std::vector<double> positions;        // x, y, z per vertex, in the axes and units of the source
     std::vector<float> normals;           // x, y, z per vertex, unit length; 0, 0, 0 if the source has no normals
@@ -71,7 +72,7 @@ struct Picture {
 /// one model.
 class GNOMON_API Model {
 public:
-    /// Opens a .gnm model from a path or an http(s):// address. Tables and pages use at most `memory` bytes.
+    /// Opens a .gnm model from a path or an http(s):// address. Its tables and pages use at most `memory` bytes.
     explicit Model(const std::string& path, std::uint64_t memory = std::uint64_t{1} << 30U);
     ~Model();
     Model(Model&&) noexcept;
@@ -83,26 +84,27 @@ public:
     /// hash.
     std::string info() const;
 
-    /// Returns the coarsest uniform cut whose error is at most `error`, in units of the model.
+    /// Returns the coarsest mesh of the model whose error is at most `error`, in units of the model. All parts have the
+    /// same error limit.
     Mesh cutByError(double error) const;
 
-    /// Returns the finest uniform cut with at most `maxTriangles` triangles.
+    /// Returns the finest mesh of the model with at most `maxTriangles` triangles. All parts have the same error limit.
     Mesh cutByTriangles(std::uint64_t maxTriangles) const;
 
-    /// Returns the cut of a view, whose error on the screen is at most the option error-pixels. Vertices on borders of
-    /// clusters are duplicated. `error` is the largest error of all clusters.
+    /// Returns the mesh that is drawn for a view. Its error on the screen is at most the option error-pixels. Vertices
+    /// on borders of clusters are duplicated. `error` of the mesh is the largest error of all clusters.
     Mesh cutForView(const Options& options) const;
 
-    /// Returns the JSON that `gnomon explain --json` prints: the plan of one frame, with a reason for each skipped
-    /// effect.
+    /// Returns the JSON that `gnomon explain --json` prints: the shadow maps and other passes of one frame, with a
+    /// reason for each skipped effect.
     std::string plan(const Options& options) const;
 
     /// Draws a view on the CPU and returns the mean of `samples` frames. The result is identical to the picture of
     /// `gnomon render`.
     Picture render(const Options& options, int samples = 16) const;
 
-    /// Returns one line per part of the model that could not be read since it was opened. Coarser geometry is drawn
-    /// instead of these parts.
+    /// Returns one line for each part of the model that could not be read since it was opened. Coarser geometry is
+    /// drawn instead of these parts.
     const std::vector<std::string>& damage() const;
 
 private:
@@ -112,7 +114,7 @@ private:
 
 // Shadow maps --------------------------------------------------------------------------------------------------------
 
-/// The cost of a scheme, which is a combination of partitions and warp of shadow maps (Lloyd et al. 2006).
+/// The cost of a shadow map scheme, which is a combination of partitions of the view and warp (Lloyd et al. 2006).
 struct ShadowScheme {
     std::string scheme;       // ZP: partitions by depth, FP: partitions by frustum face, +W: with a warp
     std::string warp;         // name of the warp, as in the option --warp
@@ -123,9 +125,9 @@ struct ShadowScheme {
     double worstAlong = 0;
 };
 
-/// Returns the cost of all schemes with 1 to 8 slices. The view frustum has the depth range from `near` to `far`, the
-/// full vertical angle `fovYDegrees` in degrees, and the ratio `aspect` of width to height. The components of
-/// `towardsLight` point to the right, up and along the view.
+/// Returns the cost of all shadow map schemes with 1 to 8 slices. The view frustum has the depth range from `near` to
+/// `far`, the full vertical angle `fovYDegrees` in degrees, and the ratio `aspect` of width to height. The components
+/// of `towardsLight` point to the right, up and along the view.
 GNOMON_API std::vector<ShadowScheme> shadowSchemes(
     double near, double far, double fovYDegrees, double aspect, const std::array<double, 3>& towardsLight);
 

@@ -1,4 +1,4 @@
-// Conversion of internal exceptions to std::runtime_error for users of the library.
+// Converts internal exceptions to std::runtime_error for users of the library.
 #pragma once
 
 #include "core/error.h"
@@ -6,7 +6,7 @@
 
 namespace gnomon::api {
 
-/// Returns the result of `work`. Converts UsageError to Error, which is a std::runtime_error.
+/// Runs `work` and returns its result. Converts UsageError to Error, which is a std::runtime_error.
 template <class Work>
 auto withPlainErrors(const Work& work) {
     try {

@@ -1,4 +1,4 @@
-// Progress of long tasks for users of the library.
+// Reports the progress of long tasks to users of the library.
 #pragma once
 
 #include "api/gnomon.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::api {
 
-/// A receiver that forwards progress to a callback. It throws Error if the callback requests a stop.
+/// A progress receiver that forwards reports to the user's callback. It throws Error if the callback requests a stop.
 class Watched final : public Progress {
 public:
     explicit Watched(OnProgress tell) : tell_(std::move(tell)) {}

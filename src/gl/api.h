@@ -1,9 +1,9 @@
-// The OpenGL 4.5 core functions that Gnomon calls, as a table of function pointers per context.
+// The OpenGL 4.5 core functions that Gnomon calls. Each context has a table of pointers to them.
 #pragma once
 
 #include <GL/glcorearb.h>
 
-// One line per function: X(type, member, name).
+// The list of OpenGL functions, one line X(type, member, name) per function.
 #define GNOMON_GL_FUNCTIONS(X)                                                                                         \
     X(PFNGLACTIVETEXTUREPROC, activeTexture, "glActiveTexture")                                                        \
     X(PFNGLATTACHSHADERPROC, attachShader, "glAttachShader")                                                           \
@@ -89,7 +89,7 @@
 
 namespace gnomon::gl {
 
-/// The functions of one context. They are valid on the thread where this context is current.
+/// Pointers to the OpenGL functions of one context. They are valid on the thread where this context is current.
 struct Api {
 #define GNOMON_GL_MEMBER(type, member, name) type member = nullptr;
     GNOMON_GL_FUNCTIONS(GNOMON_GL_MEMBER)
@@ -99,7 +99,7 @@ struct Api {
 using FunctionPointer = void (*)();
 using FunctionSource = FunctionPointer (*)(const char* name);
 
-/// Loads all functions from `source`. Throws gnomon::Error with the name of the first missing function.
+/// Loads all OpenGL functions from `source`. Throws gnomon::Error with the name of the first missing function.
 Api loadApi(FunctionSource source);
 
 } // namespace gnomon::gl

@@ -1,4 +1,4 @@
-// Timing of passes with the clock of the GPU.
+// Measures the time of render passes with the clock of the GPU.
 #pragma once
 
 #include "core/units.h"
@@ -9,8 +9,8 @@
 
 namespace gnomon::gl {
 
-/// A timer that records two GPU timestamps per pass. It stores the queries of the last few passes, so that `latest`
-/// never waits for the GPU.
+/// Measures GPU times with two timestamp queries per render pass. It stores the queries of the last few passes, so that
+/// `latest` never waits for the GPU.
 class GpuTimer {
 public:
     explicit GpuTimer(const Api& api);
@@ -20,10 +20,11 @@ public:
     /// Ends the pass that `begin` started.
     void end();
 
-    /// Waits for the GPU and returns the GPU time of the last pass.
+    /// Waits for the GPU and returns the GPU time of the last render pass.
     Milliseconds finished();
 
-    /// Returns the GPU time of the most recent pass that the GPU has finished, or 0 if there is none. Does not wait.
+    /// Returns the GPU time of the most recent render pass that the GPU has finished, or 0 if there is none. Does not
+    /// wait.
     Milliseconds latest();
 
 private:

@@ -1,4 +1,4 @@
-// A ring buffer in mapped memory: the CPU fills one part while the GPU reads the earlier parts.
+// A ring buffer in mapped GPU memory. The CPU fills one part while the GPU reads the earlier parts.
 #pragma once
 
 #include "gl/objects.h"
@@ -9,15 +9,15 @@
 
 namespace gnomon::gl {
 
-/// A part of the ring that `take` returns: its byte offset in the buffer, and its mapped memory.
+/// A piece of the ring buffer, reserved by `take`: its byte offset in the buffer, and its mapped memory.
 struct RingPiece {
     std::size_t offset = 0;
     std::span<std::byte> bytes;
 };
 
-/// A persistently and coherently mapped buffer with three segments, which are filled in turn. Segment k is reused when
-/// the GPU has finished all commands that were issued before segment k + 1 was full. A command that reads a piece of
-/// segment k must therefore be issued before segment k + 1 is full.
+/// A ring buffer that is persistently and coherently mapped. Its three segments are filled in turn. Segment k is reused
+/// when the GPU has finished all commands that were issued before segment k + 1 was full. A command that reads a piece
+/// of segment k must therefore be issued before segment k + 1 is full.
 class MappedRing {
 public:
     MappedRing(const Api& api, std::size_t segmentBytes);
@@ -27,11 +27,11 @@ public:
     MappedRing(MappedRing&&) = delete;
     MappedRing& operator=(MappedRing&&) = delete;
 
-    /// Returns a piece of `bytes` bytes, at most the size of a segment. Its offset is a multiple of `kAlignment`. Waits
-    /// for the GPU only if the GPU is two segments behind.
+    /// Reserves `bytes` bytes of the ring buffer, at most the size of a segment. The offset is a multiple of
+    /// `kAlignment`. Waits for the GPU only if the GPU is two segments behind.
     RingPiece take(std::size_t bytes);
 
-    /// Returns the space in a segment that a piece of `bytes` bytes uses.
+    /// Returns how many bytes of a segment a piece of `bytes` bytes occupies after alignment.
     static constexpr std::size_t aligned(std::size_t bytes) {
         return (bytes + kAlignment - 1) / kAlignment * kAlignment;
     }
@@ -54,7 +54,8 @@ private:
     std::byte* memory_ = nullptr;
     std::size_t segment_ = 0;
     std::size_t used_ = 0; // bytes used in the current segment
-    // One fence per segment. The GPU signals it after all commands that were issued before the segment was full.
+    // One fence per segment of the ring buffer. The GPU signals it after all commands that were issued before the
+    // segment was full.
     std::array<GLsync, kSegments> left_ = {};
 };
 

@@ -1,5 +1,5 @@
-// The interface to a platform: a context that is current, and its OpenGL functions. Each platform has one
-// implementation.
+// The interface to a platform (OSMesa, EGL or GLFW) that creates an OpenGL context and loads its functions. Each
+// platform has one implementation.
 #pragma once
 
 #include "core/error.h"
@@ -14,7 +14,7 @@
 
 namespace gnomon::gl {
 
-/// A context of a platform, current on the thread that made it.
+/// An OpenGL context of a platform. It is current on the thread that created it.
 class NativeContext {
 public:
     NativeContext() = default;
@@ -26,23 +26,24 @@ public:
 
     virtual FunctionSource functionSource() const = 0;
 
-    /// Makes the context current on this thread again, if another context of this process replaced it.
+    /// Makes the OpenGL context current on this thread again, if another context of this process replaced it.
     virtual void makeCurrent() {}
 };
 
-/// Throws Error if the address space is too small for the compiler and the threads of a software driver. Such a driver
-/// would crash.
+/// Throws Error if the address space of the process is too small for a software driver, with its compiler and threads.
+/// Such a driver would crash instead of reporting the error.
 void requireAddressSpace(const char* platform);
 
-/// Makes a core 4.5 context of OSMesa. Throws Error if that is impossible.
+/// Creates an OpenGL 4.5 core context of OSMesa. Throws Error if that is impossible.
 std::unique_ptr<NativeContext> makeOsmesaContext();
 
-/// Makes a core 4.5 context of EGL without a surface, on the first usable GPU. If EGL has no GPU, uses its surfaceless
-/// platform. Calls `warn`, if given, with the reason for each unusable GPU. Throws Error if no context can be made.
+/// Creates an OpenGL 4.5 core context of EGL without a surface, on the first usable GPU. If EGL has no GPU, uses its
+/// surfaceless platform. Calls `warn`, if given, with the reason for each unusable GPU. Throws Error if no context can
+/// be created.
 std::unique_ptr<NativeContext> makeEglContext(const std::function<void(const std::string&)>& warn);
 
-/// A shared library that is opened on demand. Linking it would load LLVM into each `gnomon build`. The library stays
-/// open, because drivers crash when they are unloaded.
+/// A shared library that is opened on demand. A linked library would load LLVM into each `gnomon build`. The library
+/// stays open, because drivers crash when they are unloaded.
 class Library {
 public:
     explicit Library(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
@@ -51,7 +52,7 @@ public:
 
     bool isOpen() const { return handle_ != nullptr; }
 
-    /// Returns the function `symbol`. Throws Error if the library or the function is missing.
+    /// Returns the function `symbol` of the library. Throws Error if the library or the function is missing.
     template <class Function>
     Function function(const char* symbol) const {
         if (handle_ == nullptr) throw Error(name_, "cannot load this library: " + reason_);

@@ -1,4 +1,4 @@
-// GL objects as move-only values. Each value owns one GL name and deletes it.
+// OpenGL objects as move-only values. Each value owns one OpenGL object and deletes it.
 #pragma once
 
 #include "gl/api.h"
@@ -10,7 +10,7 @@
 
 namespace gnomon::gl {
 
-/// A GL name and the function that deletes it. The context must outlive the object.
+/// Owns the name of an OpenGL object and deletes the object. The context must outlive it.
 class Object {
 public:
     using Delete = void(APIENTRYP)(GLsizei, const GLuint*);
@@ -35,7 +35,7 @@ public:
     Object(const Object&) = delete;
     Object& operator=(const Object&) = delete;
 
-    /// Returns the GL name, or 0 if there is none.
+    /// Returns the name of the OpenGL object, or 0 if there is none.
     GLuint id() const { return id_; }
 
 private:
@@ -48,7 +48,7 @@ private:
     Delete release_ = nullptr;
 };
 
-/// A buffer of fixed size. `write` sets its content.
+/// An OpenGL buffer of fixed size, whose content `write` sets.
 class Buffer {
 public:
     Buffer() = default;
@@ -56,7 +56,8 @@ public:
 
     void write(std::size_t offset, std::span<const std::byte> bytes) const;
 
-    /// Copies `bytes` bytes from the buffer `source`, on the GPU and in the order of the GL commands.
+    /// Copies `bytes` bytes from the buffer `source` into this buffer, on the GPU and in the order of the OpenGL
+    /// commands.
     void copy(std::size_t offset, GLuint source, std::size_t sourceOffset, std::size_t bytes) const;
 
     GLuint id() const { return object_.id(); }
@@ -69,13 +70,14 @@ private:
     std::size_t bytes_ = 0;
 };
 
-/// A 2D texture with fixed size, fixed format and one level. Sampling uses no filter and clamps to the edge.
+/// A 2D texture with fixed size, fixed format and one mipmap level. By default, sampling uses no filter and clamps to
+/// the edge.
 class Texture {
 public:
     Texture() = default;
     Texture(const Api& api, GLenum internalFormat, int width, int height);
 
-    /// Makes a texture for PictureFill in the byte order of windows: GL_BGRA with GL_UNSIGNED_INT_8_8_8_8_REV.
+    /// Creates a texture for PictureFill in the byte order of windows: GL_BGRA with GL_UNSIGNED_INT_8_8_8_8_REV.
     /// PictureFill draws this order fastest. Unbinds the texture of unit 0 of the context.
     static Texture ofWindowPictures(const Api& api, int width, int height);
 
@@ -85,10 +87,11 @@ public:
 
     int height() const { return height_; }
 
-    /// Reads all texels, bottom row first. `out` has the size width * height * bytes of a texel in `format` and `type`.
+    /// Reads all texels into `out`, bottom row first. `out` has width * height texels in `format` and `type`.
     void read(GLenum format, GLenum type, std::span<std::byte> out) const;
 
-    /// Sets the filter for minification and magnification: GL_NEAREST, which is the default, or GL_LINEAR.
+    /// Sets the filter of the texture for minification and magnification: GL_NEAREST, which is the default, or
+    /// GL_LINEAR.
     void setFilter(GLint filter) const;
 
     /// Replaces all texels.
@@ -103,11 +106,11 @@ private:
     int height_ = 0;
 };
 
-/// A framebuffer with textures as attachments. The list of colour textures can be empty.
+/// An OpenGL framebuffer with textures as attachments. The list of colour textures can be empty.
 class Framebuffer {
 public:
     Framebuffer() = default;
-    /// Makes the framebuffer. Throws Error if it is not complete.
+    /// Creates a framebuffer with the given textures as attachments. Throws Error if it is not complete.
     Framebuffer(const Api& api, std::span<const Texture* const> colors, const Texture& depth);
 
     GLuint id() const { return object_.id(); }
@@ -116,7 +119,7 @@ private:
     Object object_;
 };
 
-/// A vertex attribute, either integer (`isInteger`) or normalised.
+/// The format of a vertex attribute. Its components are integers (`isInteger`) or normalised numbers.
 struct Attribute {
     GLuint location = 0;
     GLint components = 0;
@@ -126,13 +129,13 @@ struct Attribute {
     GLuint stream = 0;
 };
 
-/// A sequence of vertices in a buffer, from a byte offset.
+/// A sequence of vertices in a buffer, starting at a byte offset, with its attributes.
 struct VertexStream {
     std::size_t offset = 0;
     GLsizei vertexBytes = 0;
 };
 
-/// A vertex array with vertices and indices from one buffer.
+/// An OpenGL vertex array, whose vertices and indices are in one buffer.
 class VertexArray {
 public:
     VertexArray() = default;
@@ -141,7 +144,7 @@ public:
         const Buffer& buffer,
         std::span<const VertexStream> streams,
         std::span<const Attribute> attributes);
-    /// Makes an array without vertices, for passes whose vertex shader generates them.
+    /// Creates a vertex array without vertices, for passes whose vertex shader generates the vertices.
     explicit VertexArray(const Api& api);
 
     GLuint id() const { return object_.id(); }

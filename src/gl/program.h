@@ -6,12 +6,12 @@
 
 namespace gnomon::gl {
 
-/// A linked, move-only program of a vertex and a fragment shader.
+/// A linked OpenGL program of a vertex and a fragment shader, which can be moved but not copied.
 class Program {
 public:
     Program() = default;
-    /// Compiles and links `vertexPath` and `fragmentPath` of `library`. `defines` ("#define A 1\n...") come before the
-    /// text of both. Throws Error with the driver's log.
+    /// Compiles the shaders `vertexPath` and `fragmentPath` of `library` and links them. `defines` ("#define A 1\n...")
+    /// come before the text of both. Throws Error with the driver's log.
     Program(
         const Api& api,
         const ShaderLibrary& library,

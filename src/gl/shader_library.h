@@ -1,4 +1,4 @@
-// The GLSL sources below shaders/, by path. They are embedded at compile time or read from a folder.
+// Finds the GLSL shader sources by their path below shaders/. They are embedded at compile time or read from a folder.
 #pragma once
 
 #include <map>
@@ -10,14 +10,15 @@ namespace gnomon::gl {
 
 extern const std::map<std::string_view, std::string_view> kEmbeddedShaders;
 
-/// A library that finds a shader source by its path below shaders/.
+/// The GLSL shader sources, by their path below shaders/.
 class ShaderLibrary {
 public:
-    /// Uses the embedded sources, or the files below `folder` if it is given.
+    /// Uses the files below `folder` if it is given, and otherwise the sources that are embedded in the program.
     explicit ShaderLibrary(std::optional<std::string> folder = std::nullopt) : folder_(std::move(folder)) {}
 
-    /// Returns the source of `path`. The first line is `#version 450 core`, followed by `defines`. Each line `#include
-    /// "PATH"` is replaced by the text of that file, but only once per file. Throws Error if a file is missing.
+    /// Returns the shader source of `path`. The first line is `#version 450 core`, followed by `defines`. Each line
+    /// `#include "PATH"` is replaced by the text of that file, but only once per file. Throws Error if a file is
+    /// missing.
     std::string source(std::string_view path, std::string_view defines = {}) const;
 
 private:

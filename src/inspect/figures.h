@@ -1,5 +1,5 @@
-// Distances, heights, angles and areas of points. All steps before the last root or quotient are computed with
-// integers.
+// Computes distances, heights, angles and areas of points. All steps before the last root or quotient are computed
+// with integers.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,10 +11,11 @@
 
 namespace gnomon::inspect {
 
-/// Max distance between two measured cells, in grid steps. Products then fit 128-bit integers.
+/// Max distance between two measured points, in grid steps. With this limit, products fit in 128-bit integers.
 constexpr std::int64_t kMaxSteps = std::int64_t{1} << 40;
 
-/// The figures of a sequence of points, in world units and degrees. A figure that needs more points is 0 or empty.
+/// The distances, heights, angles and areas of a sequence of points, in world units and degrees. A value that needs
+/// more points is 0 or empty.
 struct Figures {
     std::vector<double> legs;                         // length from each point to the next
     double along = 0;                                 // sum of the legs
@@ -29,8 +30,9 @@ struct Figures {
     double offPlane = 0; // max distance of the points from their mean plane; 0 without a plane
 };
 
-/// Returns the figures of `cells`, at most kMaxSteps apart, on a grid of `step`, a power of two. `up` has any length
-/// above 0. Squared distances and vector areas are integers, so derived values have the full precision of a double.
+/// Returns the measured values of the points `cells`, which are in steps of a grid. Two points are at most kMaxSteps
+/// apart. `step` is the grid step in world units, a power of two. `up` has any length above 0. Squared distances and
+/// vector areas are integers, so derived values have the full precision of a double.
 Figures figuresOf(std::span<const glm::i64vec3> cells, double step, const glm::dvec3& up);
 
 } // namespace gnomon::inspect

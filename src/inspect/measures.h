@@ -1,4 +1,4 @@
-// Measures that a user took on a model: their points, and their text, JSON and CSV forms.
+// The measurements that a user took on a model: their points, and their representation as text, JSON and CSV.
 #pragma once
 
 #include "hierarchy/model.h"
@@ -16,7 +16,7 @@ struct Point {
     double within = 0; // max distance to the intended point, world units
 };
 
-/// The points of a measure, in the order of the user's clicks.
+/// The points of one measurement, in the order of the user's clicks.
 using Measure = std::vector<Point>;
 
 /// The model that measures refer to.
@@ -27,21 +27,22 @@ struct Surveyed {
     glm::dvec3 up{0, 1, 0}; // any length above 0
 };
 
-/// Returns the data of `model`, from the file `path`. `up` is the up direction, of any length above 0.
+/// Returns the properties of `model` that measurements need. `path` is its file, and `up` is the up direction, of any
+/// length above 0.
 Surveyed surveyedOf(const std::string& path, const hierarchy::ModelSummary& model, const glm::dvec3& up);
 
 /// Returns the figures of a measure.
 Figures figuresOf(const Measure& measure, const Surveyed& of);
 
-/// Returns a measure as a few short lines, with the precision of the grid.
+/// Returns the results of a measurement as a few short lines, with the precision of the grid.
 std::vector<std::string> inWords(const Measure& measure, const Surveyed& of);
 
-/// Returns all measures as one JSON document: grid, unit and up, then per measure the points in the source's
-/// coordinates and the figures.
+/// Returns all measurements as one JSON document. It contains grid, unit and up direction, and for each measurement the
+/// points in the source's coordinates and the measured values.
 std::string jsonOf(std::span<const Measure> measures, const Surveyed& of);
 
-/// Returns a CSV table with a header and one row per point: measure, index, position, and the figures up to this point.
-/// Numbers read back without loss.
+/// Returns all measurements as a CSV table with one row per point: number of the measurement, index of the point,
+/// position, and the measured values up to this point. Numbers read back without loss.
 std::string csvOf(std::span<const Measure> measures, const Surveyed& of);
 
 } // namespace gnomon::inspect

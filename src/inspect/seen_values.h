@@ -8,22 +8,24 @@
 
 namespace gnomon::inspect {
 
-/// A value per pixel; NaN where the model is not visible.
+/// An image with one value per pixel, which is NaN where the model is not visible.
 using ValuePicture = render::Raster<double>;
 
 /// In these functions, `frame` must be the last frame that `renderer` rendered, with FrameOptions::wantsSurfaces. They
 /// throw Error with a backend other than the software backend, because only the software backend stores the visible
 /// surfaces.
 
-/// Returns the stored error of the drawn cluster, in world units. At the finest level it is the error of the grid.
+/// Returns an image with the stored error of the cluster that each pixel shows, in world units. At the finest level it
+/// is the error of the grid.
 ValuePicture seenErrors(const frame::Renderer& renderer, const frame::Frame& frame);
 
-/// Returns a field of the model, interpolated between the vertices of the visible triangle. Throws Error, with the
-/// names of the existing fields, if the model has no field `name`. Also throws Error if a page cannot be read again.
+/// Returns an image of the model's field `name`, interpolated between the vertices of the visible triangle. Throws
+/// Error, with the names of the existing fields, if the model has no such field. Also throws Error if a page cannot be
+/// read again.
 ValuePicture seenField(const frame::Renderer& renderer, const frame::Frame& frame, const std::string& name);
 
-/// Returns the stored colours, interpolated between the vertices of the visible triangle, and black where the model is
-/// not visible. Throws Error if the model has no colours.
+/// Returns an image of the colours that the model stores, interpolated between the vertices of the visible triangle.
+/// Pixels without the model are black. Throws Error if the model has no colours.
 render::Picture seenColors(const frame::Renderer& renderer, const frame::Frame& frame);
 
 } // namespace gnomon::inspect

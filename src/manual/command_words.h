@@ -1,4 +1,5 @@
-// The commands and options of a command line as plain values. They are read from the parser that also prints --help.
+// The commands and options of a program as plain values, for manual pages and completions. They are read from the
+// parser that also prints --help.
 #pragma once
 
 #include "settings/help_table.h"
@@ -14,7 +15,7 @@ namespace gnomon::manual {
 
 /// An option or a positional argument.
 struct OptionWords {
-    // Names such as "-o" and "--output", without old names. A positional argument has one name.
+    // Names of an option such as "-o" and "--output", without old names. A positional argument has one name.
     std::vector<std::string> names;
     std::string value;                // placeholder of its value: "TEXT", "INT"; empty for a flag
     std::vector<std::string> choices; // the allowed values, if there is a short list
@@ -25,7 +26,7 @@ struct OptionWords {
     settings::HelpPlace place{settings::Group::Input, settings::Tier::Everyday, 0};
 };
 
-/// A command with its subcommands. The program itself has an empty path.
+/// A command with its options and subcommands. The program itself is the command with an empty path.
 struct CommandWords {
     std::vector<std::string> path; // for example {"sun", "hours"}
     std::string description;
@@ -38,10 +39,10 @@ struct CommandWords {
 /// Returns the commands and options of `program`, except hidden ones and old names. `program` can also be a subcommand.
 CommandWords commandWords(const CLI::App& program);
 
-/// Returns the command of `program` with the given path. Throws Error if there is none.
+/// Returns the subcommand of `program` with the words `path`. Throws Error if there is none.
 const CommandWords& commandAt(const CommandWords& program, const std::vector<std::string>& path);
 
-/// Joins `first` and the words of the command's path with `between`, for example "gnomon sun hours" or
+/// Returns `first` and the words of the command's path, joined by `between`. Examples are "gnomon sun hours" and
 /// "_gnomon_sun_hours".
 std::string joinedPath(const CommandWords& command, const std::string& first, const std::string& between);
 

@@ -1,4 +1,4 @@
-// Manual pages, generated from the commands and options of a command line.
+// Generates manual pages from the commands and options of a program.
 #pragma once
 
 #include "manual/command_words.h"

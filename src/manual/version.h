@@ -5,7 +5,7 @@
 
 namespace gnomon::manual {
 
-/// Returns version, formats and compiler settings as a JSON document.
+/// Returns a JSON document with the version of Gnomon, the file formats and the compiler settings.
 std::string versionJson(const std::string& version);
 
 } // namespace gnomon::manual

@@ -1,4 +1,5 @@
-// The ranks of an MPI job that compute hours of sun. Each rank computes a fixed share of the light directions.
+// The processes (ranks) of an MPI job that compute hours of sun together. Each rank computes a fixed share of the
+// light directions.
 #pragma once
 
 #include "preprocess/distributed/mailbox.h"
@@ -9,11 +10,11 @@
 
 namespace gnomon::mpi {
 
-/// A team of MPI ranks that computes hours of sun. The ranks send messages when they are ready or have failed. One MPI
-/// reduction adds the results of all ranks.
+/// The ranks of an MPI job that compute hours of sun together. They send messages when they are ready or have failed.
+/// One MPI reduction adds the results of all ranks.
 class SunTeam final : public task::SunHoursTeam {
 public:
-    /// Joins the team. In a rank other than 0, the team calls `noteStop` if rank 0 sends Stop.
+    /// Joins the team of ranks. In a rank other than 0, the team calls `noteStop` if rank 0 sends Stop.
     explicit SunTeam(distributed::Mailbox& mailbox, std::function<void()> noteStop = {});
 
     sun::LightShare share() const override { return {mailbox_.rank(), mailbox_.count()}; }
@@ -33,7 +34,7 @@ private:
     void takeFromLeader(const distributed::Letter& letter);
 
     /// Waits until all ranks call this function. A rank other than 0 first sends a message with `subject` and `bytes`.
-    /// The function polls `progress` for interruptions.
+    /// Meanwhile the function polls `progress` for interruptions.
     void exchange(distributed::Subject subject, std::vector<std::byte> bytes, Progress& progress);
 
     distributed::Mailbox& mailbox_;

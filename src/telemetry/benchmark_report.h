@@ -1,4 +1,4 @@
-// The summary of a bench in the JSON format of Google Benchmark, so that its tools can read it.
+// Writes the summary of `gnomon bench` in the JSON format of Google Benchmark, so that its tools can read it.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace gnomon::telemetry {
 
-/// The frame times of one run, which is one combination of settings with all repetitions.
+/// The frame times of one run of `gnomon bench`: one combination of settings with all repetitions.
 struct RunTimes {
     std::string name;
     std::vector<double> totalMs;
@@ -22,12 +22,12 @@ struct RunTimes {
 /// be empty.
 double quantile(std::span<const double> values, double fraction);
 
-/// Returns JSON with `context` (machine and settings) and `benchmarks` (one entry per run). An entry contains `name`,
-/// `iterations`, the means `real_time` and `cpu_time`, `time_unit`, and the percentiles `p50`, `p95` and `p99` in
-/// milliseconds. It also contains `pages_damaged` and `pages_missing`.
+/// Returns the summary of all runs as JSON: `context` (machine and settings) and `benchmarks` (one entry per run). An
+/// entry contains `name`, `iterations`, the means `real_time` and `cpu_time`, `time_unit`, and the percentiles `p50`,
+/// `p95` and `p99` in milliseconds. It also contains `pages_damaged` and `pages_missing`.
 std::string benchmarkJson(const std::map<std::string, std::string>& context, std::span<const RunTimes> runs);
 
-/// Returns the context of this machine and build: date, host_name, num_cpus, cpu, memory_bytes, compiler and
+/// Returns properties of this machine and build: date, host_name, num_cpus, cpu, memory_bytes, compiler and
 /// library_build_type.
 std::map<std::string, std::string> machineContext();
 

@@ -1,4 +1,4 @@
-// The log of one frame as a row. Each column is declared once and written as CSV and as JSON.
+// The measurements of one frame as a row of the log. Each column is declared once and written as CSV and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace gnomon::telemetry {
 
-/// The measurements of one frame of a run. Values that were not measured are empty. Times are wall-clock milliseconds,
-/// including the wait for the GPU.
+/// The measurements of one frame, one member per column of the log. Values that were not measured are empty. Times are
+/// wall-clock milliseconds, including the wait for the GPU.
 struct FrameRow {
     std::string run;
     std::int64_t repetition = 0;
@@ -45,7 +45,7 @@ struct FrameRow {
 
     std::optional<std::int64_t> imageTriangles;
     std::optional<std::int64_t> shadowTriangles;
-    // Number of pixels that triangles of casters cover, with overdraw. OpenGL does not count them.
+    // Number of shadow map texels that triangles of shadow casters cover, with overdraw. OpenGL does not count them.
     std::optional<std::int64_t> shadowFragments;
     std::optional<std::int64_t> castersTested;
     std::optional<std::int64_t> castersKept;
@@ -72,11 +72,11 @@ struct FrameRow {
     std::optional<double> crawl;
 
     std::optional<double> sinceStartMs; // from the start of the process to the end of the frame
-    // Share of the pixels on surfaces towards the light that miss their shadow because the caster is thinner than a
-    // texel. These pixels do not count as wrong.
+    // Share of the pixels on surfaces towards the light that miss their shadow because the shadow caster is thinner
+    // than a texel. These pixels do not count as wrong.
     std::optional<double> missedShadowFraction;
-    // Share of the pixels on surfaces towards the light, with N.L above 0.1, that are wrong and farther from a true
-    // shadow edge than the footprint of a texel.
+    // Share of the pixels on surfaces towards the light, with N.L above 0.1, whose shadow is wrong, and which are
+    // farther from a true shadow edge than the footprint of a texel.
     std::optional<double> unexplainedShadowFraction;
 
     // The following columns about shadows and light were appended later. They are empty if they do not apply.
@@ -85,7 +85,7 @@ struct FrameRow {
     std::optional<std::int64_t> shadowCells;    // number of cells into which the samples are sorted
     std::optional<std::int64_t> sampleTests;    // pairs of a caster's triangle and a sample in the same cell
     std::optional<std::int64_t> exactDecisions; // sample tests that doubles could not resolve
-    // Pixels whose result depends on the tolerance or on the rule for ties.
+    // Number of pixels whose exact shadow depends on the tolerance or on the rule for ties.
     std::optional<std::int64_t> pixelsWithinTolerance;
     std::optional<std::string> occlusion;
     std::optional<std::int64_t> clustersHidden;
@@ -95,11 +95,12 @@ struct FrameRow {
     std::optional<std::int64_t> samplesPerPixel;
     std::optional<double> sunAngle;
     std::optional<double> lightError;
-    // Triangles with computed edge functions in the image, if occlusion culling skips hidden geometry.
+    // Number of triangles in the image for which edge functions are computed, if occlusion culling skips hidden
+    // geometry.
     std::optional<std::int64_t> trianglesSetUp;
 };
 
-/// The value of a column, or monostate if it was not measured.
+/// The value of a log column, or monostate if it was not measured.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 /// One column of the log.
@@ -108,17 +109,18 @@ struct Column {
     Value (*value)(const FrameRow& row);
 };
 
-/// Returns all columns in their order in the file.
+/// Returns all columns of the log in their order in the file.
 std::span<const Column> columns();
 
-/// Returns the header line, without a line break.
+/// Returns the header line of the CSV log, without a line break.
 std::string csvHeader();
 
-/// Returns one row of CSV, without a line break. Text with a comma, a quote or a line break is quoted (RFC 4180).
-/// Numbers have the shortest form that reads back the same value.
+/// Returns the measurements of a frame as a row of CSV, without a line break. Text with a comma, a quote or a line
+/// break is quoted (RFC 4180). Numbers have the shortest form that reads back the same value.
 std::string csvRow(const FrameRow& row);
 
-/// Returns a JSON object with all columns. Values that were not measured or are not finite are null.
+/// Returns the measurements of a frame as a JSON object with all columns. Values that were not measured or are not
+/// finite are null.
 std::string jsonObject(const FrameRow& row);
 
 } // namespace gnomon::telemetry

@@ -1,4 +1,4 @@
-// Conversion of JSON to text for strings with arbitrary bytes, because a file name need not be UTF-8.
+// Converts JSON documents with arbitrary bytes in strings to text, because a file name need not be UTF-8.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace gnomon::telemetry {
 
-/// Returns `document` as text, on one line if `indent` is negative. Invalid UTF-8 becomes U+FFFD. All characters
+/// Returns `document` as JSON text, on one line if `indent` is negative. Invalid UTF-8 becomes U+FFFD. All characters
 /// outside ASCII are written as "\u1234", so that no control character reaches the terminal.
 template <class Json>
 std::string jsonText(const Json& document, int indent = -1) {

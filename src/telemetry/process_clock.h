@@ -1,4 +1,4 @@
-// Resource use of this process: wall-clock time, processor time and memory.
+// Measures the resources that this process uses: wall-clock time, processor time and memory.
 #pragma once
 
 #include "core/units.h"
@@ -9,10 +9,10 @@ namespace gnomon::telemetry {
 /// ms.
 Milliseconds sinceProcessStart();
 
-/// Returns the processor time of all threads since the start of the process.
+/// Returns the processor time that all threads of this process have used since its start.
 Milliseconds processorTime();
 
-/// Returns the peak resident memory so far.
+/// Returns the max resident memory of this process so far.
 Bytes peakResident();
 
 } // namespace gnomon::telemetry

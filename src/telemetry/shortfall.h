@@ -1,4 +1,4 @@
-// How far drawings fall short of the requested error, and the warning about it.
+// Collects how much drawn frames exceed the requested error or lack pages, and words the warning.
 #pragma once
 
 #include "telemetry/frame_row.h"
@@ -8,7 +8,7 @@
 
 namespace gnomon::telemetry {
 
-/// The requested and the achieved detail of one drawing.
+/// The requested and the achieved detail of one drawn frame.
 struct DrawnDetail {
     double askedPixels = 0;         // requested max error, in pixels
     double achievedPixels = 0;      // max error of the drawn clusters, in pixels
@@ -16,19 +16,19 @@ struct DrawnDetail {
     bool isDamaged = false;         // some pages cannot be read; a warning was printed for each
 };
 
-/// Collects the shortfalls of all drawings of one command.
+/// Collects over all frames of a command how much they exceed the requested error or lack pages.
 class Shortfall {
 public:
     void add(const DrawnDetail& detail);
 
-    /// Adds the values of a log row.
+    /// Adds the achieved detail of the frame that a log row describes.
     void add(const FrameRow& row);
 
-    /// Returns one sentence about all drawings, with the likely cause. Returns an empty text if each drawing has the
-    /// requested error and pages. Damaged pages do not count, because each one has its own warning.
+    /// Returns one sentence about all frames that exceed the requested error or lack pages, with the likely cause.
+    /// Returns an empty text if there are none. Damaged pages do not count, because each one has its own warning.
     std::string text() const;
 
-    /// Returns true if pages are missing because the page memory is too small.
+    /// Returns true if frames lack pages because the memory for pages is too small.
     bool lacksMemory() const { return worst_.pagesMissing > 0; }
 
 private:

@@ -1,5 +1,5 @@
-// Files that are embedded at build time: the script that draws the figures of the theory (figures.py), and the errors
-// of the closed forms (data/figures/ulps.csv).
+// Files that are embedded at build time: the script figures.py, which draws the figures of the shadow theory, and
+// data/figures/ulps.csv, the errors of its formulas.
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@ namespace gnomon::theory {
 
 extern const std::string_view kFiguresScript;
 
-/// A CSV table with a header. Each line is for one power of ten of f/n - 1, and column 0 is its exponent. Each other
-/// column, `FORM: OUTPUT`, contains the largest error in units in the last place. A cell is empty if there was no
-/// random input for it.
+/// The errors of the formulas of the shadow theory as a CSV table with a header. Each line is for one power of ten of
+/// f/n - 1, and column 0 is its exponent. Each other column, `FORM: OUTPUT`, contains the largest error in units in the
+/// last place. A cell is empty if there was no random input for it.
 extern const std::string_view kUlpsTable;
 
 } // namespace gnomon::theory

@@ -1,5 +1,5 @@
-// `gnomon theory figures`: the data of the figures of Lloyd et al. 2006 and of additional figures, one table per
-// figure.
+// Computes the data of the figures of Lloyd et al. 2006 and of additional figures, for `gnomon theory figures`. Each
+// figure has one table.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace gnomon::theory {
 
-/// A figure: a table and its presentation.
+/// A figure of the shadow theory: a table of data and its presentation.
 struct Figure {
     /// The type of the plot. Lines: column 0 is x, each other column is a series. Curves: rows are (panel, curve, x,
     /// y), each curve is a polyline. Maps: rows are (panel, x, y, value); each panel is a coloured disc of light
@@ -28,18 +28,18 @@ struct Figure {
     std::vector<std::vector<double>> rows{}; // NaN is an empty cell
 };
 
-/// Returns figures 2, 4, 5, 6, 7, 10 and 12 of Lloyd et al. 2006, recomputed.
+/// Returns the recomputed data of figures 2, 4, 5, 6, 7, 10 and 12 of Lloyd et al. 2006.
 std::vector<Figure> paperFigures();
 
-/// Returns the figures that the paper does not contain: warp rules over the hemisphere, exact forms of Eqs 20 and 21, S
-/// up to k = 20, lambda, and orientation.
+/// Returns the figures that Lloyd et al. 2006 does not contain: warp rules over the hemisphere, exact forms of Eqs 20
+/// and 21, the storage factor S up to k = 20 slices, lambda, and orientation.
 std::vector<Figure> ownFigures();
 
-/// Returns the errors of the closed forms of src/shadow by depth ratio. The data come from the table of the tests
-/// (tests/theory/ulps_table.h), with 60,000 random inputs each.
+/// Returns figures with the errors of the closed forms of src/shadow, by depth ratio. The data come from the table of
+/// the tests (tests/theory/ulps_table.h), with 60,000 random inputs each.
 std::vector<Figure> ulpsFigures();
 
-/// Returns the table as CSV with a header line.
+/// Returns the table of a figure as CSV with a header line.
 std::string csvOf(const Figure& figure);
 
 } // namespace gnomon::theory

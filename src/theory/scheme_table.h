@@ -1,4 +1,5 @@
-// `gnomon theory table`: the cost of each scheme for one view and one light, for k = 1 to 8 slices.
+// Computes the cost of each shadow map scheme for one view and one light, for k = 1 to 8 slices. `gnomon theory table`
+// prints it.
 #pragma once
 
 #include "shadow/fit/view_frustum.h"
@@ -8,7 +9,7 @@
 
 namespace gnomon::theory {
 
-/// A row of the table: a scheme with k slices.
+/// A row of the cost table: a shadow map scheme with k slices.
 struct SchemeRow {
     std::string scheme{}; // ZP, ZP+W, FP+ZP, FP+ZP+W, FP, ZP stable
     std::string warp{};   // value of the option --warp; auto* is auto with the orientation of the smallest S
@@ -20,7 +21,7 @@ struct SchemeRow {
     double worstZ = 0;
 };
 
-/// Returns the rows of all schemes for k = 1 to 8. `towardsLight` is a unit vector in camera space.
+/// Returns the cost of all shadow map schemes for k = 1 to 8 slices. `towardsLight` is a unit vector in camera space.
 std::vector<SchemeRow> schemeTable(const shadow::ViewFrustum& frustum, const glm::dvec3& towardsLight);
 
 } // namespace gnomon::theory

@@ -1,4 +1,4 @@
-// Figures and tables of the theory as JSON documents.
+// Converts figures and tables of the shadow theory to JSON documents.
 #pragma once
 
 #include "theory/figures.h"
@@ -10,10 +10,10 @@
 
 namespace gnomon::theory {
 
-/// Returns the description of a figure (labels, scales, panels) without its rows.
+/// Returns the presentation of a figure (labels, scales, panels) as JSON, without its rows.
 nlohmann::json describe(const Figure& figure);
 
-/// Returns {"rows": [...]} with one element per entry of `table`.
+/// Returns the JSON document {"rows": [...]} with one element per entry of `table`.
 nlohmann::json tableJson(std::span<const SchemeRow> table);
 
 } // namespace gnomon::theory

@@ -21,7 +21,7 @@ namespace gnomon {
 
 namespace {
 
-/// Resolves the symbolic links of `path`, also if the final target does not exist.
+/// Resolves the symbolic links of `path`, even if the final target does not exist.
 std::string withoutLinks(const std::string& path) {
     constexpr int kMaxLinks = 40; // limit of the Linux kernel; it also detects cycles of links
     std::filesystem::path end = path;
@@ -43,7 +43,7 @@ bool isOtherThanFile(const std::string& path) {
 
 constexpr unsigned kNewPermissions = 0666; // before the user's umask
 
-/// Calls `call` again as long as a signal interrupts it, and returns its result.
+/// Repeats `call` as long as a signal interrupts it, and returns its result.
 template <class Call>
 auto uninterrupted(const Call& call) {
     for (;;) {
@@ -69,7 +69,7 @@ int flagsOf(File::Mode mode) {
     }
 }
 
-/// Returns a random number that other processes cannot predict, for temporary names.
+/// Returns a random number for temporary file names, which other processes cannot predict.
 std::uint64_t randomNumber() {
     std::uint64_t number = 0;
     if (uninterrupted([&] { return ::getrandom(&number, sizeof(number), 0); }) == sizeof(number)) return number;
@@ -206,7 +206,7 @@ void File::resize(std::uint64_t bytes) {
 }
 
 void File::release(std::uint64_t offset, std::uint64_t bytes) {
-    // The result is ignored: on a file system without support for holes, the file only uses more space.
+    // The result is ignored. On a file system without support for holes, the file only uses more space.
     static_cast<void>(::fallocate(
         descriptor_,
         FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
@@ -235,7 +235,7 @@ void File::resemble(const std::string& path) {
 
     if (::stat(path.c_str(), &other) != 0) return;
     const bool isOwned = ::fchown(descriptor_, other.st_uid, other.st_gid) == 0;
-    // The system can forbid a change of the owner and still allow a change to a group of the user.
+    // The system can forbid a change of the file's owner, and still allow a change to another group of the user.
     if (!isOwned) static_cast<void>(::fchown(descriptor_, static_cast<uid_t>(-1), other.st_gid));
     static_cast<void>(::fchmod(descriptor_, other.st_mode & (isOwned ? 07777U : 0777U)));
 }

@@ -11,7 +11,7 @@ namespace gnomon {
 
 namespace {
 
-/// A scan of the document before parsing, which checks the limits of json_file.h. The parser reports syntax errors.
+/// Scans a JSON document before parsing, and checks the limits of json_file.h. The parser reports syntax errors.
 class Limits {
 public:
     Limits(const std::string& path, const std::string& text) : path_(path), text_(text) {}

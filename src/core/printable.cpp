@@ -10,7 +10,7 @@ namespace gnomon {
 
 namespace {
 
-/// Returns the length in bytes of a UTF-8 character that begins with `first`, or 0 if no character does.
+/// Returns the length in bytes of a UTF-8 character whose first byte is `first`, or 0 if there is no such character.
 std::size_t bytesFrom(unsigned first) {
     if (first < 0x80) return 1;
     if (first < 0xc2 || first > 0xf4) return 0;
@@ -25,15 +25,15 @@ std::size_t characterBytes(std::string_view text) {
     for (std::size_t i = 1; i < bytes; ++i)
         if ((at(i) & 0xc0U) != 0x80) return 0;
     if (bytes < 3) return bytes;
-    // Invalid are overlong encodings, UTF-16 surrogates, and codes above U+10FFFF.
+    // Rejects overlong encodings, UTF-16 surrogates, and codes above U+10FFFF.
     const unsigned start = static_cast<unsigned>(at(0)) << 8U | at(1);
     const bool isTooLong = start < 0xe0a0 || (start >= 0xf000 && start < 0xf090);
     const bool isNoCharacter = (start >= 0xeda0 && start < 0xee00) || start >= 0xf490;
     return isTooLong || isNoCharacter ? 0 : bytes;
 }
 
-/// A range of characters that a terminal or a page interprets or hides. kHidden contains controls, line and paragraph
-/// separators, and the characters with the Unicode 15 property Bidi_Control or Default_Ignorable_Code_Point.
+/// A range of characters that a terminal or a web page interprets or hides. kHidden contains controls, line and
+/// paragraph separators, and the characters with the Unicode 15 property Bidi_Control or Default_Ignorable_Code_Point.
 struct Range {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
@@ -102,7 +102,8 @@ std::string printable(std::string_view text) {
 std::string inWords(const std::exception& error) {
     const auto* const file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
     if (file == nullptr) return error.what();
-    // Both standard libraries write "filesystem error: OPERATION: REASON [PATH]".
+    // Messages of std::filesystem errors have the form "filesystem error: OPERATION: REASON [PATH]" in both standard
+    // libraries.
     constexpr std::string_view kBefore = "filesystem error: ";
     std::string_view operation = error.what();
     if (operation.substr(0, kBefore.size()) == kBefore) operation.remove_prefix(kBefore.size());

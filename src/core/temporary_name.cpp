@@ -12,13 +12,13 @@ namespace gnomon {
 
 namespace {
 
-// The signal handler uses only these two objects. It can wait for the lock without a deadlock, because a thread blocks
-// signals while it holds the lock.
+// The signal handler uses only the following two objects. It can wait for the lock without a deadlock, because a
+// thread blocks signals while it holds the lock.
 constinit std::atomic_flag isLocked;       // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 constinit TemporaryName* newest = nullptr; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
-/// A lock of the list of temporary names. Other threads wait for it, and this thread blocks signals meanwhile. It
-/// preserves `errno`.
+/// Locks the list of temporary names. Other threads wait for the lock, and this thread blocks signals meanwhile.
+/// `errno` does not change.
 class Lock {
 public:
     Lock() {

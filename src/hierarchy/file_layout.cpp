@@ -101,7 +101,8 @@ void putMap(ByteWriter& out, const std::map<std::string, Value>& map, Put put) {
     }
 }
 
-/// Decodes a map. Throws Damage if the keys are not in ascending order, so that each map has exactly one encoding.
+/// Decodes a map from bytes. Throws Damage if the keys are not in ascending order, so that each map has exactly one
+/// encoding.
 template <class Value, class Take>
 std::map<std::string, Value> takeMap(ByteReader& in, Take take) {
     std::map<std::string, Value> map;
@@ -270,7 +271,7 @@ Field takeField(ByteReader& in) {
     return field;
 }
 
-/// Decodes the members that format 4 appends to the summary of format 3.
+/// Decodes the members of the summary that format 4 appends to those of format 3.
 void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.up.direction = takeVector(in);
     constexpr double kRounding = 1e-6;
@@ -281,7 +282,7 @@ void takeWorldFrame(ByteReader& in, ModelSummary& summary) {
     summary.unit = static_cast<Unit>(unit);
     const std::uint64_t fieldCount = in.takeVarint();
     for (std::uint64_t i = 0; i < fieldCount; ++i)
-        // A field needs at least one byte of input, so a damaged count cannot allocate unlimited memory.
+        // A field needs at least one byte of input, so a damaged number of fields cannot allocate unlimited memory.
         summary.fields.push_back(takeField(in));
     for (LevelInfo& level : summary.levels) {
         level.maxAttributeError = in.take<double>();

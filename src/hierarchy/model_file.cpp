@@ -16,15 +16,14 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Reads `count` bytes from `offset`. The range must be inside the file.
+/// Reads `count` bytes from `offset`. The byte range must be inside the file.
 std::vector<std::byte> readBytes(const hierarchy::Source& source, std::uint64_t offset, std::uint64_t count) {
     std::vector<std::byte> bytes(count);
     source.readAt(offset, bytes);
     return bytes;
 }
 
-/// Returns true if `bytes` have the checksum in `place`. If they do not, reads the bytes again without caches and
-/// checks them again.
+/// Returns true if `bytes` have the checksum in `place`. If not, reads them again without caches and repeats the check.
 bool isAsWritten(const hierarchy::Source& source, const TablePlace& place, std::span<std::byte> bytes) {
     const auto isRight = [&] { return checksum64(bytes) == place.checksum; };
     return isRight() || (source.readAnew(place.offset, bytes) && isRight());
@@ -65,7 +64,8 @@ Header readHeader(const hierarchy::Source& source, std::uint64_t fileBytes) {
     return header;
 }
 
-/// Reads and checks the footer. The tables must be inside the file, and reading them must need at most `tableMemory`.
+/// Reads and checks the footer of a model file. The tables must be inside the file, and reading them must need at most
+/// `tableMemory`.
 Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Bytes tableMemory) {
     const std::uint64_t offset = fileBytes - kFooterBytes;
     try {
@@ -97,7 +97,7 @@ Footer readFooter(const hierarchy::Source& source, std::uint64_t fileBytes, Byte
     }
 }
 
-/// Reads the table at `place`, checks its checksum and decodes it. `name` is the table's name in errors.
+/// Reads the table at `place`, checks its checksum and decodes it. Error messages call the table `name`.
 template <class Decode>
 auto readTable(const hierarchy::Source& source, const TablePlace& place, const char* name, Decode decode) {
     std::vector<std::byte> bytes = readBytes(source, place.offset, place.bytes);

@@ -21,7 +21,7 @@ ordered_json vectorJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// Returns how many decimal digits distinguish coordinates that are one grid step apart. The result is at least six.
+/// Returns how many decimal digits distinguish coordinates that are one grid step apart, at least six.
 int coordinateDigits(const ModelSummary& summary) {
     double largest = 0;
     for (int i = 0; i < 3; ++i)
@@ -34,8 +34,8 @@ void putVector(std::ostream& out, const glm::dvec3& v) {
     out << v.x << ',' << v.y << ',' << v.z;
 }
 
-/// Returns the build options of the model without the cameras. Cameras are stored among the options, but they are not
-/// options and are too long to print.
+/// Returns the build options of the model without the cameras. The model stores cameras among its options, but they are
+/// no options and are too long to print.
 std::map<std::string, std::string> optionsWithoutCameras(const ModelSummary& summary) {
     std::map<std::string, std::string> options = summary.options;
     options.erase(kCamerasOption);

@@ -28,8 +28,8 @@ struct ModelWriter::State {
         XXH3_128bits_reset(hash.get());
     }
 
-    /// Appends `bytes` to the file. All bytes after the header pass through this function in file order, except the
-    /// pages that other processes write.
+    /// Appends `bytes` to the model file. All bytes after the header pass through this function in file order, except
+    /// the pages that other processes write.
     void write(std::span<const std::byte> bytes) {
         output.file().writeAt(offset, bytes);
         XXH3_128bits_update(hash.get(), bytes.data(), bytes.size());
@@ -42,8 +42,8 @@ struct ModelWriter::State {
         pages.push_back(std::move(info));
     }
 
-    /// Adds the pages that other processes wrote to the hash. The file is opened again for this, because network file
-    /// systems guarantee only to a new file descriptor that such bytes are visible.
+    /// Adds the pages that other processes have written to the content hash. The file is opened again for this, because
+    /// network file systems guarantee only to a new file descriptor that such bytes are visible.
     void hashReserved() {
         constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
         const File file(output.temporaryPath().value(), File::Mode::Read, output.file().path());

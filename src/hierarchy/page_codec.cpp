@@ -18,22 +18,23 @@ namespace {
 
 enum class Packing : std::uint8_t { Plain = 0, Zstd = 1 };
 
-/// Bit of the packing byte: the groups and refinements of the page store attribute errors. Without this bit, all
-/// attribute errors are 0. A page without attribute errors has the same bytes in all formats.
+/// A bit of the byte that describes how a page is packed. It means that the groups and refinements of the page store
+/// attribute errors. Without this bit, all attribute errors are 0. A page without attribute errors has the same bytes
+/// in all formats.
 constexpr std::uint8_t kAttributeErrorsBit = 2;
 
-/// Bit of the packing byte: the vertices of the page have fields.
+/// A bit of the byte that describes how a page is packed. It means that the vertices of the page have fields.
 constexpr std::uint8_t kFieldsBit = 4;
 
-/// The max ratio of decompressed to stored size. It prevents a small file from requesting a large buffer.
+/// The max ratio of decompressed to stored size of a page. It prevents a small file from requesting a large buffer.
 constexpr std::uint64_t kMaxExpansion = 256;
 
-/// The min size of a separate zstd block. In a smaller block, the entropy table costs more bytes and time than it
-/// saves.
+/// The min size of a separate zstd block in bytes. In a smaller block, the entropy table costs more bytes and time than
+/// it saves.
 constexpr std::size_t kMinBlockBytes = 5000;
 
-/// If a page compresses to less than this share of its size, it is repetitive, for example the page of a plant. It is
-/// then stored in one block. One block decompresses a seventh faster, and its size is almost the same.
+/// A page that compresses to less than this share of its size is repetitive, for example the page of a plant. It is
+/// then stored in one zstd block. One block decompresses a seventh faster, and its size is almost the same.
 constexpr double kRepetitiveShare = 0.4;
 
 void putSphere(ByteWriter& out, const Sphere& sphere) {
@@ -151,19 +152,20 @@ void takeClusters(ByteReader& in, const PageInfo& info, Page& page) {
         throw Damage{"the counts of the clusters differ from the page table"};
 }
 
-/// Returns `result`, the result of a zstd call. Throws bad_alloc if `result` means that memory is exhausted.
+/// Returns `result`, which a zstd call has returned. Throws bad_alloc if it means that memory is exhausted.
 std::size_t withMemory(std::size_t result) {
     if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation) throw std::bad_alloc();
     return result;
 }
 
-/// A zstd context that a thread reuses for all pages. Creating a context costs a tenth of the time to decode a page.
+/// A zstd context that a thread reuses for all pages. Creating a new one would cost a tenth of the time to decode a
+/// page.
 template <class Context>
 class KeptContext {
 public:
     KeptContext(Context* (*make)(), std::size_t (*free)(Context*)) : make_(make), context_(nullptr, free) {}
 
-    /// Returns the context. The first call creates it. Throws bad_alloc if this fails.
+    /// Returns the zstd context, which the first call creates. Throws bad_alloc if this fails.
     Context* made() {
         if (!context_) context_.reset(make_());
         if (!context_) throw std::bad_alloc();
@@ -181,8 +183,8 @@ void packBlock(ZSTD_CCtx* context, std::span<const std::byte> bytes, ZSTD_EndDir
     GNOMON_CHECK_OP(withMemory(ZSTD_compressStream2(context, &packed, &in, then)), ==, std::size_t{0});
 }
 
-/// Compresses `plain` to one zstd frame. Each long enough part between two `streamEnds` becomes a separate block. Bytes
-/// of different kinds in one block would share an entropy table that fits none of them.
+/// Compresses `plain` to one zstd frame. Each part between two `streamEnds` becomes a separate block if it is long
+/// enough. Bytes of different kinds in one block would share an entropy table that fits none of them.
 std::vector<std::byte> packedFrame(std::span<const std::byte> plain, std::span<const std::size_t> streamEnds) {
     thread_local KeptContext<ZSTD_CCtx> kept(ZSTD_createCCtx, ZSTD_freeCCtx);
     ZSTD_CCtx* const context = kept.made();
@@ -218,7 +220,7 @@ std::vector<std::byte> pack(
 }
 
 /// Returns the uncompressed bytes of a page. If decompression was necessary, they are in `storage`. `packingBits`
-/// receives the additional bits of the packing byte. Throws Damage if there are more than `maxBytes` bytes.
+/// receives the bits that describe the content of the page. Throws Damage if there are more than `maxBytes` bytes.
 std::span<const std::byte> unpack(
     std::span<const std::byte> stored,
     std::uint64_t maxBytes,

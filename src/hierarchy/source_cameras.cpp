@@ -22,7 +22,7 @@ void putNumber(std::string& text, double number) {
     text.append(" ").append(digits.data(), end);
 }
 
-/// Removes the text before the next `end` from `rest` and returns this text.
+/// Removes the text before the next `end` from `rest`, and returns the removed text.
 std::string_view takenUpTo(char end, std::string_view& rest) {
     const std::size_t length = std::min(rest.find(end), rest.size());
     const std::string_view taken = rest.substr(0, length);

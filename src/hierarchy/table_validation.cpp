@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// The max radius and centre coordinate of bounding spheres, in grid steps. Spheres grow from level to level, but never
-/// by so much.
+/// The max radius and centre coordinate of bounding spheres in a valid model, in grid steps. Spheres grow from level to
+/// level, but never by so much.
 constexpr double kMaxSphereSteps = 0x1p44;
 
 std::string found(const std::string& what, const std::string& expected, const std::string& found) {
@@ -70,7 +70,7 @@ std::optional<std::string> boundsFault(const PageInfo& info, const Grid& grid) {
     return {};
 }
 
-/// Returns true if `outer` contains `inner`. `slack` is the tolerance per axis.
+/// Returns true if the box `outer` contains the box `inner`. `slack` is the tolerance per axis.
 bool holds(const Box& outer, const Box& inner, const glm::dvec3& slack) {
     for (int k = 0; k < 3; ++k)
         if (!(inner.min[k] >= outer.min[k] - slack[k]) || !(inner.max[k] <= outer.max[k] + slack[k])) return false;
@@ -101,7 +101,7 @@ std::uint64_t maxPlainBytes(const PageInfo& info) {
     constexpr std::uint64_t kIndex = 5; // a varint of 32 bits, with seven bits per byte
     constexpr std::uint64_t kSphereAndErrors = 6 * sizeof(double);
     constexpr std::uint64_t kVertex =
-        // The 32-bit words of a reference, a position, a normal, a colour and the fields of a vertex.
+        // Bytes of a vertex: the 32-bit words of its reference, position, normal, colour and fields.
         (1 + 3 + 2 + 4 + 4) * sizeof(std::uint32_t);
     constexpr std::uint64_t kTriangle = 1 + 3; // a code byte and three indices
     // bytes of its counts, its refinement, and its anchor (the position of its first vertex)

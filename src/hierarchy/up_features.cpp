@@ -21,7 +21,7 @@ using Corners = std::array<glm::vec3, 3>;
 using Outline = std::vector<glm::dvec2>;
 using Cells = std::vector<char>;
 
-/// A sample point of the surface and the area that it represents.
+/// A sample point of the surface, and the surface area that it represents.
 struct Sample {
     glm::dvec3 at{0};
     glm::dvec3 facing{0}; // area vector: normal times area
@@ -32,7 +32,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Returns `position` without its coordinate along `axis`.
+/// Projects `position` along `axis`: returns its two other coordinates.
 glm::dvec2 across(const glm::dvec3& position, int axis) {
     return {position[(axis + 1) % 3], position[(axis + 2) % 3]};
 }
@@ -66,8 +66,8 @@ double areaOf(const Outline& hull) {
     return twice / 2;
 }
 
-/// Returns the distance from `point` to the border of the hull. It is negative outside the hull, and -1 for a hull
-/// without area.
+/// Returns the distance from `point` to the border of the convex hull. It is negative outside the hull, and -1 for a
+/// hull without area.
 double depthIn(const Outline& hull, const glm::dvec2& point) {
     if (hull.size() < 3) return -1;
     double depth = std::numeric_limits<double>::infinity();
@@ -79,7 +79,7 @@ double depthIn(const Outline& hull, const glm::dvec2& point) {
     return depth;
 }
 
-/// Returns the number of connected parts of the cells that are set. Two cells with a common corner are connected.
+/// Returns the number of connected components of the cells that are set. Two cells with a common corner are connected.
 double partsOf(Cells cells) {
     int parts = 0;
     std::vector<int> open;
@@ -107,7 +107,8 @@ double countOf(const Cells& cells) {
     return static_cast<double>(std::count(cells.begin(), cells.end(), 1));
 }
 
-/// A surface, scaled to a cube of side 1 around the origin. Its samples represent approximately equal areas.
+/// A surface, scaled to a cube of side 1 around the origin, with sample points that represent approximately equal
+/// areas.
 class Surface {
 public:
     explicit Surface(std::span<const Corners> triangles) {
@@ -154,7 +155,7 @@ private:
         return 0.5 * glm::cross(vertices_[first + 1] - vertices_[first], vertices_[first + 2] - vertices_[first]);
     }
 
-    /// Adds the samples of a triangle. A large triangle is divided into equal small triangles, each with one sample.
+    /// Adds sample points on a triangle. A large triangle is divided into equal small triangles, each with one sample.
     /// For small triangles, one sample represents all triangles since the last sample.
     void addSamples(std::size_t first, double areaOfAll) {
         const glm::dvec3 facing = areaVector(first);
@@ -175,7 +176,7 @@ private:
         for (double i = 0; i < splits; ++i)
             for (double j = 0; i + j < splits; ++j)
                 for (const double third : {1.0 / 3, 2.0 / 3}) {
-                    // In each row, the last cell contains only an upright small triangle, and no inverted one.
+                    // The last cell of each row contains only an upright small triangle, and no inverted one.
                     if (third > 0.5 && i + j + 2 > splits) continue;
                     samples_.push_back(
                         {vertices_[first] + (i + third) * u + (j + third) * v, share * facing, share * area});
@@ -191,7 +192,7 @@ private:
     glm::dvec3 facing_{0};
 };
 
-/// The area of a surface per voxel of a grid. The area of each sample is distributed to the eight nearest voxels.
+/// The surface area in each voxel of a grid. The area of each sample is distributed to the eight nearest voxels.
 class Voxels {
 public:
     explicit Voxels(const Surface& surface) : area_(static_cast<std::size_t>(kVoxels * kVoxels * kVoxels)) {
@@ -209,8 +210,8 @@ public:
         }
     }
 
-    /// Returns the share of the area that the surface has in common with the transformed surface. `turn` maps voxels to
-    /// voxels.
+    /// Returns the share of the surface area that coincides with the surface after a transformation. `turn` maps voxels
+    /// to voxels.
     template <class Turn>
     double overlap(const Turn& turn) const {
         double common = 0;
@@ -231,7 +232,7 @@ private:
 
 using Features = std::array<double, kUpFeatures>;
 
-/// Computes the features of a surface for one candidate direction.
+/// Computes the features of a surface for one candidate of the up direction.
 class Measure {
 public:
     Measure(const Surface& surface, int axis, bool isDown)
@@ -255,7 +256,7 @@ public:
 private:
     void set(UpFeature feature, double value) { features_[static_cast<std::size_t>(feature)] = value; }
 
-    /// Returns the height of a point, relative to the surface: 0 is its bottom and 1 is its top.
+    /// Returns the height of a point relative to the surface, whose bottom is 0 and whose top is 1.
     double heightOf(const glm::dvec3& at) const { return 0.5 + sign_ * at[axis_] / height_; }
 
     static std::size_t columnOf(const glm::dvec2& at) {
@@ -264,7 +265,7 @@ private:
         return std::size_t(cell.x) * kColumns + std::size_t(cell.y);
     }
 
-    /// Returns the convex hull of the samples below the relative height `height`.
+    /// Returns the convex hull of all samples below the relative height `height`.
     Outline hullBelow(double height) const {
         Outline points;
         for (const Sample& sample : surface_.samples())
@@ -272,7 +273,7 @@ private:
         return hullOf(std::move(points));
     }
 
-    /// Returns the convex hull of the lowest vertices. It uses vertices because a leg that ends in a point may have no
+    /// Returns the convex hull of the lowest vertices. Vertices are used because a leg that ends in a point may have no
     /// samples there.
     Outline base() const {
         constexpr double kLowest = 0.02;

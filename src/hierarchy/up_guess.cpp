@@ -20,7 +20,7 @@ UpAxis axisOf(std::size_t direction) {
     return up;
 }
 
-/// Returns the votes of a decision tree for a direction.
+/// Returns the votes that a decision tree gives to a direction with the feature values `numbers`.
 int votesOf(const UpTree& tree, const UpNumbers& numbers) {
     std::size_t node = 0;
     while (node < tree.features.size())
@@ -28,14 +28,14 @@ int votesOf(const UpTree& tree, const UpNumbers& numbers) {
     return tree.votes[node - tree.features.size()];
 }
 
-/// Returns the two directions of the list `from` with the most votes. The direction with the most votes comes first.
+/// Returns the two directions of the list `from` with the most votes. The one with the most votes comes first.
 std::pair<std::size_t, std::size_t> leadersOf(const UpVotes& votes, std::vector<std::size_t> from) {
     std::stable_sort(from.begin(), from.end(), [&](std::size_t a, std::size_t b) { return votes[a] > votes[b]; });
     return {from[0], from[1]};
 }
 
-/// Returns the up axis of planar survey coordinates, which are large on the other two axes. Returns nullopt for other
-/// coordinates.
+/// Returns the up axis of planar survey coordinates, whose values are large on the other two axes. Returns nullopt for
+/// other coordinates.
 std::optional<UpAxis> upOfMap(const Box& box) {
     constexpr double kFar = 1e5;
     constexpr double kHigh = 9000;
@@ -51,13 +51,13 @@ std::optional<UpAxis> upOfMap(const Box& box) {
     return {};
 }
 
-/// Returns the up direction of earth-centred coordinates, which is the normal of the ellipsoid. The result is exact on
-/// the ellipsoid. Its error grows with the height above it.
+/// Returns the up direction at an earth-centred position, which is the normal of the WGS84 ellipsoid. The result is
+/// exact on the ellipsoid. Its error grows with the height above it.
 std::optional<UpAxis> upOfGlobe(const glm::dvec3& at) {
     constexpr double kEquator = 6378137.0;
     constexpr double kFlattening = 1 / 298.257223563;
     constexpr double kNear = 1e4;
-    // The squared ratio of the polar radius to the equatorial radius.
+    // The squared ratio of the Earth's polar radius to its equatorial radius.
     constexpr double kPoleRatio = (1 - kFlattening) * (1 - kFlattening);
     const double radius = glm::length(at);
     if (!(radius > 0)) return {};

@@ -6,7 +6,7 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Returns the smallest axis-aligned box around the corners of `box` after the transformation `turn`.
+/// Returns the smallest axis-aligned box that contains the corners of `box` after the transformation `turn`.
 template <class Turn>
 Box turnedBox(const Box& box, const Turn& turn) {
     Box turned;

@@ -74,8 +74,8 @@ std::optional<std::string> groupFault(const Page& page, std::size_t index) {
     return {};
 }
 
-/// Returns a description of the first gap or overlap in the ranges of clusters and groups, or nullopt. Without gaps, a
-/// page contains no hidden bytes.
+/// Returns a description of the first gap or overlap in the ranges of clusters and groups of a page, or nullopt if
+/// there is none. Without gaps, a page contains no hidden bytes.
 std::optional<std::string> tilingFault(const Page& page) {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;

@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Returns the degrees of `radians`, rounded to 1e-9 degrees if this value reads back exactly. An input of 60 degrees
-/// thus stays 60.
+/// Converts radians to degrees, rounded to 1e-9 degrees if this value reads back exactly. An angle of 60 degrees in a
+/// file thus stays 60.
 double degreesOf(double radians) {
     const double degrees = radians / radiansFromDegrees(1);
     const double shorter = std::round(degrees * 1e9) / 1e9;
@@ -75,8 +75,8 @@ ordered_json jsonOf(const Camera& camera) {
     return object;
 }
 
-/// The cubic between the keyframes b and c. Its slopes come from the values and times of a, b, c and d (Catmull and Rom
-/// 1974).
+/// The cubic that interpolates a camera value between the keyframes b and c. Its slopes come from the values and times
+/// of a, b, c and d (Catmull and Rom 1974).
 struct Segment {
     double t0 = 0;
     double t1 = 0;
@@ -100,7 +100,7 @@ Keyframe shifted(Keyframe key, double seconds) {
     return key;
 }
 
-/// Reads a camera file or a path. Throws Error for a glTF file, whose cameras have another format.
+/// Reads the JSON of a camera file or a camera path. Throws Error for a glTF file, whose cameras have another format.
 ordered_json cameraDocument(const std::string& path) {
     for (const char* const suffix : {".gltf", ".glb"})
         if (path.ends_with(suffix))
@@ -151,8 +151,8 @@ Camera cameraAt(const CameraPath& path, double time) {
     const auto at = static_cast<std::size_t>(next - keys.begin());
     const Keyframe& b = keys[at - 1];
     const Keyframe& c = keys[at];
-    // The last keyframe of a loop equals the first. The neighbours across the seam are therefore shifted by one
-    // duration of the path.
+    // The last keyframe of a loop equals the first. The times of neighbours across the seam are therefore shifted by
+    // one duration of the path.
     const double period = path.loop ? path.duration() : 0;
     const bool wraps = path.loop && keys.size() > 2;
     const Keyframe a = at >= 2 ? keys[at - 2] : wraps ? shifted(keys[keys.size() - 2], -period) : b;

@@ -15,7 +15,7 @@ constexpr double kAside = 0.45;     // three-quarter view: tangent of the sidewa
 constexpr double kFromAbove = 0.45; // three-quarter view: tangent of the angle from above
 constexpr double kClosest = 0.02;   // min distance from the eye to the model, as a fraction of the model's size
 
-/// The range of tangents in the picture along one axis.
+/// The range of the picture along one axis, as tangents of the view angle.
 struct Extent {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
@@ -28,8 +28,8 @@ struct Extent {
     double middle() const { return 0.5 * (min + max); }
 };
 
-/// The position of the eye on one axis of the picture at which `points` (camera space) exactly fill the range of
-/// `tangent`: its coordinate along the view (`depth`) and sideways (`aside`).
+/// The position of the eye, along one axis of the picture, at which `points` (camera space) exactly fill the range of
+/// `tangent`. `depth` is its coordinate along the view direction, and `aside` is the sideways one.
 struct Fit {
     double depth = 0;
     double aside = 0;
@@ -47,7 +47,7 @@ Fit fitAlong(std::span<const glm::dvec3> points, int axis, double tangent) {
     return {-(right + left) / (2 * tangent), 0.5 * (right - left)};
 }
 
-/// Returns the sideways position of an eye at `depth` that centres the points on an axis.
+/// Returns the sideways position of an eye at `depth` that centres `points` along an axis of the picture.
 double centerAlong(std::span<const glm::dvec3> points, int axis, double depth) {
     Extent sides;
     for (const glm::dvec3& p : points)
@@ -117,15 +117,16 @@ Camera framingCamera(std::span<const glm::dvec3> points, const Vantage& vantage,
     const double tangentY = kFramedPart * std::tan(fovYRadians / 2);
     const Fit wide = fitAlong(seen, 0, aspect * tangentY);
     const Fit high = fitAlong(seen, 1, tangentY);
-    // The tip of a slender object would touch the eye before the rest fills the picture.
+    // Limits how near the eye comes. The tip of a slender object would otherwise touch the eye before the rest fills
+    // the picture.
     const double closest = nearest - kClosest * std::max(glm::length(box.extent()), 1e-12);
     const double depth = std::min({wide.depth, high.depth, closest});
     const glm::dvec3 eye(
         depth == wide.depth ? wide.aside : centerAlong(seen, 0, depth),
         depth == high.depth ? high.aside : centerAlong(seen, 1, depth),
         depth);
-    // The target is the point of the view axis nearest to the vertical line through the middle, unless this point is
-    // far away.
+    // The target is the point of the view axis nearest to the vertical line through the middle of the model, unless
+    // this point is far away.
     const glm::dvec3 upright = toCamera(basis, vantage.up);
     const double along = 1 - upright.z * upright.z;
     const double overshoot = (glm::dot(eye, upright) * upright.z - depth) / along;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMaxTriangles = 12'000'000;
 
-/// The refinement rule of a region: refines groups that intersect the region and have an error larger than `error`.
+/// Refines all groups of clusters that intersect a region and have an error larger than `error`.
 struct RegionRule {
     Box region; // local space
     double error = 0;
@@ -31,7 +31,7 @@ std::uint64_t trianglesRead(const hierarchy::ModelFile& model, const RegionRule&
     return count;
 }
 
-/// A summed-area table over columns (Crow 1984).
+/// A summed-area table over the columns of a grid (Crow 1984).
 class SummedArea {
 public:
     SummedArea(const ColumnGrid& grid, const std::vector<double>& values)

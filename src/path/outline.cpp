@@ -16,7 +16,8 @@ bool contains(const Box& box, const glm::dvec3& point) {
     return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
 }
 
-/// Adds the vertices in `part` of the clusters that a cut with `error` draws from a page.
+/// Adds vertices of a page to the outline: those inside `part` whose clusters belong to the cut with the error limit
+/// `error`.
 void addVertices(
     const hierarchy::Page& page,
     const hierarchy::Grid& grid,

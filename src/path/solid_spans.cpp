@@ -8,13 +8,14 @@ namespace {
 
 constexpr std::uint32_t kNoNode = 0xFFFFFFFFU;
 
-/// A clipped triangle: each of four planes adds at most one corner.
+/// A triangle that has been clipped to a column: each of four planes adds at most one corner.
 struct Polygon { // NOLINT(cppcoreguidelines-pro-type-member-init): made for each column of each triangle
     std::array<glm::dvec3, 8> corners;
     std::size_t count = 0;
 };
 
-/// Returns the part of `polygon` above (`sign` 1) or below (`sign` -1) `bound` along `axis`.
+/// Clips `polygon` at the coordinate `bound` along `axis`. Returns the part above it if `sign` is 1, or below it if
+/// `sign` is -1.
 Polygon clipped(const Polygon& polygon, glm::length_t axis, double bound, double sign) {
     Polygon result;
     for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -47,7 +48,8 @@ Range rangeAlong(const Polygon& polygon, glm::length_t axis) {
     return range;
 }
 
-/// The columns that `range`, extended by `margin`, intersects, within `count` columns. Empty if first > last.
+/// The range of columns, within `count` columns, that intersect `range` extended by `margin`. It is empty if first >
+/// last.
 struct Columns {
     std::int32_t first = 0;
     std::int32_t last = -1;
@@ -118,7 +120,7 @@ void SolidSpans::insert(std::int32_t x, std::int32_t z, double low, double high)
     }
     const std::uint32_t after = *link;
     if (unused_.empty()) {
-        // Written before nodes_ grows, because the link may be inside nodes_.
+        // The link must be written before nodes_ grows, because it may be inside nodes_.
         *link = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back({span, after});
         return;

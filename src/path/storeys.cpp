@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSmallest = 36; // min area of a storey, in squared eye heights: 104 square metres
 
-/// Returns the connected parts of the walkable floor below a ceiling.
+/// Returns the connected components of the walkable floor that is below a ceiling.
 std::vector<std::vector<std::uint32_t>> roomsOf(const WalkableFloor& floor) {
     std::vector<std::vector<std::uint32_t>> rooms;
     std::vector<bool> isSeen(floor.cells().size(), false);

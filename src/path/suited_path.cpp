@@ -17,7 +17,7 @@ namespace {
 constexpr double kDuration = 12; // seconds
 constexpr double kTwoPi = 6.283185307179586;
 
-/// Returns a circle around the model, slightly from above.
+/// Returns a camera path on a circle around the model, slightly from above.
 CameraPath orbit(const Box& bounds) {
     CameraPath path;
     path.loop = true;
@@ -33,7 +33,7 @@ CameraPath orbit(const Box& bounds) {
     return path;
 }
 
-/// Returns a path over the model from corner to corner that looks ahead and down.
+/// Returns a camera path over the model from corner to corner that looks ahead and down.
 CameraPath flyby(const Box& bounds) {
     const glm::dvec3 extent = bounds.extent();
     const double height = bounds.max.y + 0.15 * std::max(extent.x, extent.z);
@@ -43,8 +43,8 @@ CameraPath flyby(const Box& bounds) {
     return {false, Interpolation::Linear, {keyframeAt(0, from, from + ahead), keyframeAt(kDuration, to, to + ahead)}};
 }
 
-/// Returns the distance from `origin` along `direction` to the triangle, or infinity without a hit (Moeller, Trumbore
-/// 1997).
+/// Returns the distance from `origin` along `direction` to the triangle `t`, or infinity if the ray misses it (Moeller,
+/// Trumbore 1997).
 double hitDistance(const TriangleCorners& t, const glm::dvec3& origin, const glm::dvec3& direction) {
     constexpr double kMissed = std::numeric_limits<double>::infinity();
     const glm::dvec3 along = t[1] - t[0];
@@ -61,8 +61,8 @@ double hitDistance(const TriangleCorners& t, const glm::dvec3& origin, const glm
     return kMissed;
 }
 
-/// Returns the distance from `start` along `direction` (unit length) to the model at full detail, or infinity without a
-/// hit.
+/// Returns the distance from `start` along `direction` (unit length) to the model at full detail, or infinity if the
+/// ray misses it.
 double surfaceDistance(const hierarchy::ModelFile& model, const glm::dvec3& start, const glm::dvec3& direction) {
     const glm::dvec3 origin = start - model.summary().grid.origin;
     const auto meets = [&](double, const Sphere& sphere) {
@@ -77,8 +77,8 @@ double surfaceDistance(const hierarchy::ModelFile& model, const glm::dvec3& star
     return surface;
 }
 
-/// Returns the vertex of the coarsest cut whose direction from `start` is nearest to `direction`. Vertices of the
-/// coarsest cut are also vertices at full detail.
+/// Returns the vertex of the model's coarsest level of detail whose direction from `start` is nearest to `direction`.
+/// Vertices of the coarsest level are also vertices at full detail.
 glm::dvec3 coarseVertexTowards(
     const hierarchy::ModelFile& model, const glm::dvec3& start, const glm::dvec3& direction) {
     glm::dvec3 nearest(0);
@@ -98,9 +98,9 @@ glm::dvec3 coarseVertexTowards(
     return nearest;
 }
 
-/// Returns a path from far away to very near the surface, with distances in a geometric sequence. The target is the
-/// surface point in front of the middle of the model. If there is none, the target is the vertex of the coarsest cut
-/// nearest to that line of sight.
+/// Returns a camera path from far away to very near the surface, with distances in a geometric sequence. The target is
+/// the surface point in front of the middle of the model. If there is none, the target is the vertex of the coarsest
+/// level nearest to that line of sight.
 CameraPath approach(const hierarchy::ModelFile& model) {
     const Box bounds = hierarchy::mainPartOf(model.summary());
     const hierarchy::UprightFrame frame = hierarchy::uprightFrame(model.summary().up.direction);

@@ -25,8 +25,8 @@ double widthOf(const Box& bounds) {
     return std::max(bounds.extent().x, bounds.extent().z);
 }
 
-/// Returns true if a model with these bounds may be a room, a building, a plant or a landscape in metres. The model
-/// must not be small, and not higher than buildings of its width.
+/// Returns true if the size of a model suggests a room, a building, a plant or a landscape in metres. The model must
+/// not be small, and not higher than buildings of its width.
 bool metresFit(const Box& bounds) {
     const double width = widthOf(bounds);
     const double height = bounds.extent().y;
@@ -34,8 +34,8 @@ bool metresFit(const Box& bounds) {
     return height <= 0.1 * width || (height <= 500 && width <= 2000);
 }
 
-/// Returns a walk around an object on a ground at the object's lowest point. The walk makes one and a half turns and
-/// comes nearer. It stays outside the circle around the object's bounds and looks at the object.
+/// Returns a walk around an object that lies on a ground at the height of its lowest point. The walk makes one and a
+/// half turns and comes nearer. It stays outside the circle around the object's bounds and looks at the object.
 CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHeight) {
     const glm::dvec3 extent = bounds.extent();
     const double width = widthOf(bounds);
@@ -62,8 +62,8 @@ CameraPath walkAround(const Box& bounds, const std::optional<double>& toldEyeHei
     return path;
 }
 
-/// Returns the number of points of a way without its last points in front of a wall. Removes at most a twelfth of the
-/// points.
+/// Returns how many points of the route `way` remain after its last points in front of a wall are removed. At most a
+/// twelfth of the points are removed.
 std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const double minStraight = 2.2 * floor.body().eyeHeight / floor.grid().cell;
     std::size_t end = way.size();
@@ -75,8 +75,8 @@ std::size_t trimmedEnd(const WalkableFloor& floor, const std::vector<WayPoint>& 
     return end;
 }
 
-/// Returns the eye positions along a way: at eye height above the floor, but smoothed on stairs. The smoothing changes
-/// the distance to floor or ceiling by at most half a step.
+/// Returns the positions of the eye along the route `way`: at eye height above the floor, but smoothed on stairs. The
+/// smoothing changes the distance to floor or ceiling by at most half a step.
 std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const WalkBody& body = floor.body();
     const ColumnGrid& grid = floor.grid();
@@ -98,8 +98,8 @@ std::vector<glm::dvec3> eyesAlong(const WalkableFloor& floor, const std::vector<
     return eyes;
 }
 
-/// Returns a camera path that looks along the way, to the position after the next strides if no corner hides it. The
-/// view direction turns smoothly.
+/// Returns a camera path along the route `way`. The camera looks at the position after the next strides if no corner
+/// hides it, and turns smoothly.
 CameraPath walkAlong(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     const WalkBody& body = floor.body();
     const std::vector<glm::dvec3> eyes = eyesAlong(floor, way);
@@ -142,7 +142,7 @@ Error noFloor(const hierarchy::ModelFile& model, const char* expected) {
     return {model.path(), "no floor to walk on", expected, sizeOf(model.summary().bounds)};
 }
 
-/// The floors that a walk may use: one floor for the whole model, or the best regions of a model that is too large.
+/// The floors on which a walk may lead: the floor of the whole model, or the best regions of a model that is too large.
 class Ground {
 public:
     Ground(const hierarchy::ModelFile& model, const WalkBody& body, const std::optional<int>& storey)
@@ -162,7 +162,7 @@ public:
         band_ = bandOf(storeys, static_cast<std::size_t>(*storey), body);
     }
 
-    /// Returns the walk over the best region, or nothing.
+    /// Returns the walk over the best region, or nullopt if no region has a walk.
     std::optional<CameraPath> walk() const {
         if (isWhole_) return walkOver(whole_);
         std::optional<CameraPath> longest;

@@ -77,7 +77,8 @@ void WalkableFloor::findFloors(const SolidSpans& solid) {
                 FloorCell cell;
                 cell.column = column;
                 cell.floor = spans[i].top;
-                // This floor has enough headroom, because spans with less free height between them are merged.
+                // There is enough headroom above this floor, because spans with less free height between them are
+                // merged.
                 if (i + 1 < spans.size()) cell.ceiling = spans[i + 1].bottom;
                 found.push_back(cell);
             }
@@ -100,8 +101,8 @@ void WalkableFloor::add(std::vector<FloorCell>& more) {
         firstOfColumn_[i] += firstOfColumn_[i - 1];
 }
 
-/// Adds floor over gaps between two floors of equal height. A gap can be as wide as a long step. It can be wider beside
-/// a bar, because a grating consists of bars and gaps.
+/// Adds floor over gaps between two floors of equal height. A gap can be as wide as a long stride. It can be wider
+/// beside a bar, because a grating consists of bars and gaps.
 void WalkableFloor::bridgeGaps(const SolidSpans& solid) {
     for (const bool isAlongX : {true, false}) {
         std::vector<FloorCell> bridges;
@@ -176,7 +177,7 @@ void WalkableFloor::connect() {
                 cell.next.at(i) = found;
         }
     }
-    // Remove one-way connections: their other cell is connected to a third cell.
+    // Removes one-way connections between cells, in which the other cell is connected to a third cell.
     for (std::uint32_t i = 0; i < cells_.size(); ++i)
         for (std::size_t side = 0; side < 4; ++side) {
             std::uint32_t& next = cells_[i].next.at(side);
@@ -223,8 +224,8 @@ bool WalkableFloor::isBorder(std::uint32_t cell) const {
     return false;
 }
 
-/// Computes the distance transform in two sweeps, with cost 2 for straight and 3 for diagonal steps (Borgefors 1986).
-/// Distances follow the connections between cells.
+/// Computes the distance of each cell to the nearest border of the floor in two sweeps, with cost 2 for straight and 3
+/// for diagonal steps (Borgefors 1986). Distances follow the connections between cells.
 void WalkableFloor::measureClearance() {
     for (std::uint32_t i = 0; i < cells_.size(); ++i)
         cells_[i].clearance = isBorder(i) ? 0 : FloorCell::kMaxClearance;

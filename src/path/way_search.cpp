@@ -21,7 +21,8 @@ struct Region {
     std::vector<std::uint32_t> cells;
 };
 
-/// The shortest ways from one cell to all others: per cell its predecessor, cost, length and interest.
+/// The shortest paths from one floor cell to all others: for each cell its predecessor, and the cost, length and
+/// interest of the path to it.
 struct WayTree {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> cost;
@@ -47,10 +48,10 @@ public:
 
     std::vector<Region> regions() const;
 
-    /// Returns the best way from `start`, no longer than `longest`.
+    /// Returns the most interesting route that starts at the cell `start` and is no longer than `longest`.
     FoundWay bestFrom(std::uint32_t start, double longest);
 
-    /// Removes the floor near `way` from the search for later legs, except near the end of `way`.
+    /// Removes the floor near `way` from the search for later legs of the walk, except near the end of `way`.
     void close(const std::vector<std::uint32_t>& way);
 
 private:
@@ -64,7 +65,8 @@ private:
     std::vector<std::uint8_t> weights_; // wayWeight of each cell in tenths; 0: not usable for this walk
     WayTree tree_;
     std::vector<std::uint32_t> reached_; // cells in the tree
-    // The cells to visit, by their cost modulo the number of buckets. Each step costs less than this number.
+    // The cells to visit, sorted into buckets by their cost modulo the number of buckets. Each step costs less than
+    // this number.
     std::array<std::vector<std::uint32_t>, 256> buckets_;
 };
 
@@ -127,7 +129,7 @@ void WaySearch::spread(std::uint32_t start) {
     std::uint32_t lastUsed = 0;
     for (std::uint32_t cost = 0; cost <= lastUsed + buckets_.size(); ++cost) {
         std::vector<std::uint32_t>& bucket = buckets_.at(cost % buckets_.size());
-        // Each step has a positive cost, so the loop adds no cell to its own bucket.
+        // Each step has a positive cost, so the loop adds no cell to the bucket that it reads.
         for (const std::uint32_t cell : bucket) {
             if (tree_.cost[cell] != cost) continue; // a cheaper way was found
             lastUsed = cost;
@@ -156,7 +158,7 @@ FoundWay WaySearch::bestFrom(std::uint32_t start, double longest) {
     std::uint32_t best = start;
     double maxInterest = -1;
     for (const std::uint32_t i : reached_) {
-        // Ends that are not in front of a wall get a higher score.
+        // A route that does not end in front of a wall gets a higher score.
         const double room = std::min(1.0, floor_.clearance(i) / floor_.body().eyeHeight);
         if (tree_.interest[i] + 2 * room <= maxInterest) continue;
         maxInterest = tree_.interest[i] + 2 * room;

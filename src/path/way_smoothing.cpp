@@ -13,8 +13,8 @@ WayPoint middleOf(const WalkableFloor& floor, std::uint32_t cell) {
     return {glm::dvec2(floor.placeOf(floor.cells()[cell].column)) + 0.5, cell};
 }
 
-/// Returns a subset of the points of `way`. The straight lines between consecutive points cost no more than the way
-/// itself.
+/// Returns those points of the route `way` that remain after it is straightened. The straight lines between them cost
+/// no more than the route itself.
 std::vector<WayPoint> pulledStraight(const WalkableFloor& floor, const std::vector<WayPoint>& way) {
     constexpr std::size_t kFarthest = 256; // max look-ahead, in points
     constexpr double kAsGood = 1.02;
@@ -36,7 +36,7 @@ std::vector<WayPoint> pulledStraight(const WalkableFloor& floor, const std::vect
     return pulled;
 }
 
-/// Returns points that are evenly spaced on each line of `way`, at most `spacing` apart.
+/// Returns points that are evenly spaced on each line of the route `way`, at most `spacing` apart.
 std::vector<WayPoint> resampled(const WalkableFloor& floor, const std::vector<WayPoint>& way, double spacing) {
     std::vector<WayPoint> points{way.front()};
     for (std::size_t i = 1; i < way.size(); ++i) {
@@ -51,8 +51,8 @@ std::vector<WayPoint> resampled(const WalkableFloor& floor, const std::vector<Wa
     return points;
 }
 
-/// Moves each point half the distance to the midpoint of its neighbours. A point moves only if it then has clearance
-/// and the straight lines to both neighbours are free.
+/// Rounds the corners of a route: moves each point half the distance to the midpoint of its neighbours. A point moves
+/// only if it then has clearance and the straight lines to both neighbours are free.
 void roundOff(const WalkableFloor& floor, std::vector<WayPoint>& points) {
     const double comfort = 0.3 * floor.body().eyeHeight;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {

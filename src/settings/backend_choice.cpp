@@ -12,8 +12,8 @@ namespace {
 
 using plan::Capabilities;
 
-/// A capability of backends, its verb for messages, the option that needs it, and the condition under which settings
-/// need it.
+/// A capability that some backends lack: its verb for messages, the option that needs it, and the condition under which
+/// settings need it.
 struct Need {
     bool Capabilities::*capability;
     const char* verb;

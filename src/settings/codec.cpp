@@ -51,8 +51,8 @@ std::string vectorText(const glm::dvec3& vector) {
     return shortest(vector.x) + "," + shortest(vector.y) + "," + shortest(vector.z);
 }
 
-/// Returns `number` with the largest suffix that divides it. The suffixes mean powers of `step`: 2000000 is "2M" for
-/// steps of 1000.
+/// Writes `number` with the largest suffix that divides it. The suffixes mean powers of `step`, so 2000000 is "2M" for
+/// a step of 1000.
 std::string withSuffix(std::uint64_t number, std::uint64_t step, std::string_view suffixes) {
     std::size_t steps = 0;
     while (steps < suffixes.size() && number > 0 && number % step == 0) {

@@ -15,7 +15,7 @@ namespace {
 
 using Condition = bool (*)(const Request&);
 
-// Conditions for options that are not settings, and for settings whose value does not show whether the user gave them.
+// Tells whether the user gave an option. The following options are no settings, or their values do not show this.
 constexpr OptionUse kPath{"path", [](const Request& r) { return !r.output.path.empty(); }};
 constexpr OptionUse kTurntable{"turntable", [](const Request& r) { return r.output.turntable > 0; }};
 constexpr OptionUse kLight{"light", [](const Request& r) { return r.settings.isLightGiven; }};

@@ -143,7 +143,7 @@ constexpr std::array kRows = {
     HelpRow{"max-stuck", Group::Research, ""},
 };
 
-/// Returns true if `words`, separated by blanks, contain `word`.
+/// Returns true if the blank-separated list `words` contains `word`.
 bool contains(std::string_view words, std::string_view word) {
     return (" " + std::string(words) + " ").find(" " + std::string(word) + " ") != std::string::npos;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Returns the matrix from world space to the camera space of `plan`.
+/// Returns the matrix that transforms world space to the camera space of `plan`.
 glm::dmat4 cameraFromWorld(const plan::FramePlan& plan) {
     const CameraBasis& basis = plan.basis;
     const glm::dvec3 eye = plan.view.camera.eye;
@@ -25,7 +25,8 @@ glm::dmat4 cameraFromWorld(const plan::FramePlan& plan) {
         glm::dvec4(0, 0, 0, 1)));
 }
 
-/// Returns the matrix from light clip space with depths in [0, 1] to the clip space of OpenGL with depths in [-1, 1].
+/// Returns the matrix that transforms the clip space of the light, with depths in [0, 1], to that of OpenGL, with
+/// depths in [-1, 1].
 glm::dmat4 glClipFromLightClip() {
     glm::dmat4 clip(1);
     clip[2].z = 2;
@@ -125,7 +126,7 @@ ordered_json planJson(const plan::FramePlan& plan, const BackendChoice& backend)
 
 namespace {
 
-/// Returns the aliasing bounds of all maps together, and a table with one line per map.
+/// Returns the max perspective aliasing over all shadow maps, and a table with one line per map.
 std::string mapsText(const plan::FramePlan& plan) {
     const auto asked = [&](double depth) { return depthFromAskedEye(plan, depth); };
     std::string text;

@@ -25,7 +25,7 @@ std::string decimal(double value, int decimals) {
     return text.data();
 }
 
-/// Returns the min reduction of the aliasing bound for which the plan uses an effect, as a percentage.
+/// Returns by how many percent an effect must at least reduce the max perspective aliasing so that the plan uses it.
 std::string minGain() {
     return percent(1 - plan::kWorthwhile, 0);
 }
@@ -42,7 +42,7 @@ const char* whyStabilized(Effect effect) {
     return "stabilised slices have no face partitions";
 }
 
-/// Returns the sentence for reasons about penumbrae, the sky, evenly spaced rows and point lights. The calling function
+/// Returns the sentence for a reason about penumbrae, the sky, evenly spaced rows or point lights. The calling function
 /// handles all other reasons.
 std::string otherReason(const plan::SkippedEffect& skipped) {
     switch (skipped.reason) {

@@ -28,7 +28,7 @@ shadow::Warp warpOf(const Settings& settings) {
     return warp;
 }
 
-/// Returns `given` with the current names of renamed settings.
+/// Returns `given` with old names of settings replaced by the current names.
 SettingTexts currentTexts(const SettingTexts& given) {
     SettingTexts texts;
     for (const auto& [name, text] : given)

@@ -9,8 +9,8 @@ namespace gnomon::settings {
 
 namespace {
 
-/// Returns the entry `steps` after `current` in `all`, with wrap-around. Returns the first entry if `current` is not in
-/// the list.
+/// Returns the entry that is `steps` positions after `current` in the list `all`, with wrap-around. Returns the first
+/// entry if `current` is not in the list.
 template <class T>
 T around(const std::vector<T>& all, const T& current, int steps) {
     const auto found = std::find(all.begin(), all.end(), current);
@@ -34,7 +34,7 @@ std::optional<int> stepped(const Setting& setting, std::optional<int> value, int
     return value ? std::nullopt : std::optional(usual);
 }
 
-/// Doubles the shorter side or halves the longer side. Powers of two remain powers of two.
+/// Doubles the shorter side of `size`, or halves the longer side. Powers of two remain powers of two.
 std::array<int, 2> stepped(const Offer& offer, std::array<int, 2> size, int steps) {
     const auto [shorter, longer] = std::minmax_element(size.begin(), size.end());
     int& side = steps > 0 ? *shorter : *longer;

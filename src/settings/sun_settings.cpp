@@ -158,8 +158,8 @@ void requireSunUp(const SunTime& asked) {
 
 namespace {
 
-/// Returns the grid point nearest to `at`, in world space. Throws UsageError if it is too far from the origin of the
-/// grid.
+/// Returns the point of the vertex grid nearest to `at`, in world space. Throws UsageError if it is too far from the
+/// origin of the grid.
 glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
     constexpr double kMaxCells = 0x1p51; // half the range of exact shadows, whose origin is near the eye
     const glm::dvec3 cell = glm::round((at - grid.origin) / grid.step());
@@ -172,7 +172,7 @@ glm::dvec3 onGrid(const glm::dvec3& at, const hierarchy::Grid& grid) {
     return grid.origin + cell * grid.step();
 }
 
-/// Returns the direction from the middle of the model to the point light, or `up` if the light is in the middle.
+/// Returns the direction from the middle of the model to the point light, or `up` if the light is exactly there.
 glm::dvec3 towardsPoint(const plan::PointLight& light, const Box& bounds, const glm::dvec3& up) {
     const glm::dvec3 towards = light.at - 0.5 * (bounds.min + bounds.max);
     return towards == glm::dvec3(0) ? up : towards;

@@ -27,7 +27,7 @@ Codec<Size> textureSize() {
     });
 }
 
-/// Returns the codec for a distance or "auto", whose value is 0.
+/// Returns the codec for a distance or the word "auto", whose value is 0.
 Codec<double> distanceOrZero() {
     const Codec<std::optional<double>> codec = orAuto(distance());
     return {
@@ -39,7 +39,7 @@ Codec<double> distanceOrZero() {
         codec.expected};
 }
 
-/// Returns the settings of the image size and the camera.
+/// Returns the settings for the image size and the camera.
 std::vector<Setting> cameraSettings() {
     return {
         plain(
@@ -103,8 +103,8 @@ Setting lightSetting() {
         }};
 }
 
-/// Returns the settings of the depth range of the aliasing bound, the directional light, and the max number of
-/// triangles.
+/// Returns the settings for the depth range in which shadow resolution is guaranteed, the directional light, and the
+/// max number of triangles.
 std::vector<Setting> sceneSettings() {
     return {
         quality(
@@ -145,7 +145,7 @@ std::vector<Setting> sceneSettings() {
     };
 }
 
-/// Returns the settings of shadow maps that a bench does not sweep.
+/// Returns the settings for shadow maps that a bench does not sweep.
 std::vector<Setting> fixedMapSettings() {
     return {
         plain(
@@ -185,7 +185,7 @@ std::vector<Setting> fixedMapSettings() {
     };
 }
 
-/// Returns the settings of the backend, its memory and its shaders.
+/// Returns the settings for the backend, its memory and its shaders.
 std::vector<Setting> machineSettings() {
     return {
         plain(
@@ -264,7 +264,7 @@ Setting shadowTexelsSetting() {
 }
 
 /// Returns the first settings that a bench sweeps: level of detail, shadow mode, warp, partitions and texels. A bench
-/// nests its axes in the order of the table, and the last axis varies fastest.
+/// nests its swept settings in the order of the table, and the last one varies fastest.
 std::vector<Setting> sweptSettings() {
     return {
         quality(

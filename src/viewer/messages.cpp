@@ -28,7 +28,7 @@ void Messages::note(const std::string& text) {
 
 void Messages::fail(const std::string& reason) {
     const std::string text = printable(reason);
-    // Repeated failures, for example in each frame, are one message.
+    // A failure that occurs repeatedly, for example in each frame, is shown as one message.
     const auto same = std::find_if(messages_.begin(), messages_.end(), [&](const Message& message) {
         return message.isError && message.text == text;
     });

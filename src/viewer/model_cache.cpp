@@ -19,7 +19,7 @@
 
 namespace gnomon::viewer {
 
-/// Forwards progress to the status, and interrupts the build when it is stopped.
+/// Forwards the progress of the build to its status, and interrupts the build when it is stopped.
 class CacheBuild::Watch final : public Progress {
 public:
     explicit Watch(CacheBuild& build) : build_(&build) {}
@@ -60,13 +60,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of the record. The record describes the files from which the cache was built.
+/// Returns the path of the record, a file that describes from which files the cached model was built.
 std::string recordPath(const std::string& meshPath) {
     return cachePath(meshPath) + ".json";
 }
 
-/// Returns the size and the time of change of a file, which differ if its content changes. Returns null if there is no
-/// such file.
+/// Returns the size and the time of change of a file as JSON. They differ if the content changes. Returns null if there
+/// is no such file.
 nlohmann::ordered_json factsOf(const fs::path& path) {
     std::error_code failure;
     if (!fs::is_regular_file(path, failure)) return nullptr;
@@ -76,8 +76,8 @@ nlohmann::ordered_json factsOf(const fs::path& path) {
     return {{"bytes", bytes}, {"changed_ns", changed.time_since_epoch().count()}};
 }
 
-/// Returns the names of libraries or textures in the folder of the mesh and its subfolders. The mesh may name a file
-/// that was missing when the cache was built.
+/// Returns the names of libraries or textures in the folder of the mesh and its subfolders. If such a file appears
+/// later, the cached model is outdated, because the mesh may use a file that was missing during the build.
 std::set<std::string> namesInFolder(const fs::path& mesh) {
     constexpr std::size_t kMaxEntries = 10'000;
     const std::string format = read::loweredSuffix(mesh.string());
@@ -107,9 +107,8 @@ pipeline::BuildOptions buildOptionsOf(const std::string& meshPath, const CacheOp
     return options;
 }
 
-/// Returns the record of a cache: the program version, the options that affect the bytes of the cache, the size and
-/// time of change of each of `files`, and the names from namesInFolder. File names are relative to the folder of the
-/// mesh.
+/// Returns the record of a cached model: the program version, the options that affect its bytes, the size and time of
+/// change of each of `files`, and the names from namesInFolder. File names are relative to the folder of the mesh.
 nlohmann::ordered_json recordOf(
     const std::string& meshPath, const std::vector<std::string>& files, const CacheOptions& options) {
     nlohmann::ordered_json record = {
@@ -166,8 +165,8 @@ void CacheBuild::run(const CacheOptions& options) {
             files.push_back(fs::path(path).lexically_proximate(folder).string());
         nlohmann::ordered_json record = recordOf(meshPath_, files, options);
         pipeline::buildModel(*source, build, watch);
-        // If a file changed during the build, the content that was read is unknown, and the next window must build
-        // again.
+        // If a source file changed during the build, the content that was read is unknown. The next window must then
+        // build the model again.
         const bool isSame = record == recordOf(meshPath_, files, options) && record["files"][0] == before["files"][0];
         record["model"] = hierarchy::ModelFile(build.output).contentHash();
         if (isSame) writeTextFile(recordPath(meshPath_), telemetry::jsonText(record, 1) + "\n");

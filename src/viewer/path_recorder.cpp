@@ -24,8 +24,8 @@ void PathRecorder::add(double seconds, const Camera& camera) {
     }
     const bool stood = isSame(kept.back().camera, last_ ? last_->camera : kept.back().camera);
     const bool stands = isSame(kept.back().camera, camera);
-    // Until now the camera rested. Its last moment becomes a keyframe too, so that the interpolation does not move it
-    // before.
+    // The camera has rested until now. The end of the rest also becomes a keyframe, so that the interpolated camera
+    // does not move earlier.
     if (last_ && stood && !stands) kept.push_back(*last_);
     last_ = now;
     if (!stands && seconds - kept.back().time >= kMinInterval) {

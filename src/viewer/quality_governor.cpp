@@ -96,14 +96,15 @@ QualityLevel QualityGovernor::level(const QualityLevel& wanted) const {
     return levelAt(steps_, wanted);
 }
 
-/// Returns the part of the frame time that is proportional to the number of triangles, of the image and of its shadows.
+/// Returns the part of the frame time that is proportional to the number of triangles, in milliseconds. It includes the
+/// triangles of shadows.
 double QualityGovernor::detailMs(const FrameLoad& load) const {
     const double work = load.triangles + kTrianglesPerPixel * load.pixels;
     const double ofImage = work > 0 ? load.imageMs * load.triangles / work : 0;
     return ofImage + load.shadowMs * (load.resolvesPoints ? 0.5 : 1 - load.errors.texelShare);
 }
 
-/// Returns the part of the frame time that is proportional to the number of pixels.
+/// Returns the part of the frame time that is proportional to the number of pixels, in milliseconds.
 double QualityGovernor::pixelMs(const FrameLoad& load) const {
     const double work = load.triangles + kTrianglesPerPixel * load.pixels;
     const double ofImage = work > 0 ? load.imageMs * kTrianglesPerPixel * load.pixels / work : 0;
@@ -138,8 +139,8 @@ QualityGovernor::Change QualityGovernor::reduction(
     return {};
 }
 
-/// Returns the effect of a step back of `kind`: the error that it removes, and the time that it adds. Both are
-/// estimated from the effect of the next reduction of this kind.
+/// Returns the effect of a step back to higher quality of `kind`: the error that it removes, and the time that it adds.
+/// Both are estimated from the effect of the next reduction of this kind.
 QualityGovernor::Change QualityGovernor::restoration(
     QualityKind kind, const FrameLoad& load, const QualityLevel& now) const {
     Change change = reduction(kind, load, now);
@@ -169,7 +170,7 @@ QualityGovernor::Change QualityGovernor::restoration(
     return change;
 }
 
-/// Returns the reduction with the smallest error per saved time.
+/// Returns the quality reduction with the smallest error per saved time.
 std::optional<QualityGovernor::Change> QualityGovernor::cheapest(
     const FrameLoad& load, const QualityLevel& wanted) const {
     const QualityLevel now = level(wanted);
@@ -183,7 +184,8 @@ std::optional<QualityGovernor::Change> QualityGovernor::cheapest(
     return best;
 }
 
-/// Returns the step back that removes the largest error per added time, among the steps that fit the target.
+/// Returns the step back to higher quality that removes the largest error per added time, among the steps after which
+/// the frame time stays within the target.
 std::optional<QualityGovernor::Change> QualityGovernor::costliest(
     const FrameLoad& load, double target, const QualityLevel& wanted) const {
     const QualityLevel now = level(wanted);
@@ -214,7 +216,7 @@ void QualityGovernor::learn(const FrameLoad& load) {
     }
 }
 
-/// Takes quality-reducing steps until the predicted time of `load` is within the target.
+/// Reduces the quality in steps until the predicted time of `load` is within the target.
 void QualityGovernor::reduce(FrameLoad load, double target, const QualityLevel& wanted) {
     while (load.milliseconds > target) {
         const std::optional<Change> change = cheapest(load, wanted);
@@ -232,7 +234,7 @@ void QualityGovernor::reduce(FrameLoad load, double target, const QualityLevel& 
     }
 }
 
-/// Takes steps back as long as the predicted time is within the target.
+/// Restores the quality in steps as long as the predicted frame time is within the target.
 void QualityGovernor::restore(FrameLoad load, double target, const QualityLevel& wanted) {
     framesWithTime_ = 0;
     while (const std::optional<Change> change = costliest(load, target, wanted)) {

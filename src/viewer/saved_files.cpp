@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Calls `write` with file names START NUMBER SUFFIX, one per suffix, and returns them. NUMBER is the first for which
-/// no file exists. The files are created at once, so that a second window cannot choose the same names.
+/// Creates new files with the names START NUMBER SUFFIX, one per suffix, and returns the names after calling `write`
+/// with them. NUMBER is the first for which no file exists. The files are created at once, so that a second window
+/// cannot choose the same names.
 std::vector<std::string> saveNew(
     const std::string& start,
     const std::vector<std::string>& suffixes,
@@ -47,8 +48,8 @@ std::vector<std::string> saveNew(
     }
 }
 
-/// Returns the picture folder that the user has chosen, like `xdg-user-dir PICTURES`: from the environment, or from a
-/// line XDG_PICTURES_DIR="$HOME/PATH" or "/PATH" of user-dirs.dirs.
+/// Returns the picture folder that the user has chosen, like `xdg-user-dir PICTURES`. It comes from the environment, or
+/// from a line XDG_PICTURES_DIR="$HOME/PATH" or "/PATH" of the file user-dirs.dirs.
 std::string chosenPicturesFolder(const std::string& home) {
     std::string chosen = environmentPath("XDG_PICTURES_DIR");
     if (!chosen.empty()) return chosen;
@@ -92,7 +93,7 @@ SavedFiles::SavedFiles(const std::string& modelPath) {
     const std::string stem = fs::path(modelPath).stem().string();
     if (!stem.empty()) stem_ = stem;
     const std::string folder = fs::path(modelPath).parent_path().string();
-    // The current folder is used if the model is on a server or in a folder without write permission.
+    // The current folder is used for measurements if the model is on a server or in a folder without write permission.
     if (!hierarchy::isAddress(modelPath) && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0)
         folder_ = folder;
 }

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kPickReach = 6; // pixels around the cursor
 
-/// Opens the source of a model. Requests to a server time out after one second, so that the user sees the problem. The
-/// page store tries again.
+/// Opens a model file or web address for reading. Requests to a server time out after one second, so that the user sees
+/// the problem. The page store tries again.
 std::unique_ptr<hierarchy::Source> sourceOf(const std::string& path) {
     hierarchy::Access access = hierarchy::commonAccess();
     access.retryTime = std::chrono::seconds(1);
@@ -109,7 +109,8 @@ ShownPicture Scene::shown(const glm::ivec2& size, bool usesEyeDome) {
     if (!frame_) return {};
     if (const std::uint32_t texture = backend_->texture();
         texture != 0 && samples() <= 1 && !usesEyeDome && !colored_) {
-        // With software OpenGL, linear filtering would take more time than everything else in the window.
+        // The image texture is filtered linearly only on a GPU. With software OpenGL, this would take more time than
+        // everything else in the window.
         const GLint filter = context_->isHardware() ? GL_LINEAR : GL_NEAREST;
         context_->api().textureParameteri(texture, GL_TEXTURE_MAG_FILTER, filter);
         return {texture, true, false};

@@ -31,7 +31,7 @@ int drawnSide(int pixels, double resolution) {
     return std::max(static_cast<int>(std::lround(pixels * resolution)), 1);
 }
 
-/// Returns the input of the quality governor for a drawn frame.
+/// Returns the measured times and counts of a drawn frame, as input of the quality governor.
 FrameLoad loadOf(const frame::Frame& frame, double milliseconds, double targetMs) {
     const telemetry::FrameRow& row = frame.row;
     FrameLoad load;
@@ -108,7 +108,7 @@ void WindowSession::run(Progress& interrupt) {
     }
     keepViews();
     if (log_) log_->finish();
-    // A build that is reading a mesh would react too late to a stop request.
+    // Ends the process at once, because a build that is reading a mesh would react too late to a stop request.
     if (file_.build() != nullptr) TemporaryName::removeAllAndExit(0);
 }
 
@@ -150,7 +150,7 @@ void WindowSession::waitForEvents() {
     input_.setMouseTaken(imgui_.wantsMouse());
     if (isIdle() && !scheduler_.needsOverlay() && !isRefining()) {
         glfwWaitEventsTimeout(kIdleSeconds);
-        // Idle time must not advance the animation.
+        // Time without frames must not advance the animation.
         lastFrame_ = std::max(lastFrame_, now() - 1.0 / 60);
     } else {
         glfwPollEvents();
@@ -158,21 +158,21 @@ void WindowSession::waitForEvents() {
     if (input_.hasHappened()) scheduler_.requestOverlay();
 }
 
-/// Returns true if the window waits for input after the next frame. This frame may take longer.
+/// Returns true if the window waits for input after the next frame, so that this frame may take longer.
 bool WindowSession::comesToRest() const {
     const frame::Frame* frame = file_.scene()->frame();
     const bool isMissing = frame == nullptr || frame->row.pagesMissing.value_or(0) > 0;
     return scheduler_.isLastOfScene() && !isMissing && !walk_.isUnderWay();
 }
 
-/// Returns true if the image of a resting view still needs more frames for its mean.
+/// Returns true if the antialiased image of a resting view still needs more frames for its mean.
 bool WindowSession::isRefining() const {
     const Scene* scene = file_.scene();
     return scene != nullptr && isIdle() && scene->samples() > 0 && scene->samples() < scene->wantedSamples();
 }
 
-/// Adds frames to the mean for about 0.02 s, so that the window does not block. Showing the mean also takes time, so
-/// not each frame is shown.
+/// Adds frames to the mean of a resting view for about 0.02 s, so that the window does not block. Showing the mean also
+/// takes time, so not each frame is shown.
 void WindowSession::refine() {
     constexpr double kSeconds = 0.02;
     constexpr double kBetweenShown = 0.12;
@@ -193,14 +193,15 @@ QualityLevel WindowSession::wantedQuality() const {
     return level;
 }
 
-/// Returns true if frames must respect the time target: the view is moving, and no path with a fixed number of frames
-/// is playing.
+/// Returns true if frames must stay within the target time. This is the case if the view is moving, and no path with a
+/// fixed number of frames is playing.
 bool WindowSession::isHurried() const {
     const bool rests = !walk_.isUnderWay() && scheduler_.isSettled(true);
     return settings_.targetMs > 0 && !walk_.playsFixed() && !rests;
 }
 
-/// Returns the input of the next frame with `size` pixels. A still frame ignores the time target.
+/// Returns the input of the next frame, whose image has `size` pixels. A frame of a resting view (`isStill`) ignores
+/// the target time.
 Shot WindowSession::shot(const glm::ivec2& size, bool isStill) const {
     Shot shot;
     shot.view.towardsLight = settings_.asked.towardsLight;
@@ -263,7 +264,7 @@ void WindowSession::drawScene(const glm::ivec2& size) {
     scheduler_.countScene();
     if (messages_.attempt([&] { file_.scene()->draw(shot); })) {
         afterScene(shot, isMeasured);
-        // The last missing page may have arrived in this frame, so that the resting image needs another frame.
+        // The last missing page may have arrived during this frame, so that the resting image needs another frame.
         if (!rests && file_.scene()->frame()->row.pagesMissing.value_or(0) == 0) scheduler_.keepScene();
         return;
     }
@@ -281,7 +282,7 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
     if (isMeasured)
         governor_.measure(
             loadOf(*scene.frame(), milliseconds, settings_.targetMs), settings_.targetMs, wantedQuality());
-    // With parallel projection, the distance to the target determines the speed.
+    // With parallel projection, the flying speed depends on the distance to the target.
     const double distance = walk_.control().distance();
     const bool isParallel = plan.view.camera.isParallel();
     walk_.control().see(isParallel ? SceneDepths{distance, distance} : SceneDepths{plan.near, plan.far}, 1.0 / 30);
@@ -299,8 +300,8 @@ void WindowSession::afterScene(const Shot& shot, bool isMeasured) {
             walk_.stop();
 }
 
-/// Saves the current view as an image. A moving view is drawn in full and saved at once. A resting view is saved after
-/// its refinement.
+/// Saves the current view as an image. A moving view is drawn in full quality and saved at once. A resting view is
+/// saved after its refinement.
 void WindowSession::takePicture() {
     const bool isShownInFull = walk_.playsFixed() || (isIdle() && !isRefining());
     if (isShownInFull && file_.scene()->frame() != nullptr) return saveShownPicture();
@@ -321,7 +322,7 @@ void WindowSession::saveShownPicture() {
     messages_.attempt([&] { messages_.note("saved " + saved_.savePicture(file_.scene()->picture())); });
 }
 
-/// Draws a view in full quality, which moving frames do not have, and saves it. The window waits.
+/// Draws a view in full quality, which moving frames do not have, and saves it as an image. The window waits meanwhile.
 void WindowSession::savePictureOf(Shot still) {
     constexpr double kMaxSeconds = 1; // for samples; the first one is always drawn
     pictureDue_.reset();

@@ -1,4 +1,4 @@
-// The reaction of the window session to keys and mouse.
+// Applies keys and mouse to the session of the window.
 #include "settings/backend_choice.h"
 #include "viewer/input/setting_keys.h"
 #include "viewer/window_session.h"
@@ -37,7 +37,8 @@ void WindowSession::takeInput(double seconds) {
     }
 }
 
-/// Processes key presses and clicks in their order, because a key can remove or save the point of a click.
+/// Processes key presses and clicks in the order in which they arrived, because a key can remove or save the point of a
+/// click.
 void WindowSession::takePressesAndClicks() {
     std::size_t clicked = 0;
     const auto measureBefore = [&](std::size_t presses) {
@@ -74,7 +75,7 @@ void WindowSession::dragSection(const Drag& drag) {
     scheduler_.requestScene();
 }
 
-/// Converts a pixel of the window to a pixel of the last frame. The frame has fewer pixels if the quality governor
+/// Converts a pixel of the window to a pixel of the last frame. The frame has fewer pixels if the quality governor has
 /// reduced the resolution.
 glm::ivec2 WindowSession::inFrame(const glm::ivec2& at) const {
     const plan::View& view = file_.scene()->frame()->plan.view;
@@ -82,7 +83,7 @@ glm::ivec2 WindowSession::inFrame(const glm::ivec2& at) const {
     return {glm::dvec2(at) * scale};
 }
 
-/// Returns the world point under a pixel of the window.
+/// Returns the world-space point that a pixel of the window shows.
 std::optional<glm::dvec3> WindowSession::pick(const glm::ivec2& at) const {
     Scene& scene = *file_.scene();
     if (scene.frame() == nullptr) return std::nullopt;
@@ -98,7 +99,7 @@ void WindowSession::measure(const Click& click) {
     measuring_.take({place.cell, place.within});
 }
 
-/// Runs a binding for measures. Returns false if it has another purpose.
+/// Performs the action of a key for measurements. Returns false if the key has another purpose.
 bool WindowSession::actOnMeasures(const Binding& binding) {
     switch (binding.action) {
     case Action::Measure:
@@ -122,7 +123,7 @@ bool WindowSession::actOnMeasures(const Binding& binding) {
     }
 }
 
-/// Returns the recent views of the open model. The first call loads the stored views.
+/// Returns the recent views of the open model. The first call loads the stored views from disk.
 RecentViews& WindowSession::recentViews() {
     const std::string& model = file_.scene()->model().path();
     const auto [found, isNew] = recent_.try_emplace(model);
@@ -130,7 +131,7 @@ RecentViews& WindowSession::recentViews() {
     return found->second;
 }
 
-/// Stores the views on disk. After a failure it shows one message and stores no more views.
+/// Stores the recent views on disk. After a failure it shows one message and stores no more views.
 void WindowSession::keepViews() {
     const bool areKept = messages_.attempt([&] {
         for (const auto& [model, views] : recent_)

@@ -13,11 +13,11 @@ namespace gnomon {
 
 namespace {
 
-/// Returns true if this thread computes with subnormal numbers: half of the smallest normal number is not 0, and twice
-/// this half is the number again.
+/// Returns true if this thread computes with subnormal numbers. The test is that half of the smallest normal number is
+/// not 0, and that twice this half is the number again.
 template <class Number>
 bool keepsSubnormals() {
-    // The variables are volatile, so that the processor computes the result and not the compiler.
+    // The variables are volatile, so that the processor and not the compiler computes the result.
     volatile Number value = std::numeric_limits<Number>::min();
     volatile Number half = value / 2;
     volatile Number whole = half * 2;

@@ -15,16 +15,17 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// One component (for example x or red) of a sequence of vertices, as integers.
+/// One component, for example x or red, of all vertices of a page, as integers.
 using Channel = std::vector<std::uint32_t>;
 
-/// Returns the difference between `value` and `prediction` modulo 2^width, as a zigzag code.
+/// Returns the zigzag code of the difference between `value` and `prediction`, modulo 2^width.
 std::uint32_t wrapped(std::uint32_t value, std::uint32_t prediction, unsigned width) {
     const auto difference = static_cast<std::int32_t>((value - prediction) << (32U - width)) >> (32U - width);
     return zigzag(static_cast<std::uint32_t>(difference));
 }
 
-/// Writes the byte planes of `channel`. Appends the end of each plane to `streamEnds`.
+/// Writes the numbers of `channel` as byte planes: first the lowest byte of each number, then the next. Appends the end
+/// of each plane to `streamEnds`.
 void putPlanes(const Channel& channel, ByteWriter& out, std::vector<std::size_t>& streamEnds) {
     std::uint32_t any = 0;
     for (const std::uint32_t value : channel)
@@ -51,10 +52,10 @@ GridPoint predictedPosition(std::span<const Vertex> vertices, std::size_t v, con
     return {a.x + b.x - c.x, a.y + b.y - c.y, a.z + b.z - c.z};
 }
 
-/// The vertex that predicts the first vertex of a cluster.
+/// The vertex that serves as the prediction of a cluster's first vertex.
 constexpr Vertex kNoVertex{};
 
-/// Returns the two vertices whose mean predicts the attributes of vertex `v`.
+/// Returns the two vertices whose mean predicts the normal and colour of vertex `v`.
 std::pair<const Vertex&, const Vertex&> attributeParents(
     std::span<const Vertex> vertices, std::size_t v, const Parents& parents) {
     if (v == 0) return {kNoVertex, kNoVertex};
@@ -68,18 +69,18 @@ std::uint64_t hashOf(const Vertex& vertex, std::uint32_t fields) {
     return mix64(a ^ mix64(b));
 }
 
-/// The channels of all vertices of a page.
+/// All vertices of a page as sequences of numbers, one sequence per component.
 struct VertexChannels {
-    // One number per vertex: 0 for a new vertex. For a reference to an earlier vertex, it is 1 + zigzag(distance from
-    // the vertex after the last referenced one).
+    // One number per vertex. It is 0 for a new vertex. For a reference to an earlier vertex it is 1 + zigzag(d), where
+    // d is the distance from the vertex after the last referenced one.
     Channel references;
-    // This channel and the following ones have one number per vertex that is not a reference.
+    // This member and the following ones have one number per vertex that is not a reference.
     std::array<Channel, 3> positions;
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
     std::array<Channel, kMaxFields> fields;
 
-    /// Reserves memory for the references, positions and normals of `vertices` vertices. Most sources have normals.
+    /// Reserves memory for `vertices` vertices with references, positions and normals. Most sources have normals.
     void reserve(std::size_t vertices) {
         references.reserve(vertices);
         for (Channel& channel : positions)
@@ -101,7 +102,7 @@ AttributeLayout layoutOf(std::span<const Vertex> vertices) {
     return layout;
 }
 
-/// Converts the vertices of a page to channels, cluster by cluster.
+/// Converts the vertices of a page to sequences of numbers, cluster by cluster.
 class VertexEncoder {
 public:
     VertexEncoder(const Page& page, const PageFields& fields)
@@ -162,7 +163,7 @@ private:
         return page_.vertices[a] == page_.vertices[b] && fieldsOf(a) == fieldsOf(b);
     }
 
-    /// Returns the last vertex of earlier clusters that is equal to vertex `v`, or kNone.
+    /// Returns the last vertex of earlier clusters that is equal to vertex `v`, or kNone if there is none.
     std::uint32_t seen(std::uint32_t v, std::uint64_t hash) const {
         const auto isEqual = [&](std::uint32_t entry) { return areEqual(last_[entry], v); };
         const std::uint32_t entry = table_.find(hash, isEqual);
@@ -220,7 +221,7 @@ private:
         }
     }
 
-    /// Writes the position of a cluster's first vertex to a separate stream. This vertex is far from its predecessor,
+    /// Writes the position of a cluster's first vertex to a separate stream. This vertex is far from the previous one,
     /// and its large differences would need more byte planes for all positions.
     void putAnchor(const GridPoint& p) {
         anchors_.putVarint(zigzag(p.x - anchor_.x));

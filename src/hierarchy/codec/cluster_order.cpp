@@ -29,7 +29,7 @@ public:
                 edges_[--begin_[triangles[t][k]]] = {triangles[t][(k + 1) % 3], static_cast<std::uint8_t>(t)};
     }
 
-    /// Returns the first triangle that has the directed edge (from, to) and is not `done`, or nullopt.
+    /// Returns the first triangle with the directed edge (from, to) that is not `done`, or nullopt if there is none.
     std::optional<std::uint32_t> find(std::uint32_t from, std::uint32_t to, std::span<const bool> done) const {
         for (std::size_t i = begin_[from]; i < end_[from]; ++i)
             if (edges_[i].to == to && !done[edges_[i].triangle]) return edges_[i].triangle;
@@ -49,7 +49,7 @@ private:
     std::array<Edge, 3 * kMaxTriangles> edges_{};
 };
 
-/// Returns `triangle` with rotated corners, so that it begins with the edge (from, to).
+/// Returns `triangle` with its corners rotated so that it begins with the edge (from, to).
 Triangle turned(const Triangle& triangle, std::uint32_t from, std::uint32_t to) {
     for (std::size_t k = 0; k < 3; ++k)
         if (triangle[k] == from && triangle[(k + 1) % 3] == to)
@@ -57,16 +57,16 @@ Triangle turned(const Triangle& triangle, std::uint32_t from, std::uint32_t to) 
     return triangle;
 }
 
-/// Orders the triangles of a cluster. Each triangle continues across the newest open edge that leads to a remaining
-/// triangle.
+/// Returns the triangles of a cluster in the order of encoding. Each triangle continues across the newest open edge
+/// that leads to a remaining triangle.
 std::vector<Triangle> walk(std::span<const Triangle> triangles) {
     const EdgeTable edges(triangles);
     std::array<bool, 256> done{};
     std::vector<Triangle> order;
     order.reserve(triangles.size());
     EdgeWindow window;
-    // Bit k is set if the open edge of age k may lead to a remaining triangle. A cleared bit stays cleared, because
-    // triangles are only removed.
+    // Bit k is set if the open edge of age k may lead to a remaining triangle (age 0 is the newest edge). A cleared
+    // bit stays cleared, because triangles are only removed.
     std::uint32_t hopeful = 0;
     std::uint32_t firstLeft = 0;
     const auto take = [&](std::uint32_t index, const Triangle& triangle, bool entered) {

@@ -12,7 +12,7 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// The meaning of a triangle's code byte, and the amounts of data that the triangle consumes.
+/// The meaning of a triangle's code byte, and how many bytes and vertices the triangle consumes.
 struct CodeMeaning {
     std::uint32_t age = 0;          // age of the edge across which it is entered, plus 1
     std::uint32_t distance = 0;     // distance of the third corner before the next new vertex
@@ -50,9 +50,9 @@ struct ClusterRun {
     std::size_t openCount = kNotEntered;
     std::uint32_t bad = 0; // kBad if an edge or a vertex was invalid
     std::array<Triangle, kMaxClusterTriangles> triangles;
-    // The open edge of each vertex (EdgeWords). The additional entry receives the writes for corners that are not new.
+    // The edge word of each vertex (EdgeWords). The additional entry receives the writes for corners that are not new.
     std::array<std::uint32_t, kMaxClusterVertices + 1> edges;
-    // All edges that earlier triangles left open, oldest first. A word contains the vertices `from`, `to` and the
+    // All edges that decoded triangles have left open, oldest first. A word contains the vertices `from`, `to` and the
     // opposite corner, one byte each.
     std::array<std::uint32_t, kNotEntered + 3 * kMaxClusterTriangles> open;
 };
@@ -74,8 +74,8 @@ inline void takeUnentered(ClusterRun& run, std::size_t t, std::uint32_t code) {
     run.openCount += 3;
 }
 
-/// Decodes a triangle that is entered across an open edge. The code has no branches, because new vertices are
-/// unpredictable for the CPU.
+/// Decodes a triangle that continues across an open edge. The code has no branches, because the CPU cannot predict
+/// which vertices are new.
 inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code) {
     const std::uint32_t edge = run.open[run.openCount - code.age];
     // The subtraction sets the bit kBad if there is no such vertex.
@@ -96,7 +96,7 @@ inline void takeEntered(ClusterRun& run, std::size_t t, const CodeMeaning& code)
 }
 
 /// Returns how many numbers of the second stream the triangles of `cluster` use. Throws Damage if the stream has fewer
-/// numbers or if a corner is out of range. The decoding therefore needs no checks.
+/// numbers or if a corner is out of range. The decoding that follows therefore needs no checks.
 std::size_t checkedIndexCount(
     std::span<const std::uint8_t> codes, std::span<const std::uint8_t> indices, const Cluster& cluster) {
     std::uint32_t newVertices = 0;
@@ -114,7 +114,7 @@ std::size_t checkedIndexCount(
     return count;
 }
 
-/// Decodes the triangles of one cluster into the page. Fills `edges` for the vertices of the cluster.
+/// Decodes the triangles of one cluster into the page, and fills `edges` for the vertices of the cluster.
 void decodeCluster(
     std::span<const std::uint8_t> codes,
     const std::uint8_t* indices,

@@ -18,7 +18,7 @@ using Words = hn::Vec<WordTag>;
 constexpr WordTag kWords;
 constexpr hn::Rebind<std::uint8_t, WordTag> kBytes;
 
-/// Returns a vector of the numbers that begin at index `i`. Lanes after the last number are undefined.
+/// Combines the byte planes of the numbers from index `i` to a SIMD vector. Lanes after the last number are undefined.
 HWY_INLINE Words numbersAt(const Planes& planes, std::size_t i) {
     const std::size_t left = planes.numbers - i;
     Words numbers = hn::Zero(kWords);

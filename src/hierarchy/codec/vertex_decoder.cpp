@@ -52,7 +52,8 @@ public:
     void expectEnd() const { anchors_.expectEnd(); }
 
 private:
-    /// Copies the earlier vertices to which the references in [first, end) refer. Returns the number of references.
+    /// Copies the earlier vertices to which the references among the vertices [first, end) refer. Returns the number of
+    /// references.
     std::size_t refer(std::uint32_t first, std::uint32_t end) {
         const std::size_t before = referring_;
         std::uint32_t expected = first;
@@ -70,7 +71,7 @@ private:
         return referring_ - before;
     }
 
-    /// Reads the difference for the next cluster and updates the anchor. The anchor is the position that predicts the
+    /// Reads the difference for the next cluster and adds it to the anchor, which is the position that predicts the
     /// first vertex of a cluster.
     void takeAnchor() {
         for (std::size_t k = 0; k < 3; ++k)
@@ -102,9 +103,9 @@ FieldLayout takeFieldLayout(ByteReader& in) {
     return layout;
 }
 
-/// Decodes the fields of a page, one field after the other. It adds each difference to its prediction. The prediction
-/// is the mean of the ends of the edge, or the value of the previous vertex. `numbers` contains the references and
-/// their targets.
+/// Decodes the fields of a page, one field after the other. It adds each stored difference to its prediction. The
+/// prediction is the mean of the ends of the edge across which the vertex was new, or the value of the previous vertex.
+/// `numbers` contains the references and their targets.
 class FieldDecoder {
 public:
     FieldDecoder(ByteReader& in, const VertexNumbers& numbers, PageFields& fields)
@@ -124,7 +125,7 @@ public:
             for (std::uint32_t v = 0; v < cluster.vertexCount; ++v) {
                 const std::uint32_t at = cluster.firstVertex + v;
                 if (const std::uint32_t reference = numbers_.references[at]; reference != 0) {
-                    // This number needs no check, because the vertex decoder has already checked its range.
+                    // The vertex decoder has already checked the range of this number.
                     const std::uint32_t earlier = expected + unzigzag(reference - 1);
                     expected = earlier + 1;
                     fields_.words[at] = fields_.words[earlier];
@@ -136,8 +137,8 @@ public:
     }
 
 private:
-    /// Returns the field of the next vertex that is not a reference. The vertex has the index `v` in its cluster and
-    /// was new across `edge`.
+    /// Returns the field value of the next vertex that is not a reference. The vertex has the index `v` in its cluster
+    /// and was new across `edge`.
     std::uint32_t next(std::span<const std::uint32_t> words, std::uint32_t v, std::uint32_t edge) {
         const std::uint32_t from = edge & 0xFFU;
         const std::uint32_t to = edge >> 8U & 0xFFU;

@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR || HWY_HAVE_SCALABLE
 
-/// Four words for targets without SIMD instructions.
+/// Emulates a vector of four words for targets without SIMD instructions.
 struct Four {
     std::array<std::uint32_t, 4> word;
 };
@@ -82,9 +82,8 @@ HWY_INLINE void store(Four words, std::uint32_t* to) {
 
 using ParentPlaces = std::array<std::uint32_t, kMaxClusterVertices + kMaxLanes>;
 
-/// Converts the edge word of each vertex to the indices of its three predictors in ClusterVertices. If the three
-/// corners of the edge come before the vertex, they are the predictors. Otherwise all three predictors are the previous
-/// vertex.
+/// Writes the indices of the three vertices that predict each vertex (in ClusterVertices). If the three corners of the
+/// edge word come before the vertex, they predict it. Otherwise all three indices are those of the previous vertex.
 HWY_INLINE void placeParents(std::span<const std::uint32_t> edges, ParentPlaces& parents) {
     constexpr hn::CappedTag<std::int32_t, kMaxLanes> kLanes;
     const auto byte = hn::Set(kLanes, 0xFF);
@@ -102,12 +101,12 @@ HWY_INLINE void placeParents(std::span<const std::uint32_t> edges, ParentPlaces&
     }
 }
 
-/// Returns the means of the four pairs of bytes in `a` and `b`, rounded down.
+/// Returns the means of the four bytes in `a` and the four bytes in `b`, rounded down.
 HWY_INLINE std::uint32_t byteMeans(std::uint32_t a, std::uint32_t b) {
     return (a & b) + (((a ^ b) >> 1U) & 0x7F7F7F7FU);
 }
 
-/// Returns the sums of the four pairs of bytes in `a` and `b`, modulo 256.
+/// Returns the sums of the four bytes in `a` and the four bytes in `b`, modulo 256.
 HWY_INLINE std::uint32_t byteSums(std::uint32_t a, std::uint32_t b) {
     return ((a & 0x7F7F7F7FU) + (b & 0x7F7F7F7FU)) ^ ((a ^ b) & 0x80808080U);
 }

@@ -4,14 +4,14 @@ namespace gnomon::hierarchy {
 
 namespace {
 
-/// Lists the vertices that are references, and the vertices that are not.
+/// Lists which vertices are references to earlier vertices, and which are not.
 void splitVertices(std::size_t vertices, VertexNumbers& numbers) {
     numbers.referring.resize(vertices);
     numbers.fresh.resize(vertices);
     std::size_t referring = 0;
     std::size_t fresh = 0;
     // The loop writes each vertex to both lists and advances one of them. It has no branch, because the CPU cannot
-    // predict references.
+    // predict which vertices are references.
     for (std::size_t v = 0; v < vertices; ++v) {
         numbers.referring[referring] = static_cast<std::uint32_t>(v);
         numbers.fresh[fresh] = static_cast<std::uint32_t>(v);

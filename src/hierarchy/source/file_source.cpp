@@ -11,7 +11,7 @@ namespace gnomon::hierarchy {
 FileSource::FileSource(const std::string& path)
     : file_(path, File::Mode::Read), size_(file_.size()), changed_(file_.changeTime()) {}
 
-/// Reads with retries, because a network file system or a disk that wakes up can fail temporarily.
+/// Reads the file with retries, because a network file system or a disk that wakes up can fail temporarily.
 void FileSource::readAt(std::uint64_t offset, std::span<std::byte> out) const {
     constexpr int kRetries = 3;
     std::chrono::milliseconds pause(1);

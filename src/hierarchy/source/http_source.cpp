@@ -15,8 +15,8 @@ constexpr std::uint64_t kTailBytes = std::uint64_t{64} << 10U; // for the tables
 constexpr std::chrono::milliseconds kFirstPause{100};
 constexpr std::chrono::milliseconds kLongestPause{3000};
 constexpr std::chrono::milliseconds kMaxOpenTime{1000}; // short at the start, because the server may not exist
-// The min number of bytes of an answer that counts as progress, unless fewer bytes remain. A server that sends single
-// bytes makes no progress by this definition.
+// The min number of bytes of a server's answer that counts as progress, unless fewer bytes remain. A server that sends
+// single bytes thus makes no progress.
 constexpr std::size_t kMinPartBytes = std::size_t{16} << 10U;
 
 /// Returns `address` without user name, password, query and fragment.
@@ -40,7 +40,8 @@ std::string toldAddress(const std::string& address) {
 HttpSource::HttpSource(const std::string& address, const Access& access)
     : name_(toldAddress(address)), access_(access), connections_(address, access) {
     open(std::min(access.retryTime, kMaxOpenTime));
-    // The ranges are not cached, because without tag and date the cache could not recognise outdated ranges.
+    // Without a tag and a date from the server, the cache could not recognise outdated ranges. The ranges are
+    // therefore not cached.
     if (identity_.tag.empty() && identity_.modified.empty()) return;
     const std::string folder = access.cacheFolder.empty() ? defaultCacheFolder() : access.cacheFolder;
     if (access.cache.count > 0 && !folder.empty()) cache_.emplace(folder, access.cache, address + "\n" + stamp());
@@ -78,13 +79,13 @@ void HttpSource::stop() const {
     stopped_.notify_all();
 }
 
-/// Waits for the duration `pause`. Returns false if `stop` was called during the wait.
+/// Waits for the duration `pause`. Returns false if `stop` was called meanwhile.
 bool HttpSource::waitFor(std::chrono::milliseconds pause) const {
     std::unique_lock lock(mutex_);
     return !stopped_.wait_for(lock, pause, [this] { return connections_.isStopped(); });
 }
 
-/// Fills `out` with the bytes from `offset`. After a failure it retries. The pauses grow as long as there is no
+/// Requests the bytes from `offset` into `out`. After a failure it retries. The pauses grow as long as there is no
 /// progress.
 void HttpSource::fetch(std::uint64_t offset, std::span<std::byte> out) const {
     std::size_t done = 0;

@@ -53,13 +53,12 @@ bool isFolder(const fs::path& path) {
     return fs::is_directory(fs::symlink_status(path, error));
 }
 
-/// Returns true if `name` can be the name of a content's folder in the cache, which is the hexadecimal digits of a Sum.
+/// Returns true if `name` can be the name of a content's folder in the cache: the hexadecimal digits of a hash.
 bool isNameOfFolder(const std::string& name) {
     return name.size() == 2 * sizeof(Sum) && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Returns true if `name` can be the name of a file of the cache: "OFFSET-SIZE", or
-/// "OFFSET-SIZE.PROCESS.NUMBER.partial".
+/// Returns true if `name` can be the name of a cache file: "OFFSET-SIZE", or "OFFSET-SIZE.PROCESS.NUMBER.partial".
 bool isNameOfFile(std::string_view name) {
     const auto takeDigits = [&name] {
         const std::size_t end = std::min(name.find_first_not_of("0123456789"), name.size());
@@ -83,7 +82,7 @@ void forEachEntry(const fs::path& folder, const Use& use) {
         use(*it);
 }
 
-/// Returns the files of the cache in `folder`. Skips files with other names, and does not follow links.
+/// Returns all cache files in `folder`. Skips files with other names, and does not follow links.
 std::vector<Kept> keptIn(const std::string& folder) {
     std::vector<Kept> result;
     const auto add = [&result](const fs::directory_entry& file) {
@@ -155,8 +154,8 @@ void RangeCache::put(std::uint64_t offset, std::span<const std::byte> bytes) con
     }
 }
 
-/// Adds `bytes` to the size of the cache. Evicts the least recently used files if the size exceeds the limit. From time
-/// to time, the function counts the files again to include those of other processes.
+/// Adds `bytes` to the size of the cache. If the size exceeds the limit, evicts the least recently used files. From
+/// time to time, the function counts the files again to include those of other processes.
 void RangeCache::evictFor(std::uint64_t bytes) const {
     const std::lock_guard lock(mutex_);
     const bool isKnown = uncounted_ <= cap_.count / 8;
@@ -170,7 +169,7 @@ void RangeCache::evictFor(std::uint64_t bytes) const {
         total_ += file.bytes;
     if (total_ <= cap_.count) return;
     std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
-    // The function frees an eighth of the cache at once, so that it does not need to evict files at each call.
+    // Frees an eighth of the cache at once, so that not each call has to evict files.
     const std::uint64_t targetBytes = cap_.count - cap_.count / 8;
     std::error_code error;
     for (const Kept& file : kept) {

@@ -56,8 +56,8 @@ bool takeText(std::string_view& text, std::string_view start) {
     return true;
 }
 
-/// Returns true for errors that a retry would not change, for example a server whose identity cannot be verified, or
-/// endless redirects.
+/// Returns true for errors of libcurl that a retry would not change, for example a server whose identity cannot be
+/// verified, or endless redirects.
 bool isLasting(CURLcode code) {
     constexpr std::array kCodes = {
         CURLE_PEER_FAILED_VERIFICATION,
@@ -77,15 +77,15 @@ RangeFailure endlessHeader() {
         Refusal::Lasting, "the server's header does not end", "at most " + readableBytes({kMaxHeaderBytes}), "more"};
 }
 
-/// Returns the failure for an error code of libcurl that occurred before the first byte of the body. If a header line
-/// is longer than 100 KiB, libcurl reports "out of memory", or "too large" (100) since version 8.6.
+/// Converts an error code of libcurl from before the first byte of the body to a failure of the request. If a header
+/// line is longer than 100 KiB, libcurl reports "out of memory", or "too large" (100) since version 8.6.
 RangeFailure failureOf(CURLcode code, const char* reason) {
     constexpr int kTooLarge = 100;
     if (code == CURLE_OUT_OF_MEMORY || code == kTooLarge) return endlessHeader();
     return {isLasting(code) ? Refusal::Lasting : Refusal::Passing, *reason != 0 ? reason : curl_easy_strerror(code)};
 }
 
-/// Returns the failure for an HTTP status other than 206.
+/// Returns the failure of the request for an HTTP status other than 206 (partial content).
 RangeFailure failureOf(long status, const Identity* known) {
     const std::string found = std::to_string(status);
     if (status == 200)
@@ -137,7 +137,8 @@ std::optional<PartPlace> partPlace(const std::string& range) {
     return place;
 }
 
-/// Suppresses SIGPIPE while it exists. This signal would end the process if a server closes the connection.
+/// Suppresses the signal SIGPIPE while the object exists. The signal would end the process if a server closes the
+/// connection.
 class NoBrokenPipe {
 public:
     NoBrokenPipe() {
@@ -163,7 +164,7 @@ private:
     sigset_t before_{};
 };
 
-/// The state of a request in progress.
+/// The state of a running request for a byte range.
 struct Connections::Request {
     CURL* handle = nullptr;
     std::uint64_t offset = 0;
@@ -175,7 +176,7 @@ struct Connections::Request {
     std::size_t wanted = 0; // size of the body; set after the check of the header
     RangeAnswer answer{};
 
-    /// Records the first failure of the request. Returns false, which makes the calling callback end the transfer.
+    /// Records the first failure of the request. Returns false, so that the callback of libcurl ends the transfer.
     bool refuse(RangeFailure failure) {
         if (!answer.failure) answer.failure = std::move(failure);
         return false;
@@ -187,7 +188,8 @@ struct Connections::Request {
         return status;
     }
 
-    /// Returns true if the header of the answer is valid. It is checked before the first byte of the body is stored.
+    /// Returns true if the header of the server's answer is valid. It is checked before the first byte of the body is
+    /// stored.
     bool isPart() {
         if (status() != 206) return refuse(failureOf(status(), known));
         const std::optional<PartPlace> place = partPlace(header.range);
@@ -241,7 +243,7 @@ struct Connections::Request {
     }
 };
 
-/// One connection of the pool, idle or in use.
+/// One connection of the pool to the server, idle or in use.
 class Connections::Handle {
 public:
     Handle(const std::string& address, const std::string& authorityFile) : curl_(curl_easy_init(), curl_easy_cleanup) {
@@ -302,8 +304,8 @@ public:
         }
     }
 
-    /// Returns the protocol, host and port of the target if the last request was redirected. Otherwise returns an empty
-    /// text.
+    /// If the last request was redirected, returns the protocol, host and port of the target. Otherwise returns an
+    /// empty text.
     std::string redirectedTo() const {
         long count = 0;
         char* url = nullptr;
@@ -361,7 +363,7 @@ RangeAnswer Connections::get(std::uint64_t offset, std::span<std::byte> out, con
     if (request.answer.received > 0) {
         redirectedTo_ = host;
     } else if (failure && failure->refusal == Refusal::Passing && host != redirectedTo_ && !host.empty()) {
-        // Retries do not help, because the target of the redirect has never answered.
+        // Retries would not help, because the target of the redirect has never answered.
         failure->refusal = Refusal::Lasting;
         failure->what = "redirected to " + host + ": " + failure->what;
     }

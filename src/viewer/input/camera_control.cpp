@@ -20,7 +20,7 @@ constexpr double kNotchesPerOctave = 4;
 constexpr double kStill = 1e-3; // max velocity, as a share of speed(), at which the camera counts as resting
 constexpr double kAlong = 1e-9; // sine of the max angle between a view and an axis that count as parallel
 
-/// Returns `angle` plus the full turns that bring it nearest to `reference`.
+/// Adds full turns to `angle` (radians) so that the result is as near to `reference` as possible.
 double nearestTurn(double angle, double reference) {
     const double turn = 2 * kPi;
     return angle + turn * std::round((reference - angle) / turn);
@@ -89,7 +89,7 @@ void CameraControl::advance(const Flight& flight, double seconds) {
     glm::dvec3 wanted = flight.direction * flight.haste;
     const double length = glm::length(flight.direction);
     if (length > 1) wanted /= length;
-    // Integrates the velocity exactly, so that the path does not depend on the frame times.
+    // Integrates the flying velocity exactly, so that the path of the camera does not depend on the frame times.
     const double decay = std::exp(-step / kInertiaSeconds);
     const glm::dvec3 way = wanted * step + (velocity_ - wanted) * (kInertiaSeconds * (1 - decay));
     velocity_ = wanted + (velocity_ - wanted) * decay;

@@ -74,7 +74,7 @@ void Input::onKey(int key, int action, int modifiers) {
 }
 
 void Input::onButton(int button, int action, int modifiers) {
-    // Max distance in pixels of the press and release of a click, and of both clicks of a double click.
+    // Max distance in pixels between the press and the release of a click, and between both clicks of a double click.
     constexpr double kOnePlace = 5;
     hasHappened_ = true;
     if (action == GLFW_RELEASE) {
@@ -99,7 +99,7 @@ void Input::onButton(int button, int action, int modifiers) {
 
 void Input::onCursor(double x, double y) {
     hasHappened_ = true;
-    // Window coordinates differ from pixels if the window system scales the screen.
+    // Window coordinates of GLFW differ from pixels if the window system scales the screen.
     int width = 0;
     int height = 0;
     int pixelsWide = 0;
@@ -121,7 +121,7 @@ void Input::onCursor(double x, double y) {
 void Input::onFocus(bool hasFocus) {
     hasHappened_ = true;
     if (hasFocus) return;
-    // The releases go to the window that has the focus now, so this window would never receive them.
+    // The window that has the focus now receives the releases of the held keys, so this window would never see them.
     held_.clear();
     dragButton_ = -1;
 }

@@ -23,7 +23,7 @@ constexpr int of(path::ViewSide side) {
     return static_cast<int>(side);
 }
 
-/// The number of overlays with a key: F1 to F8. The list of overlays may be longer.
+/// The number of overlays that have a key, F1 to F8. There may be more overlays.
 constexpr std::size_t kOverlayKeys = std::min<std::size_t>(8, render::kOverlays.size());
 
 std::vector<Binding> cameraAndSettingKeys() {

@@ -9,7 +9,7 @@ namespace gnomon::viewer {
 
 namespace {
 
-/// The extent of a box along a direction.
+/// The range of positions of a box along a direction.
 struct Reach {
     double min = 0;
     double max = 0;
@@ -33,7 +33,8 @@ double distanceOf(const settings::Section& section, const glm::dvec3& point) {
 } // namespace
 
 std::vector<settings::Section> sectionBox(const Box& bounds) {
-    // Distance of the sections from the bounds, as a share of the model's size. It keeps faces on the bounds uncut.
+    // Distance of new section planes from the model's bounds, as a share of the model's size. Faces of the model on
+    // its bounds thus remain uncut.
     constexpr double kAside = 1e-3;
     std::vector<settings::Section> sections;
     for (int axis = 0; axis < 3; ++axis)
@@ -53,8 +54,9 @@ std::string sectionInWords(const settings::Section& section, const Box& bounds) 
     return formatted("section: %.4g of %.4g left", left, reach.max - reach.min);
 }
 
-/// Returns the position, on the line along the plane's normal through the grabbed point, that is nearest to the line of
-/// sight through `cursor`. The position is in world units from the grabbed point.
+/// Returns where a dragged section plane must go: the point nearest to the line of sight through `cursor`, on the line
+/// along the plane's normal through the grabbed point. The result is the distance from the grabbed point in world
+/// units.
 double SectionDrag::alongNormal(const glm::dvec2& cursor, const Camera& camera, const glm::ivec2& size) const {
     constexpr double kStraightAhead = 0.02; // min squared sine between the normal and the line of sight
     const CameraBasis basis = cameraBasis(camera);

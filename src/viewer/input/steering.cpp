@@ -88,7 +88,7 @@ void Steering::drag(const Drag& drag, const DragScene& scene, CameraControl& con
     const glm::dvec2 angle = drag.moved * kRadiansPerPixel;
     const DragUse use = useOf(drag);
     if (use == DragUse::Pan) {
-        // Points at the distance of the last focus stay under the cursor.
+        // The panning keeps points at the distance of the last focus under the cursor.
         const double high = 2 * std::tan(control.camera().fovYRadians / 2) * control.distance();
         const double perPixel = high / std::max(scene.pictureHeight, 1);
         return control.shift(-drag.moved.x * perPixel, drag.moved.y * perPixel);

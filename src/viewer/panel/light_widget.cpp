@@ -9,10 +9,10 @@ namespace gnomon::viewer {
 
 namespace {
 
-// Max number of storage factors that a frame computes. Each one takes well under a millisecond.
+// Max number of storage factors of the light widget that a frame computes. Each one takes well under a millisecond.
 constexpr int kAnswersAFrame = 24;
 
-/// Returns a colour from dark blue (0) through green and yellow to white (1).
+/// Returns the colour of a value from 0 to 1: dark blue (0) through green and yellow to white (1).
 ImU32 heat(double part) {
     const std::array<ImVec4, 4> kStops = {
         ImVec4{0.10F, 0.16F, 0.45F, 1}, {0.10F, 0.60F, 0.45F, 1}, {0.95F, 0.80F, 0.25F, 1}, {1, 0.97F, 0.90F, 1}};
@@ -25,7 +25,7 @@ ImU32 heat(double part) {
         {a.x + (b.x - a.x) * mix, a.y + (b.y - a.y) * mix, a.z + (b.z - a.z) * mix, 1});
 }
 
-/// Returns the input of the texel plot for a frame, or nothing if the frame has no shadow maps.
+/// Returns the input from which the texel plot of a frame is computed, or nullopt if the frame has no shadow maps.
 std::optional<TexelPlotInput> plotInput(const frame::Frame* frame, const LightDisc& disc) {
     if (frame == nullptr || frame->plan.passes.empty()) return std::nullopt;
     const plan::FramePlan& plan = frame->plan;

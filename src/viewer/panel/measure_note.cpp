@@ -11,7 +11,8 @@ constexpr ImU32 kLine = IM_COL32(255, 220, 60, 255);
 constexpr ImU32 kDone = IM_COL32(120, 220, 255, 255);
 constexpr ImU32 kOutline = IM_COL32(0, 0, 0, 200); // visible on any background
 
-/// Returns the line segments between consecutive points of a measure. A single point is a segment of zero length.
+/// Returns the line segments between consecutive points of a measurement. A single point gives a segment of zero
+/// length.
 std::vector<Segment> segmentsOf(const inspect::Measure& measure, const hierarchy::Grid& grid) {
     std::vector<Segment> segments;
     const auto at = [&](std::size_t i) { return inspect::worldOf(grid, measure[i].cell); };

@@ -37,8 +37,8 @@ PictureFrame windowFrame(const Camera& camera) {
 }
 
 void drawSegments(std::span<const PixelSegment> segments, ImU32 color, float thickness) {
-    // A segment that starts near the plane of the eye can end very far away on the screen. Floats cannot represent such
-    // coordinates.
+    // Max distance on the screen, in pixels, up to which a segment is drawn. A segment that starts near the plane of
+    // the eye can end farther away, where floats cannot represent the coordinates.
     constexpr double kFar = 1e5;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const PixelSegment& segment : segments) {

@@ -29,7 +29,7 @@ constexpr std::array<ImU32, kStages> kStageColors = {
     IM_COL32(245, 130, 70, 255),
     IM_COL32(180, 180, 180, 255)};
 
-/// Draws the last frames as stacked bars, and the median of each stage below.
+/// Draws the times of the last frames as stacked bars, and the median time of each stage below.
 void drawGraph(const FrameHistory& history, double targetMs) {
     const ImVec2 size(29 * letterHeight(), 5 * letterHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -100,7 +100,7 @@ void drawFacts(const OverlayContent& content, const ViewSettings& settings) {
     ImGui::End();
 }
 
-/// Draws the status, one line. If the model is out of view, also draws a hint.
+/// Draws one line about the state of the image. If the model is out of view, also draws a hint.
 void drawStatus(const OverlayContent& content) {
     const frame::Frame& frame = *content.scene->frame();
     PictureState state;
@@ -110,7 +110,7 @@ void drawStatus(const OverlayContent& content) {
     state.reductions = content.reductions;
     const std::string text = statusInWords(frame.plan, frame.row, state);
     const float widest = std::max(ImGui::GetIO().DisplaySize.x - 2 * letterHeight(), 8 * letterHeight());
-    // Without this call, Dear ImGui would use the size of the previous frame.
+    // Sets the size of the note, because Dear ImGui would otherwise use the size of the previous frame.
     ImGui::SetNextWindowContentSize(ImGui::CalcTextSize(text.c_str(), nullptr, false, widest));
     if (beginNote("status", {0.5F * letterHeight(), 0.5F * letterHeight()}, {0, 0})) {
         ImGui::PushTextWrapPos(widest);
@@ -137,7 +137,8 @@ std::vector<std::pair<std::string, std::string>> helpLines() {
     return lines;
 }
 
-/// Draws the help in as many columns as the height of the window requires, with letters that fit its width.
+/// Draws the help of keys and mouse, in as many columns as the height of the window requires. The letters are scaled to
+/// fit its width.
 void drawHelp() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const auto lines = helpLines();
@@ -200,14 +201,14 @@ void drawBuild(const BuildStatus& status, const std::string& mesh) {
     ImGui::End();
 }
 
-/// Returns the colour of a partition in the partitions overlay.
+/// Returns the colour that the partitions overlay uses for the partition with index `index`.
 ImU32 indexColor(std::size_t index, float alpha) {
     const glm::vec3 color = render::indexColor(static_cast<int>(index % render::kIndexColors));
     return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, alpha});
 }
 
-/// Draws the wire frames of a frozen frame: each partition in its colour, the volume of its casters in a fainter
-/// colour, and the depth range of the view in white.
+/// Draws the wire frames of a frame whose culling is frozen: each partition of the view in its colour, the volume of
+/// its shadow casters in a fainter colour, and the depth range of the view in white.
 void drawVolumes(const OverlayContent& content) {
     const plan::FramePlan& plan = content.scene->frame()->plan;
     const PictureFrame frame = windowFrame(content.camera);

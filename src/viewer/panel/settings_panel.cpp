@@ -19,7 +19,7 @@ namespace {
 
 using settings::Setting;
 
-/// Draws a combo box of `count` names. Returns true if the user chose another name.
+/// Draws a combo box that offers `count` names. Returns true if the user chose another name.
 template <class NameOf>
 bool chooseFrom(const char* label, int count, int& current, const NameOf& nameOf) {
     bool hasChanged = false;
@@ -59,7 +59,7 @@ bool drawSwitch(const Setting& setting, settings::Settings& settings) {
     return true;
 }
 
-/// Draws a slider over the range of an integer setting. Returns true if `value` changed.
+/// Draws a slider for an integer setting over its range. Returns true if the user changed `value`.
 bool slide(const settings::Offer& offer, int& value) {
     return ImGui::SliderInt(offer.title.c_str(), &value, static_cast<int>(offer.min), static_cast<int>(offer.max));
 }
@@ -136,7 +136,8 @@ bool drawQuality(settings::Settings& settings) {
     return hasChanged;
 }
 
-/// Draws the controls for the range of the colour map: the range of the values, or a range that the user drags.
+/// Draws the controls for the range of the colour map. It is either the range of the model's values, or a range that
+/// the user drags.
 bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
     bool isOwn = colors.range.has_value();
     const bool isToggled = ImGui::Checkbox("ends of one's own", &isOwn);
@@ -152,7 +153,7 @@ bool drawEnds(const Scene& scene, settings::ValueColors& colors) {
     return true;
 }
 
-/// Draws the choices of surface colours and colour map.
+/// Draws the controls with which the user chooses the surface colours and the colour map.
 bool drawColors(const Scene& scene, ViewSettings& settings) {
     const std::vector<settings::ValueColors> choices = colorChoices(scene.model().summary(), scene.capabilities());
     std::vector<std::string> names;

@@ -68,7 +68,8 @@ void TexelPlot::ask(const std::optional<TexelPlotInput>& input) {
 
 void TexelPlot::improve(int count) {
     if (!input_) return;
-    // Visits the cells with a stride that is coprime to their number. The first results then cover the whole disc.
+    // The cells are computed with a stride that is coprime to their number, so that the first results cover the whole
+    // disc.
     const std::size_t cells = values_.size();
     std::size_t stride = cells * 5 / 8 + 1;
     while (std::gcd(stride, cells) != 1)

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kParallel = 1e-9;
 
-/// Returns the edge that the planes `a` and `b` form in the volume inside all `planes`: the inner part of their
-/// intersection line. Returns nothing if the planes are parallel, if no part is inside, or if the part is infinite.
+/// Returns the edge of a convex volume between its planes `a` and `b`: the part of their intersection line that is
+/// inside all `planes`. Returns nullopt if the planes are parallel, if no part is inside, or if the part is infinite.
 std::optional<Segment> edge(std::span<const Plane> planes, std::size_t a, std::size_t b) {
     const glm::dvec3 direction = glm::cross(planes[a].normal, planes[b].normal);
     const double sine2 = glm::dot(direction, direction);

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the identity of a model: the canonical path of its file, or its address.
+/// Returns the text that identifies a model: the canonical path of its file, or its web address.
 std::string nameOf(const std::string& model) {
     if (model.find("://") != std::string::npos) return model;
     std::error_code failure;
@@ -26,7 +26,7 @@ std::string nameOf(const std::string& model) {
     return failure ? model : place.string();
 }
 
-/// Returns true if `name` has the form of the names that `fileOf` creates. Files with other names are never removed.
+/// Returns true if `name` looks like a file name that `fileOf` creates. Files with other names are never removed.
 bool isNameOfFile(const std::string& name) {
     return name.size() == 16 + 5 && name.ends_with(".json") &&
            name.find_first_not_of("0123456789abcdef") == name.find(".json");

@@ -235,7 +235,7 @@ void File::resemble(const std::string& path) {
 
     if (::stat(path.c_str(), &other) != 0) return;
     const bool isOwned = ::fchown(descriptor_, other.st_uid, other.st_gid) == 0;
-    // The system can forbid a change of the file's owner, and still allow a change to another group of the user.
+    // The system can forbid a change of the owner of the file, and still allow a change to another group of the user.
     if (!isOwned) static_cast<void>(::fchown(descriptor_, static_cast<uid_t>(-1), other.st_gid));
     static_cast<void>(::fchmod(descriptor_, other.st_mode & (isOwned ? 07777U : 0777U)));
 }

@@ -21,7 +21,7 @@ namespace gnomon::api {
 
 namespace {
 
-/// Returns the settings of `options`. The memory and the backend come from the settings of the open model.
+/// Converts `options` to settings. The memory and the backend come from the settings of the open model.
 settings::Settings askedFor(const Options& options, const settings::Settings& ofModel) {
     for (const char* name : {"memory", "gpu-memory", "backend", "shaders"})
         if (options.contains(name)) throw Error(name, "this option cannot be set for a view of an open model");

@@ -46,8 +46,8 @@ struct BenchOptions {
     std::string failAbovePercent = "10";
 };
 
-/// Returns how a bench walks along its path. --quick reduces the number of frames. With --report, the defaults are
-/// several repetitions and a validation.
+/// Returns how `gnomon bench` moves along its camera path. --quick reduces the number of frames. With --report, the
+/// defaults are several repetitions and a validation.
 bench::WalkOptions walkOf(const BenchOptions& options) {
     bench::WalkOptions walk = options.walk;
     if (options.isQuick) {
@@ -69,13 +69,14 @@ bench::WalkOptions walkOf(const BenchOptions& options) {
     return walk;
 }
 
-/// The limits of --fail-above (percent) and --budget-ms (ms).
+/// The limits that a bench must not exceed: those of --fail-above (percent) and --budget-ms (ms).
 struct Bounds {
     double failAbovePercent = 0;
     std::optional<double> budgetMs;
 };
 
-/// Parses the limits. Throws UsageError for a negative percentage, or for a budget of 0 or less.
+/// Parses the limits of --fail-above and --budget-ms. Throws UsageError for a negative percentage, or for a budget of 0
+/// or less.
 Bounds boundsOf(const BenchOptions& options) {
     const auto nonNegative = settings::number("a number of at least 0", [](double value) { return value >= 0; });
     Bounds bounds{settings::parsed(nonNegative, "--fail-above", options.failAbovePercent), std::nullopt};
@@ -84,7 +85,8 @@ Bounds boundsOf(const BenchOptions& options) {
     return bounds;
 }
 
-/// Returns the requested runs. Throws UsageError if options contradict each other in one of the runs.
+/// Returns the runs of a bench, one per combination of settings. Throws UsageError if options contradict each other in
+/// one of the runs.
 std::vector<bench::BenchRun> runsOf(const BenchOptions& options) {
     settings::Settings fixed = options.settings.fixedSettings();
     if (options.shadowMaps || validation::isOfMaps(options.walk.groundTruth)) settings::askForMaps(fixed);
@@ -107,7 +109,7 @@ settings::Backend backendOf(const std::vector<bench::BenchRun>& runs) {
     return task::backendFor(bench::backendSettings(runs), settings::DrawingCommand::Bench).backend;
 }
 
-/// A bench that is ready to run. The constructor finds all errors that can be known without drawing a frame.
+/// A bench that is ready to run. The constructor reports all errors that can be known without drawing a frame.
 class Bench {
 public:
     explicit Bench(const BenchOptions& options)
@@ -186,7 +188,7 @@ private:
                 " frames per run, because a frame of this model takes long");
     }
 
-    /// Returns a progress display whose stage has `frames` frames.
+    /// Returns a progress display for a stage with `frames` frames.
     std::unique_ptr<Progress> staged(const char* stage, std::size_t frames) const {
         auto progress = makeProgress(options_.common);
         progress->stage(stage, "frames", frames);
@@ -248,7 +250,7 @@ void runBench(BenchOptions options) {
     Bench(options).run();
 }
 
-/// Returns the options whose list of values a bench sweeps.
+/// Returns the names of all options that accept a list of values in a bench.
 std::string sweptOptions() {
     constexpr int kPerLine = 5;
     std::string options;

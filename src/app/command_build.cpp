@@ -68,7 +68,8 @@ std::optional<BuildReport> built(
     }
 }
 
-/// Sets the up direction of the build to `up`. For `auto`, uses the up direction that the inputs declare, if any.
+/// Sets the up direction with which the model is built to `up`. For `auto`, uses the up direction that the inputs
+/// declare, if any.
 void takeUp(const glm::dvec3& up, const std::vector<std::string>& inputs, pipeline::BuildOptions& options) {
     if (up != settings::kAutoUp)
         options.up = hierarchy::UpAxis{glm::normalize(up)};
@@ -147,7 +148,7 @@ CLI::Validator chunkSize() {
         "COUNT"};
 }
 
-/// Adds the options that change the hierarchy of the model.
+/// Adds the options that change the cluster hierarchy of the model.
 void addShapeOptions(CLI::App& command, BuildCommand& options) {
     command.add_option("--cluster-triangles", options.clusterTriangles, "Max triangles per cluster, from 8 to 256")
         ->check(CLI::Range(8, 256))

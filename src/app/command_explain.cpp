@@ -1,4 +1,5 @@
-// The command `gnomon explain`, which prints the plan of one frame with a reason for each skipped effect.
+// The command `gnomon explain`, which prints the passes and shadow maps of one frame, with a reason for each skipped
+// effect.
 
 #include "app/command_line.h"
 #include "app/commands.h"

@@ -1,4 +1,5 @@
-// The command `gnomon export`, which writes a uniform cut of a model as PLY or glTF, or the whole model as 3D Tiles.
+// The command `gnomon export`. It writes a model as a mesh (PLY or glTF) with the same error everywhere, or the whole
+// model as 3D Tiles.
 
 #include "app/commands.h"
 #include "app/thread_limit.h"

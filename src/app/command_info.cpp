@@ -1,4 +1,4 @@
-// The command `gnomon info`, which prints the properties of a model. It reads no pages.
+// The command `gnomon info`, which prints the properties of a model. It reads no pages of geometry.
 
 #include "app/commands.h"
 #include "hierarchy/model_text.h"

@@ -14,7 +14,7 @@ namespace gnomon::app {
 
 namespace {
 
-/// Returns a validator for a folder that contains a file for each built-in shader, so that any backend finds its
+/// Returns a validator for a folder that contains a file for each built-in shader, so that each backend finds its
 /// shaders there.
 CLI::Validator shaderFolder() {
     return {
@@ -28,7 +28,7 @@ CLI::Validator shaderFolder() {
         ""};
 }
 
-/// Returns the placeholder for the value of a setting in the form of CLI11. If the setting has a list of words, the
+/// Returns the placeholder for the value of a setting in the format of CLI11. If the setting has a list of words, the
 /// placeholder contains them: "KIND:{off,maps}".
 std::string typeOf(const settings::Setting& setting) {
     std::string type = setting.description().form;
@@ -43,7 +43,7 @@ void SettingOptions::addTo(CLI::App& command) {
     const settings::Settings defaults;
     for (const settings::Setting& setting : settings::table()) {
         const settings::Description& description = setting.description();
-        // CLI11 would ignore an empty text if it converted the text to a value itself.
+        // Takes the value as text, because CLI11 would ignore an empty text if it converted the value itself.
         const auto take = [this, &setting](const std::string& text) { texts_[setting.name()] = text; };
         CLI::Option* option =
             command.add_option_function<std::string>(settings::withOldNames(setting.option()), take, description.help);

@@ -16,7 +16,8 @@ namespace gnomon::app {
 
 namespace {
 
-/// Returns the cameras that the source of a model or a glTF file contains. Throws Error if there is none.
+/// Returns a camera path through the cameras that the source of a model or a glTF file contains. Throws Error if there
+/// is none.
 path::CameraPath sourcePath(const std::string& file, const std::string& sourceRoot) {
     const std::string suffix = read::loweredSuffix(file);
     const std::vector<Camera> cameras =

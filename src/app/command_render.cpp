@@ -18,7 +18,7 @@ struct RenderOptions {
     task::RenderTask task;
 };
 
-/// The texts of options whose values are parsed later.
+/// The values of those options of `gnomon render` that are parsed after all options are known.
 struct RenderWords {
     SettingOptions settings;
     settings::ValueColorWords colors;
@@ -28,7 +28,7 @@ void streamToStdout(const std::string& bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) requirePrinted();
 }
 
-/// Returns the task of a render from the options in `request` and the texts in `words`. Reads the files that they name.
+/// Converts the options in `request` and the values in `words` to a task for drawing. Reads the files that they name.
 /// Throws UsageError and Error.
 task::RenderTask taskOf(settings::Request request, const RenderWords& words) {
     request.settings = words.settings.parsed();
@@ -47,7 +47,7 @@ void runRender(const RenderOptions& options) {
     requirePrinted();
 }
 
-/// Adds the options that select the pictures to draw.
+/// Adds the options that select which pictures `gnomon render` draws.
 void addPictures(CLI::App& command, settings::Output& output) {
     command.add_option("-o,--output", output.picture, "PNG to write; a series needs frame%04d.png, or - (y4m)")
         ->required()
@@ -81,7 +81,7 @@ void addPictures(CLI::App& command, settings::Output& output) {
         ->default_str(std::to_string(settings::kUsualSamples) + ", or 1 with data outputs");
 }
 
-/// Adds the options of additional files and comparisons for one picture.
+/// Adds the options of `gnomon render` for the additional files of a picture and for comparisons.
 void addFiles(CLI::App& command, settings::Output& output) {
     command
         .add_option(

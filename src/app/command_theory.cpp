@@ -61,8 +61,8 @@ void addEval(CLI::App& theory) {
     });
 }
 
-/// Runs `python` with `arguments` and discards its stdout. Returns the exit status, or 127 if the program does not
-/// exist.
+/// Runs the interpreter `python` with `arguments` and discards its stdout. Returns the exit status, or 127 if the
+/// program does not exist.
 int runQuietly(const std::string& python, std::vector<std::string> arguments, bool showErrors) {
     std::vector<char*> argv;
     arguments.insert(arguments.begin(), python);
@@ -89,7 +89,8 @@ int runQuietly(const std::string& python, std::vector<std::string> arguments, bo
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-/// Returns a Python interpreter that has matplotlib: the first on the PATH, else /usr/bin/python3, else nullopt.
+/// Returns the path of a Python interpreter that has matplotlib: the first on the PATH, else /usr/bin/python3, else
+/// nullopt.
 std::optional<std::string> plottingPython() {
     for (const char* python : {"python3", "/usr/bin/python3"})
         if (runQuietly(python, {"-c", "import matplotlib"}, false) == 0) return python;

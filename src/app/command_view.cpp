@@ -19,7 +19,8 @@ namespace gnomon::app {
 
 namespace {
 
-/// Throws UsageError if options are invalid or contradict each other. Runs before a window opens or a mesh is built.
+/// Throws UsageError if options of `gnomon view` are invalid or contradict each other. Runs before a window opens or a
+/// mesh is built.
 void requireSound(const viewer::ViewerOptions& options) {
     const settings::Settings& settings = options.settings;
     settings::requireCapable(settings, options.colors);

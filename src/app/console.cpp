@@ -16,8 +16,8 @@ namespace gnomon::app {
 void occupyStandardDescriptors() {
     for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
         if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-        // open() returns the lowest free descriptor, which is this one. It is opened for the opposite direction (stdin
-        // for writing), so that its use is still an error.
+        // open() returns the lowest free descriptor, which is the missing one. It is opened for the opposite direction
+        // (stdin for writing), so that its use is still an error.
         static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY)); // NOLINT: inherited
     }
 }

@@ -16,7 +16,7 @@ std::string padded(const std::string& text, std::size_t columns) {
     return text + std::string(columns - std::min(columns, text.size()), ' ');
 }
 
-/// Returns the value of an option as its label shows it: "WxH", "on|off", or only the first part of a long form.
+/// Returns the value of an option as the help shows it: "WxH", "on|off", or only the first part of a long form.
 std::string valueOf(const OptionWords& option) {
     std::string words;
     for (const std::string& choice : option.choices)
@@ -26,7 +26,7 @@ std::string valueOf(const OptionWords& option) {
     return option.value.size() <= kMaxForm ? option.value : option.value.substr(0, option.value.find('|'));
 }
 
-/// Returns the label of an option, its names and value: "-o, --output FILE.png".
+/// Returns the names and the value of an option as the help shows them: "-o, --output FILE.png".
 std::string labelOf(const OptionWords& option) {
     std::string label;
     for (const std::string& name : option.names)
@@ -40,8 +40,8 @@ std::string explanationOf(const OptionWords& option) {
     return option.byDefault.empty() ? option.description : option.description + " [default: " + option.byDefault + "]";
 }
 
-/// Appends `text` in lines of at most kHelpColumns columns. The text begins in column `indent` of the last line of
-/// `out`, and all other lines begin there too.
+/// Appends `text` to the help, in lines of at most kHelpColumns columns. All lines of the text begin in column
+/// `indent`. The first one continues the last line of `out`.
 void addWrapped(std::string& out, const std::string& text, std::size_t indent) {
     std::size_t column = indent;
     for (std::size_t start = 0; start < text.size();) {
@@ -88,7 +88,7 @@ std::size_t labelColumnsOf(const std::vector<const OptionWords*>& options) {
     return columns;
 }
 
-/// Returns the arguments and options of `command` that the help with this `detail` shows, in the order of the help.
+/// Returns the arguments and options of `command` that a help text with this `detail` shows, in the order of the help.
 std::vector<const OptionWords*> shownOptions(const CommandWords& command, HelpDetail detail) {
     std::vector<const OptionWords*> shown;
     for (const auto* const list : {&command.arguments, &command.options})

@@ -30,8 +30,8 @@ extern "C" void onSignal(int /*signal*/) {
     TemporaryName::removeAllAndExit(1);
 }
 
-/// Prints the message of an exception that no code caught. Ends the process with exit code 1 if the cause is a lack of
-/// memory or threads. Aborts otherwise, because the cause is then a bug.
+/// Handles an exception that no code has caught, and prints its message. Ends the process with exit code 1 if the cause
+/// is a lack of memory or threads. Otherwise the cause is a bug, and the function aborts.
 [[noreturn]] void onTerminate() {
     try {
         if (const std::exception_ptr uncaught = std::current_exception()) std::rethrow_exception(uncaught);
@@ -62,7 +62,8 @@ void catchSignals() {
         struct sigaction before {};
 
         const bool isIgnored = ::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
-        // The parent can ignore HUP (nohup) or PIPE (a shell that expects EPIPE).
+        // The parent process can ignore HUP (nohup) or PIPE (a shell that expects EPIPE). These signals then stay
+        // ignored.
         if (isIgnored && (signal == SIGHUP || signal == SIGPIPE)) continue;
         ::sigaction(signal, &action, nullptr);
     }

@@ -1,4 +1,4 @@
-// The program `gnomon` with its subcommands, in the order of a typical use.
+// The program `gnomon`. Its subcommands are in the order of a typical use.
 
 #include "app/commands.h"
 #include "app/console.h"

@@ -22,7 +22,7 @@ namespace gnomon::app {
 
 namespace {
 
-/// Returns one line with the error in the command line and the command whose help explains it. `first` is the first
+/// Returns one line with the error in the command line and the command that prints help about it. `first` is the first
 /// argument.
 std::string usage(const CLI::App& program, const CLI::ParseError& error, const std::string& first) {
     const auto chosen = program.get_subcommands();
@@ -57,7 +57,7 @@ void runProgram(const Program& about, int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::CallForVersion&) {
-        // CLI11 can process --version before --json, so search for --json here.
+        // CLI11 can process --version before --json, so --json is searched here.
         isJson =
             std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
         if (!about.isSilent) std::cout << (isJson ? gnomon::manual::versionJson(GNOMON_VERSION) : versionLine) << '\n';

@@ -15,8 +15,8 @@ namespace {
 
 constexpr Milliseconds kBetweenShown{100};
 
-/// A progress display on stderr: stage, finished and total units, rate, memory and remaining time. It is updated at
-/// most ten times per second.
+/// Displays progress on stderr: stage, finished and total units, rate, memory and remaining time. It is updated at most
+/// ten times per second.
 class StderrProgress final : public Progress {
 public:
     enum class Style { Bar, Json, None };

@@ -42,7 +42,7 @@ CurrentAtDestruction::~CurrentAtDestruction() {
     try {
         context_->makeCurrent();
     } catch (const Error&) {
-        // If the driver failed, there is nothing to delete.
+        // If the driver failed, there is no OpenGL object to delete.
     }
 }
 

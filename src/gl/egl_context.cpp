@@ -26,13 +26,13 @@ public:
         return library_.function<Function>(name);
     }
 
-    /// Returns a function of an extension, or null if the extension is missing.
+    /// Returns the function of an EGL extension, or null if the extension is missing.
     template <class Function>
     Function extension(const char* name) const {
         return reinterpret_cast<Function>(function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress")(name));
     }
 
-    /// Returns all devices except Mesa's software device, in the order of EGL.
+    /// Returns all EGL devices except Mesa's software device, in the order of EGL.
     std::vector<EGLDeviceEXT> gpus() const {
         const auto queryDevices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
         const auto queryString = extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
@@ -82,7 +82,7 @@ public:
     ~EglContext() override {
         if (isCurrent()) makeCurrent_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl_.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext")(display_, context_);
-        // The display is not terminated, because another context of this process may use it.
+        // The EGL display is not terminated, because another context of this process may use it.
     }
 
     EglContext(const EglContext&) = delete;
@@ -112,7 +112,8 @@ private:
     void makeContext() {
         if (egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API) == EGL_FALSE)
             throw Error("EGL", "the display does not support desktop OpenGL");
-        // A config for OpenGL exists on each device. EGL_KHR_no_config_context would also work, but it is an extension.
+        // Each device has a config for OpenGL. EGL_KHR_no_config_context would make a config unnecessary, but it is an
+        // extension.
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;

@@ -41,7 +41,7 @@ void MappedRing::enterNext() {
     segment_ = (segment_ + 1) % kSegments;
     used_ = 0;
     // Waits until the GPU has passed the fence of the next segment in the ring. The fence was issued when that segment
-    // was full. All commands that read the new segment were issued before this fence.
+    // was full. All commands that read the segment were issued before this fence.
     const GLsync fence = left_[(segment_ + 1) % kSegments];
     constexpr GLuint64 kNanoseconds = 1'000'000'000;
     if (fence == nullptr) return;

@@ -21,8 +21,8 @@ Object make(Create create, Object::Delete release) {
 
 Buffer::Buffer(const Api& api, std::size_t bytes)
     : api_(&api), object_(make(api.createBuffers, api.deleteBuffers)), bytes_(bytes) {
-    // The storage is not immutable: NVIDIA's driver moves an immutable buffer at its first draw, at a cost of 0.8 ms
-    // per megabyte.
+    // The storage of the buffer is not immutable. NVIDIA's driver moves an immutable buffer at its first draw, at a
+    // cost of 0.8 ms per megabyte.
     api.namedBufferData(id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
 }
 
@@ -47,7 +47,7 @@ Texture::Texture(const Api& api, GLenum internalFormat, int width, int height) :
 
 Texture Texture::ofWindowPictures(const Api& api, int width, int height) {
     Texture texture(api, width, height);
-    // Only an unsized internal format lets the driver keep the byte order of the written pixels.
+    // The internal format is unsized, because only then the driver preserves the byte order of the written pixels.
     api.activeTexture(GL_TEXTURE0);
     api.bindTexture(GL_TEXTURE_2D, texture.id());
     api.texImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, nullptr);

@@ -6,7 +6,7 @@ namespace gnomon::gl {
 
 namespace {
 
-// Constants of libOSMesa from its manual. Its own header would include the system's gl.h of OpenGL 1.x.
+// Constants of libOSMesa, copied from its manual. Its own header would include the system's gl.h of OpenGL 1.x.
 constexpr std::array<int, 13> kAttributes = {
     0x22,   // OSMESA_FORMAT
     0x1908, // OSMESA_RGBA

@@ -12,7 +12,7 @@ namespace {
 
 constexpr GLsizei kLogBytes = 2048;
 
-/// Joins the lines of a driver's log to one line.
+/// Joins the lines of the driver's log for an error message of one line.
 std::string oneLine(const char* log) {
     std::string line;
     std::istringstream lines{std::string(log)};
@@ -21,7 +21,7 @@ std::string oneLine(const char* log) {
     return line;
 }
 
-/// A compiled shader. Its destructor deletes it, because the linked program keeps its own copy.
+/// A compiled shader. Its destructor deletes it, because the linked program has its own copy.
 class Shader {
 public:
     Shader(const Api& api, GLenum stage, const std::string& path, const std::string& source)

@@ -7,7 +7,7 @@ namespace gnomon::gl {
 
 namespace {
 
-/// Returns GLFW's reason for the last failure.
+/// Returns the reason that GLFW gives for its last failure.
 std::string lastError() {
     const char* text = nullptr;
     glfwGetError(&text);
@@ -16,7 +16,7 @@ std::string lastError() {
 
 } // namespace
 
-/// The lifetime of GLFW and of its only window.
+/// Initialises GLFW and owns its only window.
 class Window::Glfw final : public NativeContext {
 public:
     Glfw(const std::string& title, int width, int height) {
@@ -24,8 +24,8 @@ public:
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        // Drawing goes into framebuffer objects. The window's own buffer only receives finished images, so it needs no
-        // depth and stencil bits.
+        // The window needs no depth and stencil bits. Drawing goes into framebuffer objects, and the window only
+        // receives finished images.
         glfwWindowHint(GLFW_DEPTH_BITS, 0);
         glfwWindowHint(GLFW_STENCIL_BITS, 0);
         window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);

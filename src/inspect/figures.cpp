@@ -33,7 +33,7 @@ Wide dot(const WideVector& a, const WideVector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Returns the length of a vector. If its square fits a double, the root is rounded only once.
+/// Returns the length of an integer vector. If its square fits a double, the root is rounded only once.
 double length(const WideVector& steps) {
     const Wide square = dot(steps, steps);
     if (square < Wide{1} << 53U) return std::sqrt(static_cast<double>(square));
@@ -44,14 +44,15 @@ glm::dvec3 rounded(const WideVector& v) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-/// Returns the angle in degrees between the two legs at a point. It is 180 if they form a straight line, and missing if
-/// a leg has no length.
+/// Returns the angle in degrees between the two legs at a measured point. It is 180 if the legs form a straight line.
+/// Returns nullopt if a leg has no length.
 std::optional<double> angleBetween(const WideVector& back, const WideVector& on) {
     if (dot(back, back) == 0 || dot(on, on) == 0) return std::nullopt;
     return kDegrees * std::atan2(glm::length(rounded(cross(back, on))), static_cast<double>(dot(back, on)));
 }
 
-/// Returns the max distance of `cells` from the plane through their mean that is perpendicular to `normal`, in steps.
+/// Returns how far the points `cells` are from a common plane: the max distance, in grid steps, from the plane through
+/// their mean that is perpendicular to `normal`.
 double offPlane(std::span<const glm::i64vec3> cells, const glm::dvec3& normal) {
     if (!(glm::length(normal) > 0)) return 0;
     const glm::dvec3 unit = glm::normalize(normal);

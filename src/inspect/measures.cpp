@@ -23,13 +23,13 @@ std::vector<glm::i64vec3> cellsOf(const Measure& measure) {
     return cells;
 }
 
-/// Returns the shortest text that reads back as `value`.
+/// Returns the shortest text of a number that reads back as exactly `value`.
 std::string exactText(double value) {
     std::array<char, 32> text{};
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-/// Returns the number of decimals that distinguish two adjacent grid steps.
+/// Returns how many decimals distinguish two coordinates that are one grid step apart.
 int digitsOf(const Surveyed& of) {
     return std::clamp(static_cast<int>(std::ceil(-std::log10(of.grid.step()))), 0, 9);
 }
@@ -64,7 +64,7 @@ ordered_json measureJson(const Measure& measure, const Surveyed& of) {
 }
 
 /// Returns the CSV row of the last point of `measure`, which contains all points up to this one. `number` is the number
-/// of the measure.
+/// of the measurement.
 std::string csvRow(std::size_t number, const Measure& measure, const Surveyed& of) {
     const Figures figures = figuresOf(measure, of);
     const glm::dvec3 at = worldOf(of.grid, measure.back().cell);

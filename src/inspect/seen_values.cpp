@@ -13,15 +13,15 @@ namespace gnomon::inspect {
 
 namespace {
 
-/// A pixel, its visible triangle, and the weights of the triangle's vertices.
+/// A pixel of the image, the triangle that it shows, and the weights of the triangle's vertices there.
 struct SeenPixel {
     std::size_t pixel = 0;
     render::SeenTriangle triangle;
     std::array<double, 3> weights{};
 };
 
-/// Returns the barycentric weights of the point in the triangle's plane nearest to `point`. Negative weights become 0,
-/// because pictures round positions within a pixel.
+/// Returns the barycentric weights of the point in the triangle's plane that is nearest to `point`. Negative weights
+/// become 0, because pictures round positions within a pixel.
 std::array<double, 3> weightsAt(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point) {
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     std::array<double, 3> weights{1, 0, 0}; // used for a triangle without area
@@ -69,7 +69,8 @@ ValuePicture noValues(const frame::Frame& frame) {
     return {view.width, view.height, std::numeric_limits<double>::quiet_NaN()};
 }
 
-/// Returns the index of field `name` in `model`. Throws Error with the known names if it does not exist.
+/// Returns the index of the model's field with this name. Throws Error with the known names if the field does not
+/// exist.
 std::size_t fieldNamed(const hierarchy::ModelFile& model, const std::string& name) {
     const std::vector<hierarchy::Field>& fields = model.summary().fields;
     const auto found =

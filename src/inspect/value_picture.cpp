@@ -15,7 +15,7 @@ namespace {
 constexpr double kDecade = 10;
 constexpr float kInShadow = 0.7F; // share of the colour that remains in shadow
 
-/// Returns the range of values for a picture without a requested range.
+/// Returns the range of values that the colours of a picture show if the user requests no range.
 std::array<double, 2> usualRange(
     const settings::ValueColors& colors,
     const hierarchy::ModelSummary& model,
@@ -44,7 +44,7 @@ std::string titleOf(const settings::ValueColors& colors, std::string_view unit) 
     }
 }
 
-/// Returns the heights or slopes of the visible surfaces.
+/// Returns an image with the height or slope of the visible surface at each pixel.
 ValuePicture geometricValues(settings::ColorBy by, const frame::Renderer& renderer, const frame::Frame& frame) {
     const glm::dvec3 origin = renderer.model().summary().grid.world(frame.space.originCell);
     const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();

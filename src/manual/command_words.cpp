@@ -11,8 +11,8 @@ namespace gnomon::manual {
 
 namespace {
 
-/// Returns the allowed values in the type text of an option, for example "a" and "b" in "KIND:{a,b}". In "auto|on|MB"
-/// the words in capitals are placeholders and are skipped.
+/// Returns the allowed values from the type text of an option, for example "a" and "b" from "KIND:{a,b}". In
+/// "auto|on|MB" the words in capitals are placeholders and are skipped.
 std::vector<std::string> choicesOf(const std::string& type) {
     const std::size_t open = type.find('{');
     const std::size_t close = type.find('}');
@@ -45,13 +45,13 @@ OptionWords optionWords(const CLI::Option& option, const std::string& command) {
         words.names.push_back("--" + name);
     if (option.nonpositional()) words.place = settings::helpPlace(command, words.names.back().substr(2));
     if (words.names.empty()) words.names.push_back(option.get_name(true));
-    // CLI11 appends the check of a value to its type: "TEXT:{auto,bar}", "INT:INT in [0 - 1024]".
+    // CLI11 appends the validator of a value to its type: "TEXT:{auto,bar}", "INT:INT in [0 - 1024]".
     const std::string type = option.get_type_name();
     const bool takesValue = option.get_items_expected_max() > 0;
     if (takesValue) words.choices = choicesOf(type);
     if (takesValue) words.value = type.substr(0, type.find(':'));
     if (takesValue && words.value.empty()) words.value = "VALUE";
-    // If an option may lack its value, CLI11's default text is the value of the option alone.
+    // If an option can occur without a value, the default text of CLI11 is the value for this case.
     const bool isFlagToo = option.get_items_expected_min() == 0;
     if (!isFlagToo) words.byDefault = option.get_default_str();
     words.description = option.get_description();

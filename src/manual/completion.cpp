@@ -34,7 +34,7 @@ void visit(const CommandWords& command, const std::function<void(const CommandWo
         visit(below, what);
 }
 
-/// Escapes `text` for _arguments of zsh, where colons and brackets are separators.
+/// Escapes `text` for the zsh function _arguments, in which colons and brackets are separators.
 std::string withinZsh(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -69,7 +69,7 @@ void addZsh(const CommandWords& command, std::string& out) {
     out += "\n}\n\n";
 }
 
-/// Returns the condition under which fish offers the subcommands and options of `command`.
+/// Returns the condition, in the syntax of fish, under which fish offers the subcommands and options of `command`.
 std::string fishCondition(const CommandWords& command) {
     std::string condition;
     for (const std::string& word : command.path)

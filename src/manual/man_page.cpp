@@ -7,7 +7,7 @@ namespace gnomon::manual {
 
 namespace {
 
-/// Escapes `text` for roff, so that no line is a request and no character starts an escape.
+/// Escapes `text` for roff, so that no line is read as a request and no character starts an escape sequence.
 std::string plain(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -55,7 +55,7 @@ void addOption(std::string& out, const OptionWords& option, bool isArgument) {
     out += "\n";
 }
 
-/// Appends the options of `command`, with a heading per group.
+/// Appends the options of `command` to a manual page, with a heading per group.
 void addOptions(std::string& out, const CommandWords& command) {
     out += ".SH OPTIONS\n";
     for (const settings::GroupNames& group : settings::kGroups) {
@@ -69,7 +69,7 @@ void addOptions(std::string& out, const CommandWords& command) {
     }
 }
 
-/// Returns the first line of a description, because the NAME section may have only one line.
+/// Returns the first line of a command's description, because the NAME section of a manual page may have only one line.
 std::string firstLine(const std::string& text) {
     std::string line = text.substr(0, text.find('\n'));
     if (!line.empty() && line.back() == '.') line.pop_back();

@@ -54,8 +54,8 @@ int lead(distributed::Mailbox& mailbox, int argc, char** argv) {
     return code;
 }
 
-/// Runs the process of a rank other than 0. Always returns 0, because rank 0 (the leader) reports all errors and
-/// returns the exit code of the job.
+/// Runs a process of rank above 0. Always returns 0, because rank 0 (the leader) reports all errors and returns the
+/// exit code of the job.
 int help(distributed::Mailbox& mailbox, int argc, char** argv) {
     distributed::Helper helper(mailbox);
     const auto build = [&](read::MeshSource& source, const pipeline::BuildOptions& options, Progress& progress) {
@@ -86,7 +86,8 @@ int run(int argc, char** argv) {
             app::endCleanlyOnSignals();
             code = lead(mailbox, argc, argv);
         } else {
-            // The leader also reports signals; mpirun sends one if the leader ends with an error.
+            // The leader also reports signals for this process. mpirun sends a signal if the leader ends with an
+            // error.
             app::onlyNoteSignals();
             code = help(mailbox, argc, argv);
         }

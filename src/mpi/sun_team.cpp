@@ -97,7 +97,8 @@ void SunTeam::combine(sun::LitSteps& lit, Progress& progress) {
     if (lit.count.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw Error("MPI", "too many points for one job", "at most 2^31 - 1", std::to_string(lit.count.size()));
     exchange(Subject::Ready, {}, progress);
-    // Adds one, so that 0 means "never lit" and MPI_MAX returns the last step of all ranks.
+    // The last lit step is increased by one, so that 0 means "never lit" and MPI_MAX returns the last step of all
+    // ranks.
     for (std::uint32_t& last : lit.last)
         ++last;
     std::vector<std::uint64_t> sums = {lit.samples, lit.withinTolerance};

@@ -11,7 +11,7 @@
 namespace gnomon::sun {
 namespace {
 
-// A parser that reads from the front of a text. A mismatch sets `good` to false.
+// A parser that reads characters from the front of a text. A mismatch sets `good` to false.
 struct Reader {
     std::string_view rest;
     bool good = true;
@@ -37,7 +37,7 @@ struct Reader {
         return value;
     }
 
-    // Reads two digits, and decimals after a point if present.
+    // Reads seconds as two digits, and decimals after a point if present.
     double seconds() {
         const std::string_view start = rest;
         double value = digits(2);

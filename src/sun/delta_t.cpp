@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTerrestrialTimeMinusAtomic = 32.184; // seconds
 
-// A polynomial in (year - origin) / unit, lowest power first, for years before `until`.
+// A polynomial for delta T in (year - origin) / unit, lowest power first. It is valid for years before `until`.
 struct Span {
     double until;
     double origin;

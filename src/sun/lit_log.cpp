@@ -30,7 +30,7 @@ std::uint64_t sumOf(const Words& words, std::size_t count, std::uint64_t seed) {
     return sum;
 }
 
-/// Returns true if the existing bytes of the file equal the beginning of a log.
+/// Returns true if the present bytes of the file equal the beginning of a log.
 bool isLog(const std::string& path) {
     std::uint64_t magic = 0;
     const std::size_t found = File(path, File::Mode::Read).readSomeAt(0, std::as_writable_bytes(std::span(&magic, 1)));
@@ -82,7 +82,7 @@ bool LitLog::hasLog() const {
     if (found >= sizeof(std::uint64_t) && head[0] != kMagic)
         throw Error(file_.path(), "this file is not a log of sun hours, and is not overwritten");
     const std::uint64_t headBytes = kHeadWords * sizeof(std::uint64_t);
-    // If the file is shorter, the process was killed before it wrote the whole key.
+    // A shorter file belongs to a process that was killed before it wrote the whole key.
     return found == headBytes && file_.size() - headBytes >= head[1];
 }
 

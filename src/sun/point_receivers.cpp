@@ -78,8 +78,8 @@ void PointReceivers::addCasters(const exporter::UniformCut& cut) {
     castersOfCut_ = casters_.size();
 }
 
-/// Adds clusters that contain only receivers. Their triangles have no extent and cast no shadow. The samples refer to
-/// the corners of these triangles.
+/// Adds clusters that contain only the tested points. Each point is a triangle without extent, which casts no shadow.
+/// The samples refer to the corners of these triangles.
 void PointReceivers::addReceiverOnlyClusters() {
     static const std::array<hierarchy::Triangle, kHeld> kPoints = [] {
         std::array<hierarchy::Triangle, kHeld> result{};

@@ -12,12 +12,12 @@ namespace {
 using render::gridCellOf;
 using render::GridPolygon;
 
-/// Builds a cut from triangles and clusters in sequence.
+/// Collects triangles to clusters of a new cut, one after the other.
 class CutBuilder {
 public:
     void begin() { clusters_.push_back({vertexCount(), 0, triangleCount(), 0}); }
 
-    /// Adds a polygon to the current cluster, or to a new cluster if the current one is full.
+    /// Adds the triangles of a polygon to the current cluster, or to a new cluster if the current one is full.
     void add(const GridPolygon& polygon) {
         if (polygon.size < 3) return;
         const auto corners = static_cast<std::uint32_t>(polygon.size);

@@ -9,14 +9,14 @@ JulianDate later(const JulianDate& date, double days) {
     return {date.midnight, date.fraction + days};
 }
 
-// Returns the height of the disc's upper edge above the horizon, in degrees.
+// Returns the height of the upper edge of the Sun's disc above the horizon, in degrees.
 double height(const JulianDate& date, const Place& place, const Air& air) {
     const SunPosition sun = sunPosition(date, place, {.pressure = 0, .temperature = 0});
     return sun.elevation + sun.diameter / 2 + (air.pressure > 0 ? kRefractionAtTheHorizon : 0);
 }
 
-// Returns the time between `low` and `high` at which the Sun crosses the horizon. Returns nothing unless the Sun is
-// down at `low` and up at `high`.
+// Returns the time between `low` and `high` at which the Sun crosses the horizon. Returns nullopt unless the Sun is
+// below the horizon at `low` and above it at `high`.
 std::optional<JulianDate> crossing(JulianDate low, JulianDate high, const Place& place, const Air& air) {
     if (height(low, place, air) >= 0 || height(high, place, air) < 0) return std::nullopt;
     for (int halving = 0; halving < 24; ++halving) { // half a day divided by 2^24: 3 ms

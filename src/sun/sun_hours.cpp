@@ -9,7 +9,7 @@ namespace gnomon::sun {
 
 namespace {
 
-/// Adds the lit receivers of one step to the result. Steps can come in any order.
+/// Adds the receivers that are lit in the time step `step` to the result. Steps can come in any order.
 void add(const std::vector<std::uint8_t>& isLit, std::uint32_t step, LitSteps& result) {
     constexpr std::size_t kGrain = 65536;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, isLit.size(), kGrain), [&](const auto& range) {
@@ -22,7 +22,7 @@ void add(const std::vector<std::uint8_t>& isLit, std::uint32_t step, LitSteps& r
     });
 }
 
-/// Returns the indices of the steps in which the Sun is up.
+/// Returns the indices of the time steps in which the Sun is above the horizon.
 std::vector<std::uint32_t> stepsOfLights(const std::vector<SunStep>& steps) {
     std::vector<std::uint32_t> places;
     for (std::uint32_t i = 0; i < steps.size(); ++i)

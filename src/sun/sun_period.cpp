@@ -15,7 +15,7 @@ double secondsOf(const SunPeriod& period) {
 }
 
 double stepCount(const SunPeriod& period) {
-    // Tolerates a rounding error of one microsecond in the dates.
+    // A rounding error of one microsecond in the dates does not change the number of steps.
     return std::ceil(secondsOf(period) / period.stepSeconds - 0.5 - 1e-6 / period.stepSeconds);
 }
 

@@ -19,12 +19,12 @@ constexpr double kSunRadius = 959.63 * ERFA_DAS2R; // angular radius at one astr
 
 using Vector = std::array<double, 3>;
 
-// Returns the apparent geocentric position of the Sun in the frame of the equator and equinox of date, in astronomical
-// units.
+// Returns the apparent position of the Sun as seen from the Earth's centre, in astronomical units, in the frame of the
+// equator and equinox of date.
 Vector geocentricSun(double midnight, double terrestrialFraction) {
     double heliocentric[2][3];
     double barycentric[2][3];
-    // Outside 1900 to 2100, the function returns a warning but still computes the result.
+    // Outside the years 1900 to 2100, eraEpv00 returns a warning but still computes the result.
     eraEpv00(midnight, terrestrialFraction, heliocentric, barycentric);
     Vector sun;
     Vector direction;
@@ -48,7 +48,7 @@ Vector geocentricSun(double midnight, double terrestrialFraction) {
     return ofDate;
 }
 
-// Returns the refraction in degrees at `elevation` (degrees).
+// Returns the refraction of sunlight in degrees for a body at `elevation` (degrees).
 double refraction(double elevation, const Air& air) {
     const double lowest = -(0.26667 + 0.5667); // elevation of the centre when the upper edge sets
     if (air.pressure <= 0 || elevation < lowest) return 0;
@@ -63,7 +63,7 @@ SunPosition sunPosition(const JulianDate& date, const Place& place, const Air& a
     const double terrestrial = date.fraction + lag / kSecondsInADay;
     Vector sun = geocentricSun(date.midnight, terrestrial);
 
-    // Rotate with the Earth, so that the first axis lies in the meridian of Greenwich.
+    // Rotates the position with the Earth, so that the first axis lies in the meridian of Greenwich.
     const double turn = eraGst00b(date.midnight, date.fraction);
     double rotation[3][3];
     eraIr(rotation);
@@ -78,7 +78,8 @@ SunPosition sunPosition(const JulianDate& date, const Place& place, const Air& a
     for (std::size_t k = 0; k < 3; ++k)
         sun[k] -= observer[k] / ERFA_DAU;
 
-    // Components in the meridian of the place: away from the axis, east, and along the axis.
+    // Components of the Sun's position in the meridian of the place: away from the Earth's axis, east, and along the
+    // axis.
     const double out = std::cos(longitude) * sun[0] + std::sin(longitude) * sun[1];
     const double east = -std::sin(longitude) * sun[0] + std::cos(longitude) * sun[1];
     const double up = std::cos(latitude) * out + std::sin(latitude) * sun[2];

@@ -17,11 +17,13 @@ namespace gnomon::sun {
 
 namespace {
 
-/// Returns a convex volume that contains `receivers` and all rays from them towards each of `lights`.
+/// Returns a convex volume that contains `receivers` and all rays from there towards each of `lights`. Shadow casters
+/// outside it have no effect.
 ConvexVolume sweptTowards(const ConvexVolume& receivers, std::span<const IntegerLight> lights) {
     ConvexVolume swept;
     for (const Plane& plane : receivers.planes) {
-        // Rays from inside stay on the inner side of a plane if each light is on its inner side.
+        // A plane of the volume remains if each light is on its inner side, because rays from inside then stay on the
+        // inner side.
         const bool isKept = std::all_of(lights.begin(), lights.end(), [&](const IntegerLight& light) {
             return glm::dot(plane.normal, light.unit()) >= 0;
         });
@@ -60,8 +62,8 @@ plan::FramePlan SunView::planFor(const IntegerLight& light) const {
     return plan::planFrame(view, quality_, frame_.facts).plan;
 }
 
-/// Selects one cut for the image and the casters. `frame_` must already contain the error rule of the image, the facts
-/// about the scene, and a plan.
+/// Selects the clusters that are drawn in the image or cast shadows on it, with one level of detail for both. `frame_`
+/// must already contain the error rule of the image, the measured facts about the scene, and a plan.
 void SunView::cutCasters(const frame::Residency& residency, std::span<const IntegerLight> lights) {
     if (!frame_.facts.visible->anything) {
         frame_.plan = planFor(lights.front());

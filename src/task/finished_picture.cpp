@@ -12,14 +12,14 @@ namespace gnomon::task {
 
 namespace {
 
-/// Converts the progress of several bands of rows to a fixed total number of steps.
+/// Converts the progress of drawing several bands of rows to a fixed total number of steps.
 class SharedProgress {
 public:
     SharedProgress(Progress& progress, int steps, std::size_t parts)
         : progress_(&progress), steps_(static_cast<std::uint64_t>(steps)), parts_(parts) {}
 
-    /// Reports that `done` of the `wanted` frames of the current band are complete. If all are complete, continues with
-    /// the next band.
+    /// Reports that `done` of the `wanted` frames of the current band of rows are complete. If all are complete,
+    /// continues with the next band.
     void tell(int done, int wanted) {
         const std::uint64_t parts = static_cast<std::uint64_t>(wanted) * parts_;
         const std::uint64_t now =
@@ -37,7 +37,7 @@ private:
     std::uint64_t told_ = 0;
 };
 
-/// A drawn frame, and the picture of the rows that FrameOptions::rows selects (all rows by default).
+/// A drawn frame, and the picture of those rows that FrameOptions::rows selects (all rows by default).
 struct DrawnRows {
     frame::Frame frame;
     render::Picture picture;
@@ -67,9 +67,9 @@ DrawnRows drawRows(Session& session, const PictureRequest& request, SharedProgre
     return drawn;
 }
 
-/// Returns the shading for a picture that is drawn in `bands`, so that all bands have the same shading. If the shading
-/// is Auto, this draws the bands with sunlight and counts the sunlit pixels. The result is Headlight if the model is
-/// visible without a ground and almost no pixel is sunlit.
+/// Returns the shading for all bands of a picture, so that they look the same. If the requested shading is Auto, the
+/// function draws the bands with sunlight and counts the sunlit pixels. The result is Headlight if the model is visible
+/// without a ground and almost no pixel is sunlit.
 plan::Shading shadingOf(Session& session, PictureRequest request, const std::vector<render::ImageRows>& bands) {
     plan::Shading& shading = request.quality.look.shading;
     if (shading != plan::Shading::Auto) return shading;
@@ -88,7 +88,7 @@ plan::Shading shadingOf(Session& session, PictureRequest request, const std::vec
     return isDark ? plan::Shading::Headlight : plan::Shading::Lit;
 }
 
-/// Draws the picture of `request` in `bands`.
+/// Draws the picture of `request` band by band and joins the bands.
 FinishedPicture drawInBands(
     Session& session, PictureRequest request, const std::vector<render::ImageRows>& bands, SharedProgress& progress) {
     FinishedPicture finished;

@@ -25,8 +25,8 @@ inspect::Point givenPoint(const glm::dvec3& point, const hierarchy::Grid& grid) 
     return {cell, grid.snapError()};
 }
 
-/// Returns the surface points at the pixels of `task`. Draws the view without shadows, because shadows do not move
-/// points.
+/// Returns the surface points that the pixels of `task` show. Draws the view without shadows, because shadows do not
+/// move points.
 inspect::Measure shownPoints(const PointTask& task, Session& session) {
     plan::Quality quality = settings::qualityOf(task.settings);
     quality.shadows = plan::ShadowMode::Off;

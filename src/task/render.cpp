@@ -26,7 +26,7 @@ using settings::Output;
 constexpr int kUsualFrames = 60;
 constexpr double kUsualRate = 25; // frames per second, if no path gives the rate
 
-/// Returns the log row of a picture's frame as JSON.
+/// Returns the measurements of a picture's frame (its log row) as JSON.
 std::string renderRow(telemetry::FrameRow row) {
     row.run = "render";
     row.sinceStartMs = telemetry::sinceProcessStart().count;
@@ -43,9 +43,9 @@ std::vector<render::NamedDepths> depthsOf(const Output& output, const plan::Fram
     return depths;
 }
 
-/// Returns the shading for all pictures of a series, so that it does not switch between them. If `quality` requests the
-/// shading Auto, draws small pictures of up to 16 of the `cameras`. The result is Headlight if almost no pixel is
-/// sunlit in more than half of them.
+/// Returns the shading for all pictures of a series, so that it does not change between them. If `quality` requests the
+/// shading Auto, the function draws small pictures of up to 16 of the `cameras`. The result is Headlight if almost no
+/// pixel is sunlit in more than half of them.
 plan::Shading commonShading(
     Session& session, plan::View view, const plan::Quality& quality, const std::vector<Camera>& cameras) {
     constexpr std::size_t kMaxLooks = 16;
@@ -90,7 +90,7 @@ void drawSeries(const RenderTask& task, plan::View view, Session& session, Progr
     frameOptions.overlay = task.output.overlay;
     progress.stage(
         "render", "frames", static_cast<std::uint64_t>(task.pictures) * static_cast<std::uint64_t>(task.samples));
-    // Reserves memory for the large pictures first. The small pictures, which select the shading, must not use it.
+    // Memory for the large pictures is reserved first. The small pictures, which select the shading, must not use it.
     plan::Quality quality = task.quality;
     frame::FrameOptions whole = frameOptions;
     whole.isAccumulated = task.samples > 1;

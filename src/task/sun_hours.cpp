@@ -15,8 +15,8 @@ namespace gnomon::task {
 
 namespace {
 
-/// Returns a text that identifies the receivers of a view. It contains the size, the camera, the error and the
-/// sections.
+/// Returns a text that identifies which points of a model a view shows. It contains the size, the camera, the error and
+/// the sections.
 std::string keyOfView(const plan::View& view, const plan::Quality& quality) {
     const Camera& camera = view.camera;
     std::string key = formatted("picture %dx%d; view ", view.width, view.height) + textOf(camera.eye) + " " +

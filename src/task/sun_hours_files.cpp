@@ -25,7 +25,7 @@ std::string stepText(double seconds) {
     return seconds >= 60 ? settings::shortest(seconds / 60) + " min" : settings::shortest(seconds) + " s";
 }
 
-/// Returns the time as "2026-06-21T00:00+02:00", with seconds only if they are not 0.
+/// Returns a time as "2026-06-21T00:00+02:00", with seconds only if they are not 0.
 std::string shortTime(const sun::CivilTime& time, int offsetMinutes) {
     std::string text = sun::written(sun::julianDate(time), offsetMinutes);
     constexpr std::size_t kSeconds = 16; // position of ":00"
@@ -46,7 +46,7 @@ render::ValueScale SunHoursFiles::scale() const {
     return {plan::ColorMap::Viridis, 0, run_->hours(std::max(lit_->stepsUp, 1U))};
 }
 
-/// Returns the picture of the view in which colours show the hours of sun.
+/// Returns the image of the view in which colours show the hours of sun.
 render::Picture SunHoursFiles::coloured() const {
     render::Picture picture = view_->picture();
     const render::ValueScale values = scale();

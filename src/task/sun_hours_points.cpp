@@ -22,7 +22,7 @@ namespace {
 
 constexpr Bytes kMaxPointBytes{std::uint64_t{1} << 28U};
 
-/// Returns the first three numbers of a CSV line, or nullopt if the line does not begin with three numbers.
+/// Returns the point at the beginning of a CSV line, or nullopt if the line does not begin with three numbers.
 std::optional<glm::dvec3> pointOf(std::string_view line) {
     glm::dvec3 point;
     const char* at = line.data();
@@ -97,7 +97,7 @@ std::uint64_t cellSum(const std::vector<glm::i64vec3>& cells) {
     return sum;
 }
 
-/// Returns the section planes if sections also cut casters, in cells of the grid.
+/// Returns the section planes in steps of the grid if sections also cut shadow casters, and otherwise an empty list.
 std::vector<Plane> cutsOfCasters(const plan::View& view, const hierarchy::Grid& grid) {
     std::vector<Plane> planes;
     if (view.cutsCasters)

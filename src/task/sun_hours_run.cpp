@@ -14,7 +14,8 @@ namespace gnomon::task {
 
 namespace {
 
-/// Returns a text that identifies the model, the steps and the light directions. A resumed run must have the same text.
+/// Returns a text that identifies the model, the time steps and the light directions of a computation. A resumed
+/// computation must have the same text.
 std::string keyOfRun(const SunHoursTask& task, const std::vector<sun::SunStep>& steps) {
     const std::vector<IntegerLight> lights = sun::lightsOf(steps);
     std::uint64_t sum = steps.size();
@@ -28,7 +29,7 @@ std::string keyOfRun(const SunHoursTask& task, const std::vector<sun::SunStep>& 
         static_cast<unsigned long long>(sum));
 }
 
-/// Returns the common beginning of the paths of all logs: the path of the first output.
+/// Returns the path with which the names of all logs begin: the path of the first output.
 std::string logStemOf(const SunHoursTask& task) {
     std::string path = !task.output.empty() ? task.output : !task.pfm.empty() ? task.pfm : task.csv;
     if (path.empty()) path = task.report;
@@ -38,7 +39,8 @@ std::string logStemOf(const SunHoursTask& task) {
     return path;
 }
 
-/// A progress that polls the team after each light. The poll throws an exception if the job has to stop.
+/// Checks after each light direction whether the other processes of the job still work. The check throws an exception
+/// if the job has to stop.
 class PolledProgress final : public Progress {
 public:
     PolledProgress(SunHoursTeam& team, Progress& progress) : team_(team), progress_(progress) {}

@@ -79,7 +79,7 @@ struct JsonCell {
 
 using R = FrameRow;
 
-/// All columns in their order in the file.
+/// All columns of the log, in their order in the file.
 constexpr std::array kColumns = {
     column<&R::run>("run"),
     column<&R::repetition>("repetition"),

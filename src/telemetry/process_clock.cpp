@@ -20,8 +20,8 @@ Milliseconds now(clockid_t clock) {
     return {static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6};
 }
 
-/// Returns the start of the process in time since boot (proc(5), /proc/self/stat, field 22). Without /proc, returns the
-/// time of the first call.
+/// Returns when the process started, as time since boot (proc(5), /proc/self/stat, field 22). Without /proc, returns
+/// the time of the first call.
 Milliseconds processStart() {
     std::ifstream file("/proc/self/stat");
     std::string text;
@@ -50,7 +50,8 @@ Milliseconds processorTime() {
 }
 
 Bytes peakResident() {
-    // The peak of getrusage can include the memory of the parent process at the start of this process. VmHWM does not.
+    // The peak memory of getrusage can include the memory of the parent process at the start of this process. VmHWM
+    // does not include it.
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);) {
         constexpr std::string_view kName = "VmHWM:";

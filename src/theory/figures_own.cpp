@@ -29,8 +29,8 @@ double storageAt(const glm::dvec3& light, const Scheme& scheme) {
     return storageFactor(schemeMaps(kFrustum, light, scheme));
 }
 
-/// Returns S of self-similar slices in the orientation with the smallest S. All slices have the same S, so the function
-/// computes only the first one.
+/// Returns the storage factor S (texels per pixel) of self-similar slices in the orientation with the smallest S. All
+/// slices have the same S, so only the first one is computed.
 double storageChosen(const glm::dvec3& light, int slices) {
     const ViewFrustum first = slice(kFrustum, 1, selfSimilarSplits(1, 1000, slices)[1]);
     const LightFit fit = fitSlice(chosenFrame(first, light, {}, std::nullopt), first);
@@ -168,8 +168,8 @@ Figure effectOfOrientation() {
     return figure;
 }
 
-/// Returns a figure of the largest S as a function of the angle between light and view. The maximum is over all light
-/// directions with this angle.
+/// Returns a figure that shows the largest storage factor S as a function of the angle between light and view. The
+/// maximum is over all light directions with this angle.
 Figure logarithmicMaps() {
     Figure figure{
         "own6_logarithmic", Kind::Lines, "Logarithmic maps against the warps, over the light's angle", {}, {}, {}};

@@ -16,8 +16,8 @@ using Kind = Figure::Kind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Returns the image position of a ground point one unit below the eye, or NaN (a break in the curve) if it is outside
-/// the image.
+/// Returns where the image shows a ground point one unit below the eye. Returns NaN (a break in the curve) if it is
+/// outside the image.
 std::array<double, 2> groundInImage(const ViewFrustum& frustum, double x, double z) {
     constexpr double kHeight = 1;
     const double u = x / (z * tanHalfX(frustum));
@@ -77,7 +77,7 @@ void addWarpPanels(Figure& figure, double panel, const ViewFrustum& frustum, dou
         figure.rows.push_back({panel, curve, u, map.zMin});
         figure.rows.push_back({panel, curve, u * wFar, map.zMin + map.length});
         ++curve;
-        // The lower panels show the frustum's grid in the map.
+        // The lower panels show how the grid of the view frustum appears in the shadow map.
         const double depth = frustum.near + part * (frustum.far - frustum.near);
         for (const double side : {-1.0, 1.0}) {
             const MapPoint at = mapPoint(map, {side * depth * tanHalfX(frustum), 0, depth});

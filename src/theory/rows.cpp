@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using namespace gnomon::shadow;
 
-/// The inputs of one row, and the name of the row in error messages.
+/// The inputs of one row of a formula, and the name of the row in error messages.
 struct Row {
     const json& inputs;
     std::string where;
@@ -124,7 +124,7 @@ struct Row {
     }
 };
 
-/// Returns a number in the format of the rows: "inf" stands for infinity, because JSON has no such number.
+/// Returns a number as JSON, in which "inf" stands for infinity, because JSON has no such number.
 json numberOrInf(double value) {
     if (std::isinf(value)) return "inf";
     return value;

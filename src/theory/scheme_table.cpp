@@ -52,7 +52,8 @@ SchemeRow schemeRow(const ViewFrustum& frustum, const glm::dvec3& light, const N
     return row;
 }
 
-/// Returns the rows of two schemes: warped slices that share the orientation of the smallest S, and stable slices.
+/// Returns the costs of two shadow map schemes: warped slices that share the orientation of the smallest storage factor
+/// S, and stable slices.
 std::array<SchemeRow, 2> sliceRows(const ViewFrustum& frustum, const glm::dvec3& light, int slices) {
     const std::vector<double> splits = selfSimilarSplits(frustum.near, frustum.far, slices);
     const auto count = static_cast<std::size_t>(slices);

@@ -19,13 +19,13 @@ namespace gnomon::api {
 /// are binary compatible.
 GNOMON_API std::string version();
 
-/// The options of a view and its quality, as in `gnomon render`. Keys are the option names without dashes, and values
+/// The options of a view and its quality, as for `gnomon render`. Keys are the option names without dashes, and values
 /// have the format of the command line: {{"size", "800x600"}, {"eye", "60,2,100"}, {"shadows", "exact"}}. `gnomon
-/// render --help-all` lists all options. Missing options have their defaults.
+/// render --help-all` lists all options. An option that is not in the map has its default.
 using Options = std::map<std::string, std::string>;
 
-/// A callback for the progress of long tasks: `done` of `total` units of a stage are finished. Any thread can call it.
-/// If it returns false, the task stops and throws.
+/// The user's function that receives the progress of a long task: `done` of `total` units of a stage are finished. Any
+/// thread can call it. If it returns false, the task stops and throws.
 using OnProgress = std::function<bool(const std::string& stage, std::uint64_t done, std::uint64_t total)>;
 
 // Builds -------------------------------------------------------------------------------------------------------------

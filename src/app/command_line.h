@@ -48,7 +48,7 @@ private:
 /// parsed.
 void addColorOptions(CLI::App& command, settings::ValueColorWords& words);
 
-/// Throws UsageError if `settings` request the backend `window`, which only `gnomon view` can use.
+/// Throws UsageError if the user requests the backend `window`, which only `gnomon view` can use.
 void requireNoWindow(const settings::Settings& settings);
 
 /// Returns a validator for the seed of a random generator. CLI11 itself would accept -1 as the max unsigned number.

@@ -1,4 +1,4 @@
-// The subcommands of `gnomon`. Each function adds one subcommand with its options and its action to the program.
+// The subcommands of `gnomon`. Each function adds one subcommand to the program, with its options and its action.
 #pragma once
 
 #include "core/progress.h"

@@ -18,7 +18,7 @@ namespace gnomon::app {
 
 namespace {
 
-// The signal handler can access only global data.
+// These flags are global, because a signal handler can access only global data.
 constinit std::atomic_flag interrupted;          // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 constinit std::atomic<int> polling{0};           // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 constinit std::atomic<bool> isOnlyNoting{false}; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)

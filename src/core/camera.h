@@ -19,7 +19,7 @@ inline constexpr std::array kProjections = {
     Word<Projection>{Projection::Orthographic, "orthographic"},
 };
 
-/// A camera in right-handed world space. Angles are in radians.
+/// A camera: eye, target and projection in right-handed world space. Angles are in radians.
 struct Camera {
     glm::dvec3 eye{0, 0, 0};
     glm::dvec3 target{0, 0, -1};

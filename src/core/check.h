@@ -7,7 +7,7 @@
 
 namespace gnomon::detail {
 
-/// Prints `message` with file and line, and aborts.
+/// Prints `message` with the file and line of a failed check, and aborts the process.
 [[noreturn]] void checkFailed(const char* file, int line, const std::string& message);
 
 template <class A, class B>
@@ -19,13 +19,13 @@ std::string comparison(const char* expression, const A& a, const B& b) {
 
 } // namespace gnomon::detail
 
-/// Prints the expression and aborts if `condition` is false.
+/// Aborts the process if `condition` is false, and prints the expression.
 #define GNOMON_CHECK(condition)                                                                                        \
     do {                                                                                                               \
         if (!(condition)) ::gnomon::detail::checkFailed(__FILE__, __LINE__, #condition);                               \
     } while (false)
 
-/// Prints both values and aborts if `a OP b` is false.
+/// Aborts the process if `a OP b` is false, and prints both values.
 #define GNOMON_CHECK_OP(a, OP, b)                                                                                      \
     do {                                                                                                               \
         const auto& gnomonA = (a);                                                                                     \

@@ -1,4 +1,4 @@
-// A convex volume, the intersection of half-spaces, and a conservative test of boxes against it.
+// Convex volumes, which are intersections of half-spaces, and a conservative test of boxes against them.
 #pragma once
 
 #include "core/box.h"
@@ -38,8 +38,8 @@ public:
           half_((box.max - box.min) * 0.5),
           size_(std::abs(center_.x) + std::abs(center_.y) + std::abs(center_.z) + half_.x + half_.y + half_.z) {}
 
-    /// Classifies the box against the half-space dot(normal, p) + offset >= 0. The absolute components of `normal` are
-    /// at most 1.
+    /// Tests the box against the half-space dot(normal, p) + offset >= 0. The absolute components of `normal` are at
+    /// most 1.
     Containment classify(const glm::dvec3& normal, double offset) const {
         const double reach = glm::dot(glm::abs(normal), half_);
         const double middle = glm::dot(normal, center_) + offset;

@@ -15,10 +15,10 @@ public:
     /// Makes an error without a place.
     explicit Error(const std::string& what);
 
-    /// Makes the message "WHERE: what". `where` is a path, an option or an object.
+    /// Creates an error with the message "WHERE: what". `where` is a path, an option or an object.
     Error(const std::string& where, const std::string& what);
 
-    /// Makes the message "WHERE: what: expected E, found F".
+    /// Creates an error with the message "WHERE: what: expected E, found F".
     Error(const std::string& where, const std::string& what, const std::string& expected, const std::string& found);
 };
 

@@ -219,7 +219,8 @@ bool File::tryLock() {
 }
 
 void File::handOver() const {
-    // Closing any descriptor of a file, also a duplicate, makes the client of a network file system flush its cache.
+    // On a network file system, closing any descriptor of the file, also a duplicate, makes the client flush its
+    // cache.
     const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
     if (copy < 0) throwSystemError(path_, "cannot copy its descriptor");
     if (::close(copy) != 0 && errno != EINTR) throwSystemError(path_, "cannot write");
@@ -275,7 +276,7 @@ void AtomicFile::commit() {
 
 std::string readTextFile(const std::string& path, Bytes maxBytes) {
     File file(path, File::Mode::Read);
-    // The size of a pipe or a device is known only at its end.
+    // The text is read in blocks, because the size of a pipe or a device is known only at its end.
     std::string text;
     std::size_t length = 0;
     for (;;) {

@@ -46,7 +46,7 @@ public:
 
     std::uint64_t size() const;
 
-    /// Returns the time of the last change of the content, in nanoseconds since 1970.
+    /// Returns the time at which the content of the file last changed, in nanoseconds since 1970.
     std::int64_t changeTime() const;
 
     /// Fills `out` with the bytes of the file from `offset`. Throws Error if the file ends earlier.
@@ -102,11 +102,11 @@ public:
 
     File& file() { return *file_; }
 
-    /// Returns the path of the temporary file, or nullopt if the bytes go to the final name directly (devices and
-    /// pipes).
+    /// Returns the path of the temporary file. Returns nullopt for devices and pipes, because their bytes go to the
+    /// final name directly.
     std::optional<std::string> temporaryPath() const;
 
-    /// Flushes the file and renames it to the final name.
+    /// Completes the file: flushes it to the disk and renames it to its final name.
     void commit();
 
 private:

@@ -8,8 +8,8 @@
 
 namespace gnomon {
 
-/// A hash table with open addressing and linear probing. The table stores only indices. The callers pass the hash of a
-/// key and a function `equal(i)`, which returns true if index i belongs to this key.
+/// A hash table with open addressing and linear probing that stores only indices. The callers pass the hash of a key,
+/// and a function `equal(i)` that returns true if index i belongs to this key.
 class IndexTable {
 public:
     static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;

@@ -16,7 +16,7 @@ class Limits {
 public:
     Limits(const std::string& path, const std::string& text) : path_(path), text_(text) {}
 
-    /// Throws Error if the text exceeds a limit.
+    /// Throws Error if the JSON document exceeds a limit of depth, entries or numbers.
     void require() {
         while (at_ < text_.size()) {
             const char c = text_[at_];

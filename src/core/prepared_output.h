@@ -13,7 +13,7 @@ namespace gnomon {
 /// An output file that is created immediately and written later. If `write` is never called, no file remains.
 class PreparedFile {
 public:
-    /// Creates the file. Throws Error if this is impossible. An empty path means that no output was requested.
+    /// Creates the output file. Throws Error if this is impossible. An empty path means that no output was requested.
     explicit PreparedFile(const std::string& path) {
         if (!path.empty()) file_.emplace(path);
     }
@@ -34,8 +34,8 @@ void requireWritable(const std::string& path);
 /// destructor removes the created folders that are still empty.
 class PreparedFolder {
 public:
-    /// Creates the folder. Throws Error if this is impossible or the folder is not writable. An empty path means that
-    /// no folder was requested.
+    /// Creates the output folder. Throws Error if this is impossible or the folder is not writable. An empty path means
+    /// that no folder was requested.
     explicit PreparedFolder(const std::string& path);
     ~PreparedFolder();
     PreparedFolder(const PreparedFolder&) = delete;

@@ -1,5 +1,5 @@
-// A seeded random generator with the same sequence on all platforms. The distributions of the standard library differ
-// between platforms.
+// A seeded random generator that produces the same sequence on all platforms. The distributions of the standard
+// library differ between platforms.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Measurement of wall-clock time with a monotonic clock.
+// Measures wall-clock time with a monotonic clock.
 #pragma once
 
 #include "core/units.h"

@@ -35,7 +35,7 @@ std::optional<Bytes> parseBytes(std::string_view text);
 /// Parses a count with a decimal suffix: `13M`, `1G`, `2.5k`, `42`. Returns nullopt for other text.
 std::optional<std::uint64_t> parseCount(std::string_view text);
 
-/// Returns a readable size such as "1.50 GiB".
+/// Returns a number of bytes as readable text such as "1.50 GiB".
 std::string readableBytes(Bytes bytes);
 
 /// Returns a readable count such as "13.0M".

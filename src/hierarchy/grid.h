@@ -10,8 +10,8 @@
 
 namespace gnomon::hierarchy {
 
-/// The max grid coordinate. It is below 2^31, so that the difference of two coordinates fits in an int32. The shaders
-/// subtract the grid point of the eye before they convert to floats.
+/// The max coordinate of a grid point. It is below 2^31, so that the difference of two coordinates fits in an int32.
+/// The shaders subtract the grid point of the eye before they convert to floats.
 constexpr std::uint32_t kMaxGridCoordinate = 0x7FFFFFFFU;
 
 /// Limits of the exponent of the grid step and of world coordinates. Within them, squared distances in double precision

@@ -22,8 +22,8 @@ constexpr std::uint32_t kOldestFormatVersion = 3;
 /// The target size of a decoded page in bytes. A group of clusters that is larger becomes a page of its own.
 constexpr std::uint64_t kPageTargetBytes = 256U << 10U;
 
-/// Limits that each writer respects and each reader checks before it allocates memory. They are the decoded bytes of a
-/// page (a group is much smaller), the number of levels of a model, and the bytes of its summary.
+/// Limits that each writer of model files respects and each reader checks before it allocates memory. They are the
+/// decoded bytes of a page (a group is much smaller), the number of levels of a model, and the bytes of its summary.
 constexpr std::uint64_t kMaxPageBytes = 4U << 20U;
 constexpr std::uint32_t kMaxLevels = 64;
 constexpr std::uint64_t kMaxSummaryBytes = 1U << 20U;

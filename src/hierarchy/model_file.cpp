@@ -164,7 +164,7 @@ Page ModelFile::readPage(std::uint32_t page) const {
 
 Page ModelFile::readPage(std::uint32_t page, PageFields& fields) const {
     const PageInfo& info = pages_.at(page);
-    // reused to avoid an allocation per page, like all buffers of the decoder
+    // The buffer is reused to avoid an allocation per page, like all buffers of the decoder.
     thread_local std::vector<std::byte> bytes;
     bytes.resize(info.storedBytes);
     source_->readAt(info.offset, bytes);

@@ -50,9 +50,9 @@ public:
     /// Reads the whole file and returns the hash of its present bytes, for comparison with contentHash.
     std::string computedContentHash() const;
 
-    /// Reads, checks and decodes one page. Any thread can call this. Throws PageDamage with path and byte offset if the
-    /// checksum is wrong, or if an index, count or range is invalid. Throws Error if reading fails after several
-    /// attempts.
+    /// Reads, checks and decodes one page of the model. Any thread can call this. Throws PageDamage with path and byte
+    /// offset if the checksum is wrong, or if an index, count or range is invalid. Throws Error if reading fails after
+    /// several attempts.
     Page readPage(std::uint32_t page) const;
 
     /// Reads a page, and the fields of its vertices into `fields`. The fields are in the order of the summary.

@@ -59,8 +59,9 @@ struct Cluster {
 
 /// A group of clusters that are simplified together. A group is REFINED in a view if its `drawnError`, seen from the
 /// distance of `bounds`, is too large for this view. A root group has an infinite error, so it is always refined. A
-/// cluster is drawn if its own group is refined and its refinement is absent or not refined. Along each path to the
-/// root, both errors never decrease, and the `bounds` of each group enclose the `bounds` of the finer groups.
+/// cluster is drawn if its own group is refined, and the finer group that it was simplified from is absent or not
+/// refined. Along each path to the root, both errors never decrease, and the `bounds` of each group enclose the
+/// `bounds` of the finer groups.
 struct Group {
     std::uint32_t firstCluster = 0;
     std::uint32_t clusterCount = 0;

@@ -104,7 +104,7 @@ std::uint64_t maxPlainBytes(const PageInfo& info) {
         // Bytes of a vertex: the 32-bit words of its reference, position, normal, colour and fields.
         (1 + 3 + 2 + 4 + 4) * sizeof(std::uint32_t);
     constexpr std::uint64_t kTriangle = 1 + 3; // a code byte and three indices
-    // bytes of its counts, its refinement, and its anchor (the position of its first vertex)
+    // Bytes of a cluster: its counts, its refinement, and its anchor (the position of its first vertex).
     constexpr std::uint64_t kCluster = 2 + kIndex + 3 * kIndex;
     constexpr std::uint64_t kRest = 64; // bytes for sizes of streams and numbers of planes
     return info.groupCount * (kIndex + kSphereAndErrors) + info.refinementCount * (2 * kIndex + kSphereAndErrors) +

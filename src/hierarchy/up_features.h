@@ -13,15 +13,16 @@ namespace gnomon::hierarchy {
 /// The number of candidates for the up direction: +x, -x, +y, -y, +z, -z.
 constexpr int kUpDirections = 6;
 
-/// The features of one candidate direction. "Lowest" and "below" assume that this direction is up. The outline is the
-/// convex hull of the surface, projected along the axis. The columns are those cells of a 48 x 48 grid perpendicular to
-/// the axis that contain surface.
+/// The features by which one of the candidates for the up direction is judged. "Lowest" and "below" assume that this
+/// direction is up. The outline is the convex hull of the surface, projected along the axis. The columns are those
+/// cells of a 48 x 48 grid perpendicular to the axis that contain surface.
 enum class UpFeature : std::size_t {
     Base,         // area of the convex hull of the vertices in the lowest 2% of the height, relative to the outline
     Balance,      // depth of the surface's centroid inside that hull, relative to its depth inside the outline
     MiddleHeight, // height of the centroid, relative to the height of the surface
     Sole,         // area of level surface in the lowest 2.5% of the height, relative to the outline
-    // component of the summed area vectors along the direction, relative to the outline; 0 for a closed surface
+    // Component of the summed area vectors of all triangles along the direction, relative to the outline. It is 0 for
+    // a closed surface.
     Facing,
     Level,      // share of the area that is level within 10 degrees
     Wall,       // share of the area that is vertical within 10 degrees

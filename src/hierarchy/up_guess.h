@@ -38,10 +38,10 @@ struct UpGuess {
 using UpVotes = std::array<int, 6>;
 constexpr int kSureVotes = 2500;
 
-/// Returns the up direction if the coordinates of `box` (world space) are survey coordinates. Returns nullopt for other
-/// coordinates. Planar coordinates such as UTM have two coordinates that are large and much larger than the box. The up
-/// axis is then the third one. Earth-centred coordinates are within 10 km of the WGS84 ellipsoid. The up direction is
-/// then the normal of the ellipsoid.
+/// Returns the up direction if the coordinates of `box` (world space) are survey coordinates, and otherwise nullopt.
+/// Planar survey coordinates such as UTM have two coordinates that are large and much larger than the box. The up axis
+/// is then the third one. Earth-centred coordinates are within 10 km of the WGS84 ellipsoid. The up direction is then
+/// the normal of the ellipsoid.
 std::optional<UpGuess> upOfPlace(const Box& box);
 
 /// Collects triangles of a coarse version of a model and guesses the up direction from them. The same pages give the

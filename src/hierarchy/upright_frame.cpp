@@ -32,7 +32,7 @@ Box worldBox(const UprightFrame& frame, const Box& box) {
 UprightFrame uprightFrame(const glm::dvec3& up) {
     UprightFrame frame;
     frame.up = up / glm::length(up);
-    // The front is along z unless z is the axis nearest to the up direction.
+    // The front of the model is along z, unless z is the axis nearest to the up direction.
     const bool isAlongZ = std::abs(up.z) > std::abs(up.y) && std::abs(up.z) > std::abs(up.x);
     const glm::dvec3 ahead = isAlongZ ? glm::dvec3(0, up.z > 0 ? -1 : 1, 0) : glm::dvec3(0, 0, 1);
     frame.front = glm::normalize(ahead - frame.up * glm::dot(ahead, frame.up));

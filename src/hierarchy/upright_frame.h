@@ -5,9 +5,9 @@
 
 namespace gnomon::hierarchy {
 
-/// A right-handed orthonormal frame in world space. `front` points from the model's front to an observer before it.
-/// `right` points to the right of this observer. UPRIGHT space has its x, y and z axes along right, up and front. If y
-/// is up, world space and upright space are identical.
+/// The axes right, up and front of a model in world space, right-handed and orthonormal. `front` points from the
+/// model's front to an observer before it. `right` points to the right of this observer. UPRIGHT space has its x, y and
+/// z axes along right, up and front. If y is up, world space and upright space are identical.
 struct UprightFrame {
     glm::dvec3 right{1, 0, 0};
     glm::dvec3 up{0, 1, 0};
@@ -27,8 +27,8 @@ struct UprightFrame {
 /// is +z if y is up, and -y if z is up.
 UprightFrame uprightFrame(const glm::dvec3& up);
 
-/// Each function returns the smallest axis-aligned box around `box`, in upright space or in world space. An empty box
-/// stays empty.
+/// The following functions transform `box` to upright space or to world space. They return the smallest axis-aligned
+/// box around the result. An empty box stays empty.
 Box uprightBox(const UprightFrame& frame, const Box& box);
 Box worldBox(const UprightFrame& frame, const Box& box);
 

@@ -54,10 +54,10 @@ std::optional<std::string> modelFault(std::span<const PageInfo> pages, const Mod
 /// squared distances. The extent of the model and the grid step are therefore limited.
 std::optional<std::string> drawingFault(std::span<const PageInfo> pages, const Grid& grid);
 
-/// Returns the page ids that the refinements of `page` refer to, ascending, without duplicates.
+/// Returns the ids of the pages that contain the finer groups of `page`, ascending, without duplicates.
 std::vector<std::uint32_t> childPages(const Page& page);
 
-/// Returns the page table row that describes `page`. Its offset, its stored bytes and its checksum are 0.
+/// Returns the row of the page table for `page`. Its offset, its stored bytes and its checksum are 0.
 PageInfo describePage(const Page& page);
 
 } // namespace gnomon::hierarchy

@@ -1,4 +1,4 @@
-// Values of the visible vertices and clusters per pixel: stored colours, errors and fields.
+// Images of values that the visible vertices and clusters store: colours, errors and fields.
 #pragma once
 
 #include "frame/renderer.h"
@@ -11,9 +11,8 @@ namespace gnomon::inspect {
 /// An image with one value per pixel, which is NaN where the model is not visible.
 using ValuePicture = render::Raster<double>;
 
-/// In these functions, `frame` must be the last frame that `renderer` rendered, with FrameOptions::wantsSurfaces. They
-/// throw Error with a backend other than the software backend, because only the software backend stores the visible
-/// surfaces.
+/// All functions below need the last frame that `renderer` rendered, with FrameOptions::wantsSurfaces. They throw Error
+/// for a backend other than the software backend, because only the software backend stores the visible surfaces.
 
 /// Returns an image with the stored error of the cluster that each pixel shows, in world units. At the finest level it
 /// is the error of the grid.

@@ -65,7 +65,7 @@ struct SavedViews {
     std::vector<Camera> cameras;
 };
 
-/// Reads a file of saved views in the format of toJson. Throws Error with path and position.
+/// Reads the cameras that a user has saved, in the format of toJson. Throws Error with path and position.
 SavedViews readViews(const std::string& path);
 
 std::string toJson(const SavedViews& views);

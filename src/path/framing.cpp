@@ -36,8 +36,8 @@ struct Fit {
 };
 
 Fit fitAlong(std::span<const glm::dvec3> points, int axis, double tangent) {
-    // With the eye at (ex, ez), a point (x, z) is inside the one border if x - tx z <= ex - tx ez. It is inside the
-    // other border if -x - tx z <= -ex - tx ez.
+    // With the eye at (ex, ez), a point (x, z) is inside one border of the picture if x - tx z <= ex - tx ez. It is
+    // inside the other border if -x - tx z <= -ex - tx ez.
     double right = -std::numeric_limits<double>::infinity();
     double left = right;
     for (const glm::dvec3& p : points) {
@@ -65,7 +65,7 @@ double centerAlong(std::span<const glm::dvec3> points, int axis, double depth) {
     return 0.5 * (low + high);
 }
 
-/// Converts `direction` from upright space to world space and normalises it.
+/// Transforms `direction` from upright space, in which y is up, to world space and normalises it.
 glm::dvec3 unit(const hierarchy::UprightFrame& frame, const glm::dvec3& direction) {
     return glm::normalize(frame.toWorld(direction));
 }

@@ -1,4 +1,4 @@
-// Points on a model's surface that represent its outline from each direction.
+// Computes points on the surface of a model that represent its outline from each direction.
 #pragma once
 
 #include "hierarchy/model_file.h"

@@ -125,7 +125,7 @@ CameraPath approach(const hierarchy::ModelFile& model) {
     return path;
 }
 
-/// Converts a path from upright space to world space.
+/// Transforms a camera path from upright space, in which y is up, to world space.
 CameraPath inWorld(CameraPath path, const hierarchy::UprightFrame& frame) {
     for (Keyframe& key : path.keyframes) {
         key.camera.eye = frame.toWorld(key.camera.eye);

@@ -54,7 +54,7 @@ public:
     /// Returns true if a person's free radius fits at `cell`, so that the person can walk there.
     bool isWalkable(std::uint32_t cell) const { return cells_[cell].clearance >= bodyClearance_; }
 
-    /// Returns true if a ceiling is less than 8 eye heights above the floor of the cell. A higher ceiling counts as
+    /// Returns true if there is a ceiling less than 8 eye heights above the floor of `cell`. A higher ceiling counts as
     /// sky.
     bool isInside(std::uint32_t cell) const;
 

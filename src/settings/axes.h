@@ -10,14 +10,14 @@
 
 namespace gnomon::settings {
 
-/// A swept setting and its values, at least one.
+/// A setting that a bench sweeps, and its values, at least one.
 struct Axis {
     const Setting* setting = nullptr;
     std::vector<Value> values;
 };
 
-/// Parses a list of values that are separated by commas. Throws UsageError that names `option` if a value is invalid or
-/// occurs twice.
+/// Parses the comma-separated values of `setting` in `list`. Throws UsageError that names `option` if a value is
+/// invalid or occurs twice.
 Axis parseAxis(const Setting& setting, const std::string& option, const std::string& list);
 
 /// Returns all combinations of the values of `axes`. All other settings are those of `fixed`. The value of the last

@@ -9,7 +9,7 @@
 
 namespace gnomon::settings {
 
-/// The kinds of commands that draw. `Render` includes all commands except bench and view.
+/// The kind of command that draws: `gnomon bench`, `gnomon view`, or any other (`Render`).
 enum class DrawingCommand : std::uint8_t { Render, Bench, View };
 
 /// An option that the OpenGL backends cannot draw, with the reason.
@@ -38,21 +38,22 @@ struct BackendChoice {
 /// picture in less time than a GPU takes to open.
 BackendChoice chooseBackend(const BackendRequest& request);
 
-/// Returns the capabilities of `backend`, which must not be Auto.
+/// Returns which effects `backend` can draw. It must not be Auto.
 plan::Capabilities capabilitiesOf(Backend backend);
 
 /// Returns half a sentence about a capability for messages. For `sections` it is "only the software backend draws
 /// sections".
 std::string onlySoftware(bool plan::Capabilities::*capability);
 
-/// Returns the first option that a backend with `capabilities` cannot draw, or nullopt if it can draw all options.
+/// Returns the first requested option that a backend with `capabilities` cannot draw, or nullopt if it can draw all of
+/// them.
 std::optional<BackendNeed> missingCapability(
     const Settings& settings, const ValueColors& colors, const plan::Capabilities& capabilities);
 
-/// Returns the first option that only the software backend can draw, or nullopt.
+/// Returns the first requested option that only the software backend can draw, or nullopt if there is none.
 std::optional<BackendNeed> softwareNeed(const Settings& settings, const ValueColors& colors = {});
 
-/// Throws UsageError if the requested backend cannot draw the requested options. Accepts Auto.
+/// Throws UsageError if the requested backend cannot draw an option that the user requests. The backend can be Auto.
 void requireCapable(const Settings& settings, const ValueColors& colors = {});
 
 } // namespace gnomon::settings

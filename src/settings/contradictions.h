@@ -29,7 +29,7 @@ struct OptionUse {
     std::string (*written)(const Request&) = nullptr;
 };
 
-/// An option that cannot be combined with any of `others`.
+/// An option, and the list `others` of options that cannot be combined with it.
 struct Contradiction {
     OptionUse option;
     std::vector<OptionUse> others;

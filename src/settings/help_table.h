@@ -1,4 +1,5 @@
-// The table of all options in the order of --help: the group of each option, and the commands whose --help shows it.
+// The table of all options in the order of --help. It contains the group of each option, and the commands whose --help
+// shows it.
 #pragma once
 
 #include <array>

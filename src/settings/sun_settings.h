@@ -7,7 +7,7 @@
 
 namespace gnomon::settings {
 
-/// Returns the codec for a place "LAT,LON" in degrees. The height is 0.
+/// Returns the codec for a place on the earth, "LAT,LON" in degrees. Its height is 0.
 Codec<sun::Place> place();
 
 /// Returns the codec for a time in ISO 8601 with an offset from UTC, in the years 1 to 9999: "2026-06-21T12:00+02:00".
@@ -45,8 +45,8 @@ std::optional<plan::PointLight> pointLightOf(const Settings& settings, const hie
 /// 0.5331 degrees divided by its distance in AU, and each other light has 0.
 double lightDiameter(const Settings& settings);
 
-/// Sets the light of `view`: its direction, the angular diameter of its disc, and the point light. `view.up` must be
-/// set before. Throws UsageError for a point light that is too far away.
+/// Sets the light of `view`: its direction, the angular diameter of its disc, and the point light. `view.up` must
+/// already be set. Throws UsageError for a point light that is too far away.
 void setLight(const Settings& settings, const hierarchy::ModelSummary& model, plan::View& view);
 
 } // namespace gnomon::settings

@@ -12,16 +12,16 @@
 
 namespace gnomon::settings {
 
-/// Returns all settings in the order of the help. The settings that a bench sweeps are last.
+/// Returns all settings in the order in which the help shows them. Those that a bench sweeps are last.
 std::span<const Setting> table();
 
-/// Returns the setting with this name, which must exist.
+/// Returns the setting with the given name, which must exist.
 const Setting& named(std::string_view name);
 
 /// Returns an option with its value as the user would type it, such as "--eta 0.5".
 std::string optionText(const char* name, const Settings& settings);
 
-/// Returns true if a setting has this name.
+/// Returns true if there is a setting with the given name.
 bool isSetting(std::string_view name);
 
 /// Returns the names of the options that set any of `limits`, separated by ", ". Returns an empty text if there is no

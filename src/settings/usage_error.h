@@ -1,4 +1,4 @@
-// Errors in the command line, which end the program with exit code 2. All other errors are gnomon::Error.
+// Errors in the command line, after which the program ends with exit code 2. All other errors are gnomon::Error.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@ struct UsageError {
     std::string message;
 };
 
-/// Throws UsageError that says: `option` has the value `text`, but expects `expected`.
+/// Throws UsageError with a message that `option` has the invalid value `text`, and that `expected` describes valid
+/// values.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected);
 
 } // namespace gnomon::settings

@@ -1,4 +1,4 @@
-// The options for colours that show a value of the surface: the value, the colour map and its range.
+// The options for pictures whose colours show a value of the surface: the value, the colour map and its range.
 #pragma once
 
 #include "plan/color_map.h"
@@ -25,7 +25,8 @@ inline constexpr std::array kColorBys = {
     Word<ColorBy>{ColorBy::Error, "error"},
 };
 
-/// The requested colours: the shown value, the colour map, and the values at the ends of the map.
+/// How the colours of a picture show a value of the surface: the value, the colour map, and the values at the ends of
+/// the map.
 struct ValueColors {
     ColorBy by = ColorBy::None;
     std::string field{}; // name of the field, for ColorBy::Field
@@ -36,24 +37,26 @@ struct ValueColors {
     bool operator==(const ValueColors&) const = default;
 };
 
-/// The texts of --color-by, --colormap and --color-range. A text is empty if its option is not given.
+/// The values of --color-by, --colormap and --color-range as the user typed them. A text is empty if the option is not
+/// given.
 struct ValueColorWords {
     std::string by;
     std::string map;
     std::string range;
 };
 
-/// Returns the requested colours. A name that is not in kColorBys is the name of a field. Throws UsageError for an
-/// invalid map or range, and for a range with a value that has no colour map.
+/// Converts the values of --color-by, --colormap and --color-range. A name that is not in kColorBys is the name of a
+/// field. Throws UsageError for an invalid map or range, and for a range with a value that has no colour map.
 ValueColors valueColors(const ValueColorWords& words);
 
-/// Returns true if `by` is a value of vertices or clusters. Only backends with the capability `seesTriangles` can show
-/// it.
+/// Returns true if `by` is a value that vertices or clusters store. Only backends with the capability `seesTriangles`
+/// can show it.
 constexpr bool isOfTriangles(ColorBy by) {
     return by == ColorBy::Vertex || by == ColorBy::Error || by == ColorBy::Field;
 }
 
-/// Returns the value of `--color-by`: "height", or the name of a field in printable characters.
+/// Returns the value of `--color-by` for `colors`: a word such as "height", or the name of a field in printable
+/// characters.
 std::string nameOf(const ValueColors& colors);
 
 /// Returns the codec for a range "LO,HI" with LO below HI.

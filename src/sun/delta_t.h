@@ -11,7 +11,7 @@ namespace gnomon::sun {
 /// from 1800 to 1972, and unknown in the future. One second moves the Sun relative to the stars by 0.00001 degrees.
 double deltaT(const JulianDate& date);
 
-/// The last year of the table of leap seconds.
+/// The last year that the table of leap seconds covers.
 inline constexpr int kLastYearOfLeapSeconds = 2025;
 
 } // namespace gnomon::sun

@@ -75,7 +75,7 @@ std::optional<LitLog> LitLog::ofAnother(const std::string& path, const std::stri
     return log;
 }
 
-/// Returns true if the header of the log is complete. Throws Error if the file is not a log.
+/// Returns true if the header of the log file is complete. Throws Error if the file is not a log.
 bool LitLog::hasLog() const {
     Words head(kHeadWords);
     const std::size_t found = file_.readSomeAt(0, std::as_writable_bytes(std::span(head)));

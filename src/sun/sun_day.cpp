@@ -26,7 +26,7 @@ std::optional<JulianDate> crossing(JulianDate low, JulianDate high, const Place&
     return high;
 }
 
-// Returns the time near `start` at which the Sun's hour angle is `angle` degrees.
+// Returns the time near `start` at which the hour angle of the Sun is `angle` degrees. It is 0 at solar noon.
 JulianDate meridian(JulianDate start, const Place& place, double angle) {
     for (int step = 0; step < 4; ++step) { // each step leaves an error of the Sun's own motion, 1/365 of a revolution
         double past = sunPosition(start, place, {}).hourAngle - angle;

@@ -73,7 +73,7 @@ SunPosition sunPosition(const JulianDate& date, const Place& place, const Air& a
     const double longitude = place.longitude * kDegree;
     const double latitude = place.latitude * kDegree;
     Vector observer;
-    // This call does not fail for a finite place on an ellipsoid.
+    // The result is not checked, because this call does not fail for a finite place on an ellipsoid.
     eraGd2gc(ERFA_WGS84, longitude, latitude, place.height, observer.data());
     for (std::size_t k = 0; k < 3; ++k)
         sun[k] -= observer[k] / ERFA_DAU;

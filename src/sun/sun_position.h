@@ -30,11 +30,12 @@ struct SunPosition {
 };
 
 /// Returns the position of the Sun in the sky at `date`, seen from `place`. `date` is UTC and is used as UT1, with an
-/// error of up to 0.9 s or 0.004 degrees. `deltaT` is TT - UT1 in seconds; the default is deltaT(date). The function
-/// uses the astronomy routines of the IAU (ERFA, which is SOFA under another licence): the orbit of the Earth (Epv00, a
-/// truncated VSOP2000, accurate to 14 km from 1900 to 2100), annual aberration, precession and nutation 2000B, and
-/// parallax. It omits effects below 0.0001 degrees: polar motion, diurnal aberration, and the deflection of light by
-/// the Sun. Refraction is by Bennett (1982) in the form of Reda and Andreas, "Solar Position Algorithm"
+/// error of up to 0.9 s or 0.004 degrees. `deltaT` is TT - UT1 in seconds; the default is deltaT(date).
+///
+/// The function uses the astronomy routines of the IAU (ERFA, which is SOFA under another licence): the orbit of the
+/// Earth (Epv00, a truncated VSOP2000, accurate to 14 km from 1900 to 2100), annual aberration, precession and nutation
+/// 2000B, and parallax. It omits effects below 0.0001 degrees: polar motion, diurnal aberration, and the deflection of
+/// light by the Sun. Refraction is by Bennett (1982) in the form of Reda and Andreas, "Solar Position Algorithm"
 /// (NREL/TP-560-34302, 2003), equation 42. It applies down to the elevation at which the upper edge sets.
 SunPosition sunPosition(
     const JulianDate& date, const Place& place, const Air& air, std::optional<double> deltaT = std::nullopt);

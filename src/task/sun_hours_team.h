@@ -24,8 +24,8 @@ public:
     /// Returns true in rank 0.
     bool leads() const { return share().rank == 0; }
 
-    /// Waits until all ranks are ready to compute. Throws Error if a rank has another `key`, which identifies the
-    /// model, the lights and the receivers.
+    /// Waits until all processes of the job are ready to compute. Throws Error if one has another `key`, which
+    /// identifies the model, the lights and the receivers.
     virtual void begin(const std::string& /*key*/, Progress& /*progress*/) {}
 
     /// Throws Error if another rank has failed, and Interrupted if rank 0 has ended the job. Called after each light

@@ -20,7 +20,7 @@ public:
         if (text_.size() >= kRun) flush();
     }
 
-    /// Writes the remaining text and renames the file to its final name.
+    /// Writes the remaining text, and renames the file to its final name.
     void commit() {
         flush();
         file_.commit();

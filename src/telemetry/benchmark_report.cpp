@@ -53,7 +53,7 @@ std::string benchmarkJson(const std::map<std::string, std::string>& context, std
 
 namespace {
 
-/// Returns the name of the first processor from /proc/cpuinfo, or "unknown".
+/// Returns the name of the first processor of this machine from /proc/cpuinfo, or "unknown".
 std::string processorName() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {

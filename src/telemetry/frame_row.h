@@ -79,7 +79,8 @@ struct FrameRow {
     // farther from a true shadow edge than the footprint of a texel.
     std::optional<double> unexplainedShadowFraction;
 
-    // The following columns about shadows and light were appended later. They are empty if they do not apply.
+    // The columns from here on were appended later. They describe shadows and light, and are empty if they do not
+    // apply.
     std::string shadows;                        // shadow method: off, maps, exact or rays
     std::optional<std::int64_t> shadowSamples;  // visible points that face the light
     std::optional<std::int64_t> shadowCells;    // number of cells into which the samples are sorted

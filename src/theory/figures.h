@@ -10,9 +10,9 @@ namespace gnomon::theory {
 
 /// A figure of the shadow theory: a table of data and its presentation.
 struct Figure {
-    /// The type of the plot. Lines: column 0 is x, each other column is a series. Curves: rows are (panel, curve, x,
-    /// y), each curve is a polyline. Maps: rows are (panel, x, y, value); each panel is a coloured disc of light
-    /// directions seen from above, with directions behind the viewer on the left.
+    /// The type of a plot. Lines: column 0 of the table is x, and each other column is a series. Curves: rows are
+    /// (panel, curve, x, y), and each curve is a polyline. Maps: rows are (panel, x, y, value). Each panel is a
+    /// coloured disc of light directions seen from above, with directions behind the viewer on the left.
     enum class Kind { Lines, Curves, Maps };
 
     std::string name{}; // file name without extension

@@ -9,7 +9,7 @@
 
 namespace gnomon::viewer {
 
-/// Computes the standard views of one model with the options of the window.
+/// Computes the standard views of one model, with the options that the user gave to the window.
 class FramedModel {
 public:
     /// Reads points of the surface of `model`, which standard views must show. Throws Error.

@@ -38,7 +38,7 @@ constexpr std::array<CodeMeaning, 256> kMeanings = [] {
 
 constexpr std::uint32_t kFirstUnentered = kNotEntered << 4U;
 
-/// The bit that marks an invalid edge or an invalid vertex.
+/// A bit of a vertex or edge word. It means that the vertex or edge is invalid.
 constexpr std::uint32_t kBad = 0x80000000U;
 
 /// The state while one cluster is decoded. It lives in local variables of one function. Stores through byte pointers

@@ -25,13 +25,13 @@ constexpr std::uint64_t joinedNormal(std::uint32_t x, std::uint32_t y) {
 
 /// The byte planes of one channel of numbers, such as the x coordinates. A plane contains one byte of each number.
 struct Planes {
-    // `planes` planes of `numbers` bytes each; the plane of the lowest bytes is first
+    // `planes` byte planes of `numbers` bytes each. The plane of the lowest bytes is first.
     const std::uint8_t* bytes = nullptr;
     unsigned planes = 0; // number of planes, at most 4
     std::size_t numbers = 0;
 };
 
-/// The following functions write whole SIMD vectors, which are up to kMaxLanes elements after the last number. All
+/// The following functions write whole SIMD vectors, which reach up to kMaxLanes elements beyond the last number. All
 /// Planes of one call have the same number of elements.
 
 /// Decodes numbers that are stored without zigzag code, byte plane by byte plane.

@@ -11,7 +11,7 @@ namespace {
 /// Decodes the vertices of a page, cluster by cluster.
 class VertexDecoder {
 public:
-    /// Reads the stored numbers of all vertices into `numbers`, which the caller owns.
+    /// Reads the stored numbers of all vertices into `numbers`, which the caller owns and can reuse.
     VertexDecoder(ByteReader& in, std::size_t vertexCount, Page& page, const EdgeWords& edges, VertexNumbers& numbers)
         : page_(page), edges_(edges), numbers_(numbers), anchors_(in.take(in.takeVarint())) {
         layout_.hasNormals = in.take<std::uint8_t>() != 0;

@@ -112,7 +112,7 @@ HWY_INLINE std::uint32_t byteSums(std::uint32_t a, std::uint32_t b) {
 }
 
 template <bool kNormals, bool kColors>
-// `fresh` is passed by value, so that the compiler knows that no store changes it.
+// `fresh` is passed by value. The compiler then knows that no write to memory changes it.
 HWY_INLINE void predict(const FreshVertices fresh, ClusterVertices& cluster) {
     ParentPlaces parents;
     placeParents(fresh.edges, parents);

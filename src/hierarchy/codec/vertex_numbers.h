@@ -17,7 +17,7 @@ struct VertexNumbers {
     // d is the distance from the vertex after the last referenced one.
     std::vector<std::uint32_t> references;
     std::vector<std::uint32_t> referring; // indices of the vertices that are references, ascending
-    // indices of all other vertices, ascending; the following arrays have one entry for each of them
+    // Indices of all vertices that are no references, ascending. The following arrays have one entry for each of them.
     std::vector<std::uint32_t> fresh;
     std::vector<PositionWords> positions; // differences
     std::vector<std::uint64_t> normals;   // differences of joined normals, modulo their width; empty without normals

@@ -11,7 +11,8 @@ namespace gnomon::hierarchy {
 struct Access {
     std::string authorityFile{}; // PEM file of certificate authorities; empty: those of the system
     Bytes cache = gibibytes(1);  // max size of the cache on the local disk; 0: no cache
-    // folder of the cache; empty: XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges
+    // Folder of the cache for web servers. If it is empty, it is XDG_CACHE_HOME/gnomon/ranges, or
+    // ~/.cache/gnomon/ranges.
     std::string cacheFolder{};
     std::chrono::milliseconds retryTime{30'000}; // max time of retries while a server does not respond
 };

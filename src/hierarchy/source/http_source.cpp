@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds kMaxOpenTime{1000}; // short at the start, b
 // single bytes thus makes no progress.
 constexpr std::size_t kMinPartBytes = std::size_t{16} << 10U;
 
-/// Returns `address` without user name, password, query and fragment.
+/// Returns `address` without user name, password, query and fragment, so that messages do not contain secrets.
 std::string toldAddress(const std::string& address) {
     const std::size_t scheme = address.find("//");
     const std::size_t host = scheme == std::string::npos ? 0 : scheme + 2;

@@ -41,8 +41,8 @@ private:
     mutable std::uint64_t uncounted_ = ~std::uint64_t{0}; // bytes that this process wrote since the last count
 };
 
-/// Returns the default cache folder: XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges. Returns an empty text if
-/// neither XDG_CACHE_HOME nor HOME is set.
+/// Returns the default folder of the cache for web servers: XDG_CACHE_HOME/gnomon/ranges, or ~/.cache/gnomon/ranges.
+/// Returns an empty text if neither XDG_CACHE_HOME nor HOME is set.
 std::string defaultCacheFolder();
 
 } // namespace gnomon::hierarchy

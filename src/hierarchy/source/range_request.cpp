@@ -251,7 +251,7 @@ public:
         const bool isSecure = lowered(address.substr(0, 6)) == "https:";
         set(CURLOPT_URL, address.c_str());
         set(CURLOPT_PROTOCOLS_STR, "http,https");
-        // A request with https must not be redirected to plain http.
+        // A request that begins with https must not be redirected to plain http.
         set(CURLOPT_REDIR_PROTOCOLS_STR, isSecure ? "https" : "http,https");
         set(CURLOPT_FOLLOWLOCATION, 1L);
         set(CURLOPT_MAXREDIRS, kMaxRedirections);

@@ -25,7 +25,7 @@ struct Identity {
     bool operator==(const Identity&) const = default;
 };
 
-/// The reason why a request received fewer bytes than requested.
+/// The reason why a request to a web server received fewer bytes than requested.
 enum class Refusal : std::uint8_t {
     Passing,  // no answer, a broken answer, or the server asks to retry later
     Lasting,  // a retry would have the same result

@@ -44,7 +44,8 @@ public:
     /// Returns the number of parallel reads that is useful for speed.
     virtual unsigned parallelReads() const = 0;
 
-    /// Returns true if a failed read may succeed later without an action of the user.
+    /// Returns true if the bytes come from a server, so that a failed read may succeed later without an action of the
+    /// user.
     virtual bool isRemote() const = 0;
 
     /// Ends all waiting reads from the source. They throw Error, and so do all later reads.

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the absolute path of a file without symbolic links. The file does not have to exist.
+/// Returns the absolute path of a file with all symbolic links resolved. The file does not have to exist.
 fs::path placeOf(const std::string& path) {
     std::error_code error;
     const fs::path place = fs::weakly_canonical(fs::absolute(path), error);

@@ -1,4 +1,4 @@
-// Checks of the files on a command line: an output must not overwrite an input or another output.
+// Checks the files on a command line. An output must not overwrite an input or another output.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct NamedFile {
 /// are detected. A device or pipe may occur several times, because it stores nothing.
 void requireDistinctFiles(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// Throws UsageError if `path` has an extension other than `extension` (".png"). A name without an extension, such as a
-/// device, is valid.
+/// Throws UsageError if the name of an output file has an extension other than `extension` (".png"). A name without an
+/// extension, such as a device, is valid.
 void requireExtension(const std::string& option, const std::string& path, const std::string& extension);
 
 } // namespace gnomon::settings

@@ -44,7 +44,7 @@ public:
     /// parallel projection the scale does not change.
     void orbit(const glm::dvec3& pivot, double yawRadians, double pitchRadians);
 
-    /// Moves the camera to the right and up, in world units.
+    /// Moves the camera sideways by `right` and vertically by `up`, in world units.
     void shift(double right, double up);
 
     /// Moves the camera towards `point`, which stays at its position on the screen. Five notches of the mouse wheel

@@ -19,7 +19,7 @@ float letterHeight();
 /// is false.
 bool beginNote(const char* name, const ImVec2& at, const ImVec2& pivot);
 
-/// Draws a line of text in the current window.
+/// Draws a line of text in the current Dear ImGui window.
 void drawLine(const std::string& text, ImU32 color = IM_COL32_WHITE);
 
 /// Converts a position from pixels of the framebuffer to the coordinates of Dear ImGui.

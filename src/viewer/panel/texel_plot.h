@@ -46,7 +46,7 @@ double storageFactor(const TexelPlotInput& input, const glm::dvec3& towardsLight
 /// that no frame takes long.
 class TexelPlot {
 public:
-    /// Creates a grid of `side` x `side` cells, with `side` at least 1.
+    /// Creates a texel plot with a grid of `side` x `side` cells. `side` is at least 1.
     explicit TexelPlot(int side)
         : side_(side), values_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {}
 

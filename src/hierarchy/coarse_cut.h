@@ -9,8 +9,7 @@
 
 namespace gnomon::hierarchy {
 
-/// Returns true if the page `info` contains clusters of the uniform cut with the error limit `error`. A uniform cut
-/// uses the same error limit everywhere.
+/// Returns true if clusters of the page `info` are drawn when the whole model has the error limit `error`.
 inline bool isDrawnOf(const PageInfo& info, double error) {
     return info.maxError == std::numeric_limits<double>::infinity() || info.maxError > error;
 }
@@ -31,8 +30,8 @@ double coarseError(const Pages& pages, double diagonal, std::uint64_t maxBytes =
     }
 }
 
-/// Returns the error limit of the cut from which the up direction is guessed. `diagonal` is the diagonal of the model's
-/// main part. Compared with coarseError, both the limit and `maxBytes` are smaller.
+/// Returns the error limit of the coarse level of detail from which the up direction is guessed. `diagonal` is the
+/// diagonal of the model's main part. Compared with coarseError, both the limit and `maxBytes` are smaller.
 template <class Pages>
 double upError(const Pages& pages, double diagonal) {
     return coarseError(pages, 0.4 * diagonal, std::uint64_t{4} << 20U);

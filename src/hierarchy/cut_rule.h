@@ -35,8 +35,8 @@ inline double storedError(const Page& page, const Cluster& cluster, double snapE
     return cluster.refinement == kNone ? snapError : page.refinements[cluster.refinement].error;
 }
 
-/// Returns the larger of the stored error and the attribute error of a cluster. A uniform cut can contain the cluster
-/// if its error limit is at least this value.
+/// Returns the larger of the stored error and the attribute error of a cluster. The cluster can be drawn if the error
+/// limit of the whole model is at least this value.
 inline double drawnError(const Page& page, const Cluster& cluster, double snapError) {
     return cluster.refinement == kNone ? snapError : page.refinements[cluster.refinement].drawnError();
 }

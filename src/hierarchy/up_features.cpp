@@ -210,8 +210,8 @@ public:
         }
     }
 
-    /// Returns the share of the surface area that coincides with the surface after a transformation. `turn` maps voxels
-    /// to voxels.
+    /// Returns the share of the surface area that coincides with the surface after the transformation `turn`, which
+    /// maps voxels to voxels.
     template <class Turn>
     double overlap(const Turn& turn) const {
         double common = 0;

@@ -51,7 +51,7 @@ public:
     /// Creates an estimator that uses the geometry inside the box `part` (world space).
     UpSurvey(const Grid& grid, const Box& part);
 
-    /// Adds those clusters of `page` that belong to the uniform cut with the error limit `error`.
+    /// Adds those clusters of `page` that are drawn when the whole model has the error limit `error`.
     void add(const Page& page, double error);
 
     /// Returns the guessed up direction. It follows from the position on the earth if possible. Otherwise it is the

@@ -16,8 +16,8 @@ bool contains(const Box& box, const glm::dvec3& point) {
     return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
 }
 
-/// Adds vertices of a page to the outline: those inside `part` whose clusters belong to the cut with the error limit
-/// `error`.
+/// Adds vertices of a page to the outline of a model. They are those inside `part` whose clusters have the level of
+/// detail for the error limit `error`.
 void addVertices(
     const hierarchy::Page& page,
     const hierarchy::Grid& grid,

@@ -1,5 +1,5 @@
-// The swept settings of `gnomon bench`. An axis is a setting with a list of values. A bench runs all combinations of
-// these values.
+// The settings for which `gnomon bench` accepts a list of values. A setting with its list is an axis. A bench runs all
+// combinations of the values.
 #pragma once
 
 #include "settings/setting.h"

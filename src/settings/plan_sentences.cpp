@@ -42,8 +42,8 @@ const char* whyStabilized(Effect effect) {
     return "stabilised slices have no face partitions";
 }
 
-/// Returns the sentence for a reason about penumbrae, the sky, evenly spaced rows or point lights. The calling function
-/// handles all other reasons.
+/// Returns the sentence that explains why an effect is skipped, if the reason concerns penumbrae, the sky, evenly
+/// spaced rows or point lights. The calling function handles all other reasons.
 std::string otherReason(const plan::SkippedEffect& skipped) {
     switch (skipped.reason) {
     case SkipReason::NarrowPenumbrae:

@@ -7,7 +7,7 @@
 
 namespace gnomon::settings {
 
-/// Creates a setting whose value is `place(settings)`, which returns a reference into Settings.
+/// Creates a setting that is stored in Settings at the reference that `place(settings)` returns.
 template <class T, class Place>
 Setting at(const Place& place, Description description, const Codec<T>& codec) {
     return {

@@ -1,5 +1,5 @@
-// A log on disk that stores which receivers are lit from each light direction. With it, an interrupted run can
-// continue.
+// A log on disk that stores, for each light direction, which receivers (points of a model) are lit. With it, an
+// interrupted run can continue.
 #pragma once
 
 #include "core/file.h"
@@ -11,25 +11,26 @@
 
 namespace gnomon::sun {
 
-/// A log file of lit receivers with one record per light direction, at a fixed position in the file. A record has one
-/// bit per receiver and a checksum. An incomplete record from a killed process counts as missing.
+/// A log file with one record per light direction, at a fixed position in the file. A record has one bit per receiver
+/// (a tested point), which tells whether it is lit, and a checksum. An incomplete record from a killed process counts
+/// as missing.
 class LitLog {
 public:
-    /// Creates a log at `path` for `receivers` receivers. If `isResumed` is true, opens the existing log instead. `key`
-    /// identifies the run. Throws Error if a resumed log has another key, if another process has locked the log, if the
-    /// file is not a log, or if it has hard links.
+    /// Creates a log at `path` for `receivers` tested points. If `isResumed` is true, opens the existing log instead.
+    /// `key` identifies the run. Throws Error if a resumed log has another key, if another process has locked the log,
+    /// if the file is not a log, or if it has hard links.
     LitLog(const std::string& path, const std::string& key, std::size_t receivers, bool isResumed);
 
     /// Opens, for reading, the log at `path` that another process writes. Returns nullopt if its header is incomplete.
     /// Throws Error if the log has another key or if the file is not a log.
     static std::optional<LitLog> ofAnother(const std::string& path, const std::string& key, std::size_t receivers);
 
-    /// Writes which receivers the light direction with index `light` reaches. A non-zero element of `isLit` means that
-    /// the receiver is lit. The lights can be written in any order.
+    /// Writes which receivers (tested points) are lit from the light direction with index `light`. A non-zero element
+    /// of `isLit` means that the receiver is lit. The light directions can be written in any order.
     void put(std::size_t light, const std::vector<std::uint8_t>& isLit);
 
-    /// Reads into `isLit` which receivers the light direction with index `light` reaches, as 0 and 1. Returns false if
-    /// the log has no complete record of this light.
+    /// Reads which receivers (tested points) are lit from the light direction with index `light`, and sets `isLit` to 0
+    /// or 1 for each. Returns false if the log has no complete record of this light direction.
     bool read(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
     /// Makes the written records visible to other processes that open the log after this call.
@@ -67,10 +68,10 @@ public:
     /// LitLog.
     LitLogs(std::string stem, std::string key, std::size_t receivers, const LightShare& share, bool isResumed);
 
-    /// Writes which receivers a light direction reaches to the log of this process (see LitLog::put).
+    /// Writes which receivers (tested points) a light direction reaches to the log of this process (see LitLog::put).
     void put(std::size_t light, const std::vector<std::uint8_t>& isLit) { own_.put(light, isLit); }
 
-    /// Reads which receivers a light direction reaches, from the log of any process (see LitLog::read).
+    /// Reads which receivers (tested points) a light direction reaches, from the log of any process (see LitLog::read).
     bool read(std::size_t light, std::vector<std::uint8_t>& isLit) const;
 
     /// Makes the written records of this process visible to the other processes of the job.

@@ -16,8 +16,8 @@ namespace gnomon::sun {
 /// The near side of a body therefore darkens its far side.
 class PointReceivers final : public Receivers {
 public:
-    /// Creates receivers at `points`, which are positions in steps of the model's grid (rounded by cellsOf). The
-    /// triangles of `cut` cast shadows, except their parts that `sections` (in the same unit) remove. Throws Error if a
+    /// Creates receivers at `points`, which are in steps of the model's grid (rounded by cellsOf). The triangles of
+    /// `cut` cast shadows, except their parts that the planes `sections` (in the same unit) remove. Throws Error if a
     /// point is farther than 2^30 steps from the centre of the cut.
     PointReceivers(
         const exporter::UniformCut& cut, std::vector<glm::i64vec3> points, std::span<const Plane> sections = {});

@@ -12,7 +12,7 @@ namespace {
 using render::gridCellOf;
 using render::GridPolygon;
 
-/// Collects triangles to clusters of a new cut, one after the other.
+/// Builds a new set of clusters from triangles that are added one after the other.
 class CutBuilder {
 public:
     void begin() { clusters_.push_back({vertexCount(), 0, triangleCount(), 0}); }

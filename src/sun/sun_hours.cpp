@@ -9,7 +9,8 @@ namespace gnomon::sun {
 
 namespace {
 
-/// Adds the receivers that are lit in the time step `step` to the result. Steps can come in any order.
+/// Adds the receivers (tested points) that are lit in the time step `step` to the result. Steps can be added in any
+/// order.
 void add(const std::vector<std::uint8_t>& isLit, std::uint32_t step, LitSteps& result) {
     constexpr std::size_t kGrain = 65536;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, isLit.size(), kGrain), [&](const auto& range) {

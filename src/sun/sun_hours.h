@@ -1,5 +1,5 @@
-// Computes sun hours: the number of time steps in which the Sun reaches each receiver, with the first and the last of
-// these steps.
+// Computes sun hours. They are the number of time steps in which the Sun reaches each receiver (a tested point of a
+// model), with the first and the last of these steps.
 #pragma once
 
 #include "core/progress.h"
@@ -12,8 +12,8 @@
 
 namespace gnomon::sun {
 
-/// The sun hours of each receiver over a period, in time steps. The values are integers, so they do not depend on the
-/// order of the lights or on threads.
+/// The sun hours of each receiver (a tested point) over a period, in time steps. The values are integers, so they do
+/// not depend on the order of the lights or on threads.
 struct LitSteps {
     static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 

@@ -17,8 +17,8 @@ namespace gnomon::sun {
 
 namespace {
 
-/// Returns a convex volume that contains `receivers` and all rays from there towards each of `lights`. Shadow casters
-/// outside it have no effect.
+/// Returns a convex volume that contains the volume `receivers` and all rays from there towards each of `lights`.
+/// Shadow casters outside it have no effect.
 ConvexVolume sweptTowards(const ConvexVolume& receivers, std::span<const IntegerLight> lights) {
     ConvexVolume swept;
     for (const Plane& plane : receivers.planes) {

@@ -28,9 +28,9 @@ public:
 
     const std::vector<sun::SunStep>& steps() const { return steps_; }
 
-    /// Tests `receivers` for sunlight in all time steps, together with all ranks of the task's team. Steps that the
-    /// logs already contain are read from there. Returns nullptr in all ranks except rank 0. The result is valid while
-    /// this object exists.
+    /// Tests the points `receivers` for sunlight in all time steps, together with all processes of the task's team.
+    /// Steps that the logs already contain are read from there. Returns nullptr in all ranks except rank 0. The result
+    /// is valid while this object exists.
     const sun::LitSteps* decide(sun::Receivers& receivers, Progress& progress);
 
     /// Reads from the logs which receivers the light direction `light` reaches, and sets `isLit` to 0 or 1 per
@@ -39,7 +39,7 @@ public:
 
     double hours(std::uint32_t steps) const { return steps * stepSeconds_ / 3600; }
 
-    /// Returns the values of one receiver as a CSV row with the columns kSunHoursColumns.
+    /// Returns the sun hours of one receiver (a tested point) as a CSV row with the columns kSunHoursColumns.
     std::string row(std::size_t receiver) const;
 
     /// Removes the logs and returns the summary of the computation. Must be called after all output files are complete.

@@ -27,9 +27,10 @@ struct CacheOptions {
     std::string sourceRoot{}; // folder that files of the mesh may come from; empty: the folder of the mesh
 };
 
-/// Returns true if the cached model is up to date, so that a build would write the same file. The record (CACHE.json)
-/// must contain the same version, options and model, the same size and time of change of each file that was read, and
-/// the same names of libraries or textures in the folder of the mesh.
+/// Returns true if the cached model is up to date, so that a build would write the same file. The function compares the
+/// record of the build (CACHE.json) with the present state. The version, the options, the model, the size and time of
+/// change of each file that was read, and the names of libraries or textures in the folder of the mesh must be the
+/// same.
 bool isCacheFresh(const std::string& meshPath, const CacheOptions& options);
 
 /// The progress of a running build of a cached model.
@@ -41,8 +42,8 @@ struct BuildStatus {
     double seconds = 0;      // since the start of the build
 };
 
-/// Builds the cached model of a mesh in a separate thread, and writes the record for `isCacheFresh`. The destructor
-/// stops the build and waits for the thread.
+/// Builds the cached model of a mesh in a separate thread. Also writes the record that `isCacheFresh` reads. The
+/// destructor stops the build and waits for the thread.
 class CacheBuild {
 public:
     CacheBuild(std::string meshPath, const CacheOptions& options);

@@ -139,7 +139,7 @@ QualityGovernor::Change QualityGovernor::reduction(
     return {};
 }
 
-/// Returns the effect of a step back to higher quality of `kind`: the error that it removes, and the time that it adds.
+/// Returns the effect of one step to higher quality of `kind`: the error that it removes, and the time that it adds.
 /// Both are estimated from the effect of the next reduction of this kind.
 QualityGovernor::Change QualityGovernor::restoration(
     QualityKind kind, const FrameLoad& load, const QualityLevel& now) const {
@@ -184,8 +184,8 @@ std::optional<QualityGovernor::Change> QualityGovernor::cheapest(
     return best;
 }
 
-/// Returns the step back to higher quality that removes the largest error per added time, among the steps after which
-/// the frame time stays within the target.
+/// Returns the step to higher quality that removes the largest error per added time. Only steps count after which the
+/// frame time stays within the target.
 std::optional<QualityGovernor::Change> QualityGovernor::costliest(
     const FrameLoad& load, double target, const QualityLevel& wanted) const {
     const QualityLevel now = level(wanted);

@@ -42,8 +42,8 @@ struct ViewSettings {
     bool showsHelp = false;
 };
 
-/// Returns the values by which a picture of `model` can be coloured, such as height or error. `capabilities` are those
-/// of the backend. The first entry is None.
+/// Returns the values by which a backend with `capabilities` can colour a picture of `model`, such as height or error.
+/// The first entry is None.
 std::vector<settings::ValueColors> colorChoices(
     const hierarchy::ModelSummary& model, const plan::Capabilities& capabilities);
 

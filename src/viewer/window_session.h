@@ -82,8 +82,8 @@ private:
     OverlayContent content() const;
     void drawWindow(const glm::ivec2& size);
 
-    /// An image of a resting view that must still be saved. It is saved after its last refinement, or before the window
-    /// draws another view.
+    /// An image of a resting view that the user has requested and that must still be saved. It is saved after its last
+    /// refinement, or before the window draws another view.
     struct PictureDue {
         Shot shot; // input at the moment of the request
         std::uint64_t changes = 0;

@@ -71,16 +71,17 @@ std::uint64_t hashOf(const Vertex& vertex, std::uint32_t fields) {
 
 /// All vertices of a page as sequences of numbers, one sequence per component.
 struct VertexChannels {
-    // One number per vertex. It is 0 for a new vertex. For a reference to an earlier vertex it is 1 + zigzag(d), where
-    // d is the distance from the vertex after the last referenced one.
+    // One number per vertex. It is 0 for a new vertex. If the vertex refers to an earlier one, it is 1 + zigzag(d),
+    // where d is the distance from the vertex after the last referenced one.
     Channel references;
-    // This member and the following ones have one number per vertex that is not a reference.
+    // This member and the following ones have one number per vertex that does not refer to an earlier vertex.
     std::array<Channel, 3> positions;
     std::array<Channel, 2> normals;
     std::array<Channel, 4> colors;
     std::array<Channel, kMaxFields> fields;
 
-    /// Reserves memory for `vertices` vertices with references, positions and normals. Most sources have normals.
+    /// Reserves memory for the numbers of `vertices` vertices: references to earlier vertices, positions and normals.
+    /// Most sources have normals.
     void reserve(std::size_t vertices) {
         references.reserve(vertices);
         for (Channel& channel : positions)

@@ -52,7 +52,7 @@ public:
     void expectEnd() const { anchors_.expectEnd(); }
 
 private:
-    /// Copies the earlier vertices to which the references among the vertices [first, end) refer. Returns the number of
+    /// Copies earlier vertices to those among the vertices [first, end) that refer to them. Returns the number of these
     /// references.
     std::size_t refer(std::uint32_t first, std::uint32_t end) {
         const std::size_t before = referring_;
@@ -137,8 +137,8 @@ public:
     }
 
 private:
-    /// Returns the field value of the next vertex that is not a reference. The vertex has the index `v` in its cluster
-    /// and was new across `edge`.
+    /// Returns the field value of the next vertex that does not refer to an earlier vertex. The vertex has the index
+    /// `v` in its cluster and was new across `edge`.
     std::uint32_t next(std::span<const std::uint32_t> words, std::uint32_t v, std::uint32_t edge) {
         const std::uint32_t from = edge & 0xFFU;
         const std::uint32_t to = edge >> 8U & 0xFFU;

@@ -26,8 +26,8 @@ struct FreshVertices {
     std::span<const std::uint32_t> edges;
 };
 
-/// Computes the `fresh` vertices of `cluster` from their predictions and differences. The entries of references and the
-/// entry 0 must already be filled.
+/// Computes the `fresh` vertices of `cluster` from their predictions and differences. The entry 0 and the entries of
+/// vertices that refer to earlier ones must already be filled.
 void predictVertices(const FreshVertices& fresh, ClusterVertices& cluster);
 
 /// Copies the vertices of a cluster to `vertices` and returns their bounding box.

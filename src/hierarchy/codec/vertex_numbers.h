@@ -13,11 +13,12 @@ namespace gnomon::hierarchy {
 /// allocated memory costs a page fault per 4 KiB. All arrays except `referring` and `fresh` have kMaxLanes additional
 /// elements.
 struct VertexNumbers {
-    // One number per vertex. It is 0 for a new vertex. For a reference to an earlier vertex it is 1 + zigzag(d), where
-    // d is the distance from the vertex after the last referenced one.
+    // One number per vertex. It is 0 for a new vertex. If the vertex refers to an earlier one, it is 1 + zigzag(d),
+    // where d is the distance from the vertex after the last referenced one.
     std::vector<std::uint32_t> references;
     std::vector<std::uint32_t> referring; // indices of the vertices that are references, ascending
-    // Indices of all vertices that are no references, ascending. The following arrays have one entry for each of them.
+    // Indices of all vertices that do not refer to earlier ones, ascending. The following arrays have one entry for
+    // each of them.
     std::vector<std::uint32_t> fresh;
     std::vector<PositionWords> positions; // differences
     std::vector<std::uint64_t> normals;   // differences of joined normals, modulo their width; empty without normals
@@ -27,8 +28,8 @@ struct VertexNumbers {
 /// Reads the byte planes of one channel of `numbers` numbers. Throws Damage if there are not enough bytes.
 Planes takePlanes(ByteReader& in, std::size_t numbers);
 
-/// Reads the stored numbers of `vertices` vertices, references first. The number of available bytes limits the
-/// allocated memory. Throws Damage if the bytes are invalid.
+/// Reads the stored numbers of `vertices` vertices. The references to earlier vertices come first. The number of
+/// available bytes limits the allocated memory. Throws Damage if the bytes are invalid.
 void takeVertexNumbers(ByteReader& in, std::size_t vertices, const AttributeLayout& layout, VertexNumbers& numbers);
 
 } // namespace gnomon::hierarchy

@@ -27,8 +27,8 @@ struct CommonOptions {
 /// Adds `--threads` and `--progress` to `command`.
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// Tells whether a command can stop in the middle. Yes: the command calls Progress::advance often, and an exception
-/// from there stops it. No: a signal ends the process at once.
+/// Tells whether a command can stop by itself after Ctrl-C. Yes: the command calls Progress::advance often, and an
+/// exception from there stops it. No: a signal ends the process at once.
 enum class Polling : std::uint8_t { No, Yes };
 
 /// Returns the progress display that `options` select, which writes to stderr. With Polling::Yes, its `advance` throws

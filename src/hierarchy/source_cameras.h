@@ -13,8 +13,8 @@ namespace gnomon::hierarchy {
 /// The key under which ModelSummary::options stores the cameras. The key is absent if the source has no camera.
 inline constexpr const char* kCamerasOption = "cameras";
 
-/// Returns the text that a model file stores for `cameras`, one line per camera: projection, eye, target, up, and the
-/// full vertical field of view in radians.
+/// Returns the text that a model file stores for `cameras`. Each camera is one line with projection, eye, target, up,
+/// and the full vertical field of view in radians.
 std::string camerasText(std::span<const Camera> cameras);
 
 /// Returns how many cameras from its source the model stores.

@@ -6,7 +6,7 @@ namespace gnomon::manual {
 
 namespace {
 
-/// Returns `text` in single quotes for a shell. `quote` replaces each single quote in the text.
+/// Returns `text` in single quotes for a shell. Each single quote in the text is replaced by `quote`.
 std::string shellQuoted(const std::string& text, const std::string& quote = R"('\'')") {
     std::string out = "'";
     for (const char c : text)

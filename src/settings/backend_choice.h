@@ -33,9 +33,9 @@ struct BackendChoice {
     std::string reason; // half a sentence: "this machine has no GPU"
 };
 
-/// Returns the requested backend. For `auto`, chooses a backend: the software backend if an option needs it. Otherwise
-/// it chooses a GPU only for two or more pictures, for a bench and in the window. The software backend draws a single
-/// picture in less time than a GPU takes to open.
+/// Returns the requested backend, or chooses one for `auto`. If an option needs the software backend, it is chosen.
+/// Otherwise a GPU is chosen only for two or more pictures, for a bench and in the window. The software backend draws a
+/// single picture in less time than a GPU takes to open.
 BackendChoice chooseBackend(const BackendRequest& request);
 
 /// Returns which effects `backend` can draw. It must not be Auto.

@@ -38,48 +38,49 @@ T parsed(const Codec<T>& codec, const std::string& option, const std::string& te
 /// Returns the shortest decimal text that parses to exactly `value`, such as "0.1".
 std::string shortest(double value);
 
-/// Returns the codec for finite numbers that `isAllowed` accepts. `expected` describes these numbers in error messages.
+/// Returns the text codec for finite numbers that `isAllowed` accepts. `expected` describes these numbers in error
+/// messages.
 Codec<double> number(std::string expected, bool (*isAllowed)(double));
 
-/// Returns the codec for finite numbers.
+/// Returns the text codec for finite numbers.
 Codec<double> anyNumber();
 
-/// Returns the codec for finite numbers above 0.
+/// Returns the text codec for finite numbers above 0.
 Codec<double> positiveNumber();
 
-/// Returns the codec for distances from 1e-15 to 1e15. With these limits, ratios and products of two distances do not
-/// overflow a float.
+/// Returns the text codec for distances from 1e-15 to 1e15. With these limits, ratios and products of two distances do
+/// not overflow a float.
 Codec<double> distance();
 
-/// Returns the codec for whole numbers in [low, high].
+/// Returns the text codec for whole numbers in [low, high].
 Codec<int> whole(int low, int high);
 
-/// Returns the codec for the seed of a random generator, a whole number from 0 to 2^64 - 1.
+/// Returns the text codec for the seed of a random generator, a whole number from 0 to 2^64 - 1.
 Codec<std::uint64_t> seed();
 
-/// Returns the codec for "on" and "off".
+/// Returns the text codec for "on" and "off".
 Codec<bool> onOff();
 
-/// Returns the codec for "x,y,z", three finite numbers.
+/// Returns the text codec for "x,y,z", three finite numbers.
 Codec<glm::dvec3> vector();
 
-/// Returns the codec for "x,y,z", a vector whose length is finite and above 0.
+/// Returns the text codec for "x,y,z", a vector whose length is finite and above 0.
 Codec<glm::dvec3> direction();
 
 /// The value that the codec of `upDirection` returns for the word "auto".
 constexpr glm::dvec3 kAutoUp{0};
 
-/// Returns the codec for an up direction: "x,y,z", the name of an axis ("z", "-x"), or "auto".
+/// Returns the text codec for an up direction: "x,y,z", the name of an axis ("z", "-x"), or "auto".
 Codec<glm::dvec3> upDirection();
 
-/// Returns the codec for a size "WxH" in which W and H are at least 1. It rejects sizes for which `isAllowed` returns
-/// false. Error messages describe this condition as "WxH, LIMIT", where LIMIT is the text `limit`.
+/// Returns the text codec for a size "WxH" in which W and H are at least 1. It rejects sizes for which `isAllowed`
+/// returns false. Error messages describe this condition as "WxH, LIMIT", where LIMIT is the text `limit`.
 Codec<std::array<int, 2>> size(const std::string& limit, bool (*isAllowed)(const std::array<int, 2>& size));
 
-/// Returns the codec for a count above 0, such as 500k or 2M (powers of 1000).
+/// Returns the text codec for a count above 0, such as 500k or 2M (powers of 1000).
 Codec<std::uint64_t> count();
 
-/// Returns the codec for a memory size above 0, such as 512M or 2G (powers of 1024).
+/// Returns the text codec for a memory size above 0, such as 512M or 2G (powers of 1024).
 Codec<Bytes> memory();
 
 /// Returns the codec that accepts any text.
@@ -89,7 +90,7 @@ Codec<std::string> text();
 /// item is empty.
 std::vector<std::string> listItems(const std::string& option, const std::string& list);
 
-/// Returns a codec that accepts the word "auto" besides the texts of `codec`. Its value for "auto" is nullopt.
+/// Returns a text codec that accepts the word "auto" besides the texts of `codec`. Its value for "auto" is nullopt.
 template <class T>
 Codec<std::optional<T>> orAuto(Codec<T> codec) {
     const std::string expected = "auto or " + codec.expected;
@@ -103,8 +104,8 @@ Codec<std::optional<T>> orAuto(Codec<T> codec) {
         expected};
 }
 
-/// Returns a codec for an option without a default. If the user does not give the option, its value is nullopt and its
-/// text is empty.
+/// Returns a text codec for an option without a default. If the user does not give the option, its value is nullopt and
+/// its text is empty.
 template <class T>
 Codec<std::optional<T>> ifGiven(Codec<T> codec) {
     return {
@@ -117,8 +118,8 @@ Codec<std::optional<T>> ifGiven(Codec<T> codec) {
         codec.words};
 }
 
-/// Returns the codec for the words of the table `words`, which has one word per value (core/words.h). A value without a
-/// word is written as an empty text.
+/// Returns the text codec for the words of the table `words`, which has one word per value (core/words.h). A value
+/// without a word is written as an empty text.
 template <class Words>
 auto oneOf(const Words& words) {
     using T = std::decay_t<decltype(std::begin(words)->value)>;

@@ -15,7 +15,7 @@ namespace {
 
 using Condition = bool (*)(const Request&);
 
-// Tells whether the user gave an option. The following options are no settings, or their values do not show this.
+// Functions that tell whether the user gave an option. The options are no settings, or their values do not show this.
 constexpr OptionUse kPath{"path", [](const Request& r) { return !r.output.path.empty(); }};
 constexpr OptionUse kTurntable{"turntable", [](const Request& r) { return r.output.turntable > 0; }};
 constexpr OptionUse kLight{"light", [](const Request& r) { return r.settings.isLightGiven; }};

@@ -18,7 +18,7 @@ struct Request {
     Output output;
 };
 
-/// An option, and the condition under which the user's request counts as using it.
+/// An option, and a function that tells whether the user's request contains it.
 struct OptionUse {
     const char* option; // without dashes
     // Returns true if the request uses the option. If null, the option is a setting, which is used if its value is not

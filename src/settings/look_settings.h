@@ -11,11 +11,11 @@ namespace gnomon::settings {
 /// not accept lists of values for them.
 std::vector<Setting> lookSettings();
 
-/// Returns the codec for a list of 1 to kMaxSections section planes, separated by semicolons. A plane is
+/// Returns the text codec for a list of 1 to kMaxSections section planes, separated by semicolons. A plane is
 /// "PX,PY,PZ,NX,NY,NZ": a point and a normal.
 Codec<std::vector<Section>> sections();
 
-/// Returns the codec for a background. Its values are "sky", "transparent", "white", and an sRGB colour "#rrggbb".
+/// Returns the text codec for a background. Its values are "sky", "transparent", "white", and an sRGB colour "#rrggbb".
 Codec<plan::Background> background();
 
 } // namespace gnomon::settings

@@ -7,20 +7,21 @@
 
 namespace gnomon::settings {
 
-/// Returns the codec for a place on the earth, "LAT,LON" in degrees. Its height is 0.
+/// Returns the text codec for a place on the earth, "LAT,LON" in degrees. Its height is 0.
 Codec<sun::Place> place();
 
-/// Returns the codec for a time in ISO 8601 with an offset from UTC, in the years 1 to 9999: "2026-06-21T12:00+02:00".
+/// Returns the text codec for a time in ISO 8601 with an offset from UTC, in the years 1 to 9999:
+/// "2026-06-21T12:00+02:00".
 Codec<sun::CivilTime> moment();
 
-/// Returns the codec for a duration above 0, such as "5m", "90s" or "1.5h". The value is in seconds.
+/// Returns the text codec for a duration above 0, such as "5m", "90s" or "1.5h". The value is in seconds.
 Codec<double> duration();
 
-/// Returns the codec for the place and time of the Sun, "LAT,LON,TIME".
+/// Returns the text codec for the place and time of the Sun, "LAT,LON,TIME".
 Codec<SunTime> sunTime();
 
-/// Returns the codec for the light of the sky. "N" means N directions of a uniform sky, and "N,MODEL" also names the
-/// sky model.
+/// Returns the text codec for the light of the sky. "N" means N directions of a uniform sky, and "N,MODEL" also names
+/// the sky model.
 Codec<plan::SkyLight> skyLight();
 
 /// Returns the settings `--sun`, `--light-at`, `--north`, `--sun-angle`, `--light-error` and `--sky` for the table of

@@ -27,7 +27,7 @@ Codec<Size> textureSize() {
     });
 }
 
-/// Returns the codec for a distance or the word "auto", whose value is 0.
+/// Returns the text codec for a distance or the word "auto", whose value is 0.
 Codec<double> distanceOrZero() {
     const Codec<std::optional<double>> codec = orAuto(distance());
     return {

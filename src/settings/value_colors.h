@@ -59,7 +59,7 @@ constexpr bool isOfTriangles(ColorBy by) {
 /// characters.
 std::string nameOf(const ValueColors& colors);
 
-/// Returns the codec for a range "LO,HI" with LO below HI.
+/// Returns the text codec for a range "LO,HI" with LO below HI.
 Codec<std::array<double, 2>> valueRange();
 
 } // namespace gnomon::settings

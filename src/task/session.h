@@ -17,8 +17,8 @@ namespace gnomon::task {
 settings::BackendChoice backendFor(
     const settings::Settings& settings, settings::DrawingCommand command, int pictures = 1);
 
-/// Returns the warning that frames exceed their requested error or lack pages. It names the options that change this.
-/// Returns an empty text if `shortfall` is empty.
+/// Returns a warning that frames exceed their requested error or lack pages. The warning names the options that change
+/// this. Returns an empty text if `shortfall` is empty.
 std::string shortfallLine(const telemetry::Shortfall& shortfall);
 
 /// An open model, with the backend and the renderer that draw it.

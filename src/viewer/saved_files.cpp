@@ -23,9 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Creates new files with the names START NUMBER SUFFIX, one per suffix, and returns the names after calling `write`
-/// with them. NUMBER is the first for which no file exists. The files are created at once, so that a second window
-/// cannot choose the same names.
+/// Creates new files with the names START NUMBER SUFFIX, one per suffix, and calls `write` with the names. Returns the
+/// names. NUMBER is the first for which no file exists. The files are created at once, so that a second window cannot
+/// choose the same names.
 std::vector<std::string> saveNew(
     const std::string& start,
     const std::vector<std::string>& suffixes,

@@ -32,8 +32,8 @@ public:
     /// Returns the camera of the image.
     Camera camera() const { return player_ ? player_->camera() : control_->camera(); }
 
-    /// Returns the camera for which clusters are culled and shadow maps are drawn. It differs from the camera of the
-    /// image if the user has frozen it.
+    /// Returns the camera for which clusters are culled and shadow maps are drawn. If the user has frozen culling, it
+    /// is the camera of that moment, else the camera of the image.
     Camera culledBy() const { return frozen_.value_or(camera()); }
 
     bool isFrozen() const { return frozen_.has_value(); }

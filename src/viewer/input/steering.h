@@ -21,7 +21,7 @@ glm::dvec3 turnedLight(const Camera& camera, const glm::dvec3& towardsLight, con
 /// Turns the light of the settings `asked` by a mouse drag of `moved` pixels (see turnedLight).
 void turnLight(settings::Settings& asked, const Camera& camera, const glm::dvec2& moved);
 
-/// The cursor position and the image, as a mouse drag or the wheel needs them.
+/// The cursor position and the image size, which drags and the mouse wheel need to move the camera.
 struct DragScene {
     glm::dvec2 cursor{0};                                                   // pixels of the image
     int pictureHeight = 1;                                                  // pixels

@@ -90,7 +90,7 @@ class Module(ProgramTest):
         self.assertEqual((self.place / "ours.gnm").read_bytes(), self.sundial.read_bytes())
         self.assertEqual(report["content_hash"], self.model.info["content_hash"])
         self.assertGreater(len(stages), 2)
-        with self.assertRaisesRegex(RuntimeError, "stopped"):
+        with self.assertRaisesRegex(RuntimeError, "cancelled"):
             gnomon.build(mesh, self.place / "stopped.gnm", progress=lambda *told: False)
         with self.assertRaisesRegex(RuntimeError, "missing.ply"):
             gnomon.build("missing.ply", self.place / "missing.gnm")

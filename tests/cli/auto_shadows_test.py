@@ -56,7 +56,7 @@ class AutoShadows(ProgramTest):
         self.assertNotIn("+log", told("--backend", "osmesa"))
         self.assertIn("only the software backend draws logarithmic maps", told("--backend", "osmesa"))
         self.assertNotIn("+log", told(*SOFTWARE, slices="4"))
-        self.assertIn("--z-partitions gives the slices", told(*SOFTWARE, slices="4"))
+        self.assertIn("--z-partitions selects a scheme", told(*SOFTWARE, slices="4"))
         stats = self.place / "log.json"
         self.expect(0, "", "render", self.sundial, "-o", self.place / "log.png", *SIZE, *SOFTWARE, "--stats", stats, *far_apart,
                     "--z-partitions", "auto")  # fmt: skip

@@ -53,6 +53,7 @@ void addPictures(CLI::App& command, settings::Output& output) {
         ->required()
         ->type_name("FILE.png");
     std::vector<std::string> overlays;
+    overlays.reserve(render::kOverlays.size());
     for (const auto& each : render::kOverlays)
         overlays.emplace_back(each.word);
     command

@@ -66,7 +66,7 @@ Bytes pictureBytes(const plan::View& view, const plan::Quality& quality, const F
 std::vector<render::ImageRows> bandsOf(
     const plan::View& view, const plan::Quality& quality, const FrameOptions& options, Bytes memory) {
     constexpr int kMinRows = 64; // multiple of the rows per shading task and of the rows per mask block
-    const std::vector<render::ImageRows> whole = {{0, view.height}};
+    std::vector<render::ImageRows> whole = {{0, view.height}};
     if (!canHaveBands(view, options)) return whole;
     const Demand demand = demandOf(view, quality, options);
     if (demand.all.count <= memory.count / 2) return whole;

@@ -39,8 +39,8 @@ struct Contradiction {
 /// An option that has an effect only if the user also gives another option.
 struct Requirement {
     OptionUse option;
-    bool (*isMet)(const Request&);
-    const char* needed; // the needed option, with its value
+    bool (*isMet)(const Request&) = nullptr;
+    const char* needed = ""; // the needed option, with its value
 };
 
 std::span<const Contradiction> contradictions();

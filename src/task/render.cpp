@@ -65,6 +65,7 @@ plan::Shading commonShading(
 
 std::vector<Camera> camerasOf(const std::optional<path::CameraPath>& path, const plan::View& first, int frames) {
     std::vector<Camera> cameras;
+    cameras.reserve(static_cast<std::size_t>(frames));
     for (int i = 0; i < frames; ++i)
         cameras.push_back(
             path ? path::cameraAt(*path, path::frameTime(*path, i, frames))
@@ -72,7 +73,7 @@ std::vector<Camera> camerasOf(const std::optional<path::CameraPath>& path, const
     return cameras;
 }
 
-void drawSeries(const RenderTask& task, plan::View view, Session& session, Progress& progress) {
+void drawSeries(const RenderTask& task, const plan::View& view, Session& session, Progress& progress) {
     const std::vector<Camera> cameras = camerasOf(task.path, view, task.pictures);
     const bool isStream = task.output.picture == "-";
     const bool takesTime = task.path && task.path->duration() > 0 && task.pictures > 1;

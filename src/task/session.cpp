@@ -58,7 +58,7 @@ Session::Session(
            .holdsPictures = backend_->capabilities().bands}) {}
 
 std::string shortfallLine(const telemetry::Shortfall& shortfall) {
-    const std::string text = shortfall.text();
+    std::string text = shortfall.text();
     if (!shortfall.lacksMemory()) return text;
     return text + " (" + settings::optionsOf(std::array{Limit::PageMemory}) + ")";
 }

@@ -1,7 +1,6 @@
 #include "core/random.h"
 #include "report/accuracy_cost.h"
 #include "report/run_summary.h"
-#include "report/sentences.h"
 #include "tests/report/random_runs.h"
 
 #include <gtest/gtest.h>
@@ -198,21 +197,6 @@ TEST(AccuracyCost, RankCorrelationOfAgreeingAndOpposedErrors) {
     const Correlation opposed = correlation(runs, kKind, ErrorKind::ShadowEdge);
     EXPECT_NEAR(opposed.rank, -1.0, 1e-12);
     EXPECT_EQ(opposed.outliers, (std::vector<std::size_t>{0, 1, 2, 6, 7, 8}));
-}
-
-TEST(AccuracyCost, EdgeDistancesSpeakOnlyWhereWrongPixelsAreUnknown) {
-    std::vector<RunSummary> runs{run(100, 0.10, 1), run(110, 0.05, 2), run(130, 0.02, 4), run(160, 0.019, 8)};
-    // They do not compare between maps of another resolution.
-    const std::vector<std::string> told = sentences(runs);
-    EXPECT_EQ(told.size(), 2U);
-    for (RunSummary& each : runs)
-        each.errors[ErrorKind::ShadowEdge] = each.shadowMaps;
-    EXPECT_EQ(sentences(runs), told);
-    EXPECT_EQ(shadowError(runs), ErrorKind::WrongShadow);
-    runs.back().errors.erase(ErrorKind::WrongShadow);
-    EXPECT_EQ(shadowError(runs), ErrorKind::ShadowEdge);
-    EXPECT_TRUE(sentences(std::vector<RunSummary>{}).empty());
-    EXPECT_TRUE(sentences(std::vector<RunSummary>{run(1, 1.0)}).empty());
 }
 
 // A coarse model has shadows of its own, which are no more wrong for it: only its picture tells.

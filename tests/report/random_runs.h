@@ -12,8 +12,8 @@
 
 namespace gnomon::report {
 
-/// Returns runs with few, often equal values. Several have the same number of maps, some have other settings, and some
-/// lack errors.
+/// Returns runs with few, often equal values. Several have the same number of maps, some have other settings, some
+/// draw exact shadows, and some lack errors.
 inline std::vector<RunSummary> anyRuns(Random& random) {
     std::vector<RunSummary> runs(random.below(9));
     const bool knowsAll = random.below(2) == 0;
@@ -23,11 +23,14 @@ inline std::vector<RunSummary> anyRuns(Random& random) {
         if (random.below(4) != 0) run.noise = random.below(8) == 0 ? 1.0 : random.uniform(0, 0.3);
         run.settings = {
             {"warp", random.below(5) == 0 ? "none" : "auto"},
+            {"error_pixels", random.below(6) == 0 ? "2" : "1"},
             {"shadow_maps", std::to_string(run.shadowMaps)},
             {"z_partitions", std::to_string(run.shadowMaps)}};
+        if (run.shadowMaps == 0 && random.below(3) != 0) run.settings["cells"] = "map+w";
         for (const ErrorKind kind : kErrorKinds)
             if (knowsAll || random.below(4) != 0) run.errors[kind] = static_cast<double>(random.below(12)) / 8;
-        if (random.below(12) == 0) run.errors[ErrorKind::WrongShadow] = std::numeric_limits<double>::quiet_NaN();
+        if (run.settings.contains("cells") && random.below(4) != 0) run.errors[ErrorKind::WrongPixels] = 0;
+        if (random.below(12) == 0) run.errors[ErrorKind::WrongPixels] = std::numeric_limits<double>::quiet_NaN();
     }
     return runs;
 }

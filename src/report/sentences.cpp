@@ -1,11 +1,12 @@
 #include "report/sentences.h"
 
 #include "report/accuracy_cost.h"
+#include "report/cited.h"
+#include "report/recommendation.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace gnomon::report {
@@ -15,12 +16,6 @@ namespace {
 /// Relative difference below which two errors count as equal.
 constexpr double kTelling = 0.1;
 
-std::string text(const char* format, double value) {
-    std::array<char, 64> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), format, value);
-    return buffer.data();
-}
-
 /// A setting with its name in a sentence.
 struct Named {
     const RunSummary* run = nullptr;
@@ -28,131 +23,95 @@ struct Named {
     bool isOne = false;
 };
 
-std::string countInWords(int count) {
-    constexpr std::array kWords = {"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"};
-    const auto index = static_cast<std::size_t>(count);
-    return index < kWords.size() ? kWords[index] : std::to_string(count);
-}
-
 Named namedMaps(const RunSummary& run) {
-    const bool isOne = run.shadowMaps == 1;
-    return {&run, countInWords(run.shadowMaps) + (isOne ? " map" : " maps"), isOne};
+    constexpr std::array kWords = {"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"};
+    const auto count = static_cast<std::size_t>(run.shadowMaps);
+    const bool isOne = count == 1;
+    const std::string number = count < kWords.size() ? kWords[count] : std::to_string(count);
+    return {&run, number + (isOne ? " map" : " maps"), isOne};
 }
 
-std::string atStart(const std::string& words) {
-    std::string result = words;
-    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') result[0] = static_cast<char>(words[0] - 'a' + 'A');
-    return result;
+std::string atStart(std::string words) {
+    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
+    return words;
 }
 
-/// Returns for example "0.3% wrong pixels instead of 1.2%".
-std::string errorsInWords(ErrorKind kind, double a, const std::string& joint, double b) {
-    const auto share = [&](const char* what) {
-        return (a > 0 ? text("%.2g%% ", 100 * a) : "no ") + what + joint + (b > 0 ? text("%.2g%%", 100 * b) : "none");
-    };
-    switch (kind) {
-    case ErrorKind::WrongPixels:
-        return share("wrong pixels");
-    case ErrorKind::WrongShadow:
-        return share("wrong shadow pixels");
-    case ErrorKind::ShadowEdge:
-        return text("shadow edges %.2g pixels off", a) + joint + text("%.2g", b);
-    case ErrorKind::AliasingBound:
-    case ErrorKind::MeasuredAliasing:
-        return text("texels up to %.2g pixels wide", a) + joint + text("%.2g", b);
-    case ErrorKind::ImageDifference:
-        return share("image difference");
-    }
-    return {};
+/// Returns -1 if the cited value of `a` is smaller than that of `b` by more than the fraction `within` of the larger, 1
+/// for the opposite, otherwise 0.
+int compareCited(double a, double b, double within) {
+    if (citedValue(a) < (1 - within) * citedValue(b)) return -1;
+    return citedValue(b) < (1 - within) * citedValue(a) ? 1 : 0;
 }
 
-/// Returns the name of an error in a sentence.
-std::string errorName(ErrorKind kind) {
-    switch (kind) {
-    case ErrorKind::WrongPixels:
-        return "wrong pixels";
-    case ErrorKind::WrongShadow:
-        return "wrong shadow pixels";
-    case ErrorKind::ShadowEdge:
-        return "distance of shadow edges";
-    case ErrorKind::AliasingBound:
-    case ErrorKind::MeasuredAliasing:
-        return "width of texels";
-    case ErrorKind::ImageDifference:
-        return "image difference";
-    }
-    return {};
+/// The noise of a comparison in percent, rounded up to a tenth: the larger noise of the two runs.
+double noisePercent(const RunSummary& a, const RunSummary& b) {
+    return std::ceil(1000 * std::max(a.noise.value_or(kUnknownNoise), b.noise.value_or(kUnknownNoise))) / 10;
 }
 
-int sign(TimeOrder order) {
-    return order == TimeOrder::Less ? -1 : order == TimeOrder::More ? 1 : 0;
+/// Compares two median times by their cited values and noise: -1 if `a` takes less time even if it is slower by the
+/// noise and `b` is faster by the noise, 1 for the opposite, otherwise 0.
+int compareCitedTimes(const RunSummary& a, const RunSummary& b) {
+    const double noise = noisePercent(a, b) / 100;
+    const double msA = citedValue(a.p50Ms);
+    const double msB = citedValue(b.p50Ms);
+    if (msA * (1 + noise) < msB * (1 - noise)) return -1;
+    return msB * (1 + noise) < msA * (1 - noise) ? 1 : 0;
 }
 
-/// Compares two errors: -1 if `a` is less than `b` by more than a tenth of the larger, 1 for the opposite, otherwise 0.
-int compareErrors(double a, double b) {
-    if (a < (1 - kTelling) * b) return -1;
-    return b < (1 - kTelling) * a ? 1 : 0;
+/// Returns for example "30.7 ms instead of 37 ms per frame (noise 5%)".
+std::string timesInWords(const RunSummary& a, const RunSummary& b) {
+    const std::string joint = compareCitedTimes(a, b) == 0 ? " and " : " instead of ";
+    const bool isAssumed = !a.noise || !b.noise;
+    return cited(a.p50Ms) + " ms" + joint + cited(b.p50Ms) + " ms per frame (" + (isAssumed ? "assumed " : "") +
+           "noise " + cited(noisePercent(a, b)) + "%)";
 }
 
-std::string percentOfNoise(const RunSummary& a, const RunSummary& b) {
-    return text("%.2g%%", 100 * std::max(a.noise.value_or(kUnknownNoise), b.noise.value_or(kUnknownNoise)));
+/// Returns the verdict of `a` against `b`, which follows "are" or "is". `costs` is 1 if `a` takes more time than `b`,
+/// -1 for less and 0 for about equal. `errs` says the same about wrong pixels.
+std::string verdictInWords(const std::string& b, int costs, int errs) {
+    const std::string speed = costs < 0 ? "faster" : "slower";
+    const std::string accuracy = errs < 0 ? "more accurate" : "less accurate";
+    if (costs == 0 && errs == 0) return "about as fast and as accurate as " + b;
+    if (costs == 0) return accuracy + " than " + b + " at about the same frame time";
+    if (errs == 0) return speed + " than " + b + " at about the same accuracy";
+    return speed + (costs == errs ? " and " : " but ") + accuracy + " than " + b;
 }
 
-/// Returns for example "1.21 to 1.48 times the frame time": the range of ratios within the noise, rounded outwards.
-std::string timeInWords(const RunSummary& a, const RunSummary& b) {
-    if (compareTimes(a, b) == TimeOrder::Alike)
-        return "a frame time that noise (" + percentOfNoise(a, b) + ") does not tell apart";
-    const auto rounded = [](double ratio, auto round) {
-        const double step = ratio < 10 ? 0.01 : std::pow(10, std::floor(std::log10(ratio)) - 1);
-        return text("%.3g", round(ratio / step) * step);
-    };
-    const auto [minA, maxA] = timeRange(a);
-    const auto [minB, maxB] = timeRange(b); // the ranges are disjoint, so neither upper end is 0
-    const std::string low = rounded(minA / maxB, [](double x) { return std::floor(x); });
-    if (!(minB > 0)) return "at least " + low + " times the frame time";
-    const std::string high = rounded(maxA / minB, [](double x) { return std::ceil(x); });
-    return (low == high ? low : low + " to " + high) + " times the frame time";
-}
-
-/// Returns the verdict of `a` against `b`. `costs` is 1 if `a` takes more time than `b`, -1 for less and 0 for equal.
-/// `errs` says the same about errors.
-std::string verdictInWords(const Named& a, const Named& b, int costs, int errs) {
-    if (costs == 0 && errs == 0)
-        return (a.isOne ? " does" : " do") + std::string(" here what ") + b.name + (b.isOne ? " does" : " do");
-    if (costs * errs < 0)
-        return (a.isOne ? " trades " : " trade ") + std::string(errs < 0 ? "time for accuracy" : "accuracy for time") +
-               " here beside " + b.name;
-    return (a.isOne ? " is " : " are ") + std::string(costs + errs < 0 ? "better" : "worse") + " here than " + b.name;
-}
-
-/// Returns a sentence that compares two settings: "Four maps are better here than one map: 0.3% wrong pixels instead of
-/// 1.2%...".
-std::string comparison(const Named& a, const Named& b, ErrorKind kind) {
-    const auto errorA = knownError(*a.run, kind);
-    const auto errorB = knownError(*b.run, kind);
-    const std::string time = timeInWords(*a.run, *b.run);
-    const std::string subject = atStart(a.name);
-    const int costs = sign(compareTimes(*a.run, *b.run));
+/// Returns a sentence that compares two settings: "Exact shadows are faster and more accurate than four maps: 0%
+/// instead of 0.25% wrong pixels, and 30.7 ms instead of 37 ms per frame (noise 5%)."
+std::string comparison(const Named& a, const Named& b) {
+    const std::string subject = atStart(a.name) + (a.isOne ? " is " : " are ");
+    const int costs = compareCitedTimes(*a.run, *b.run);
+    const std::string times = timesInWords(*a.run, *b.run);
+    const auto errorA = wrongPixels(*a.run);
+    const auto errorB = wrongPixels(*b.run);
     if (!errorA || !errorB)
-        return subject + (a.isOne ? " takes " : " take ") + time + (costs == 0 ? " from that of " : " of ") + b.name +
-               ".";
-    const int errs = compareErrors(*errorA, *errorB);
-    const std::string verdict = verdictInWords(a, b, costs, errs);
-    return subject + verdict + ": " + errorsInWords(kind, *errorA, errs == 0 ? " beside " : " instead of ", *errorB) +
-           ", and " + time + ".";
+        return subject +
+               (costs == 0  ? "about as fast as "
+                : costs < 0 ? "faster than "
+                            : "slower than ") +
+               b.name + ": " + times + ".";
+    const int errs = compareCited(*errorA, *errorB, kTelling);
+    return subject + verdictInWords(b.name, costs, errs) + ": " + citedPercent(*errorA) +
+           (errs == 0 ? " and " : " instead of ") + citedPercent(*errorB) + " wrong pixels, and " + times + ".";
 }
 
-/// Returns the fastest run per number of maps, fewest maps first. All other settings must equal those of the first run.
+std::map<std::string, std::string> otherSettings(const RunSummary& run) {
+    auto settings = run.settings;
+    for (const char* key : {"shadow_maps", "z_partitions"})
+        settings.erase(key);
+    return settings;
+}
+
+/// Returns the fastest run per number of maps, fewest maps first. All other settings must equal those of the first run
+/// with maps.
 std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
-    const auto others = [](const RunSummary& run) {
-        auto settings = run.settings;
-        for (const char* key : {"shadow_maps", "z_partitions"})
-            settings.erase(key);
-        return settings;
-    };
+    const RunSummary* first = nullptr;
     std::map<int, const RunSummary*> sweep;
     for (const RunSummary& run : runs) {
-        if (run.shadowMaps < 1 || others(run) != others(runs.front())) continue;
+        if (run.shadowMaps < 1) continue;
+        if (first == nullptr) first = &run;
+        if (otherSettings(run) != otherSettings(*first)) continue;
         const auto [place, isNew] = sweep.emplace(run.shadowMaps, &run);
         if (!isNew && run.p50Ms < place->second->p50Ms) place->second = &run;
     }
@@ -163,50 +122,57 @@ std::vector<const RunSummary*> sweepOverMaps(std::span<const RunSummary> runs) {
     return result;
 }
 
-/// Returns the first run of `sweep` after which no larger number of maps lowers the error by a tenth.
-const RunSummary* sufficientMaps(const std::vector<const RunSummary*>& sweep, ErrorKind kind) {
-    for (std::size_t i = 0; i + 1 < sweep.size(); ++i) {
-        const double here = knownError(*sweep[i], kind).value_or(0);
-        const bool improves =
-            std::any_of(sweep.begin() + static_cast<std::ptrdiff_t>(i) + 1, sweep.end(), [&](auto* run) {
-                return knownError(*run, kind).value_or(here) < (1 - kTelling) * here;
-            });
-        if (!improves) return sweep[i];
-    }
+/// Returns the first run of `sweep` after which no larger number of maps lowers the wrong pixels by a tenth. Returns
+/// null if it is the last one, or if a run was not compared with a ground truth.
+const RunSummary* sufficientMaps(const std::vector<const RunSummary*>& sweep) {
+    if (!std::all_of(sweep.begin(), sweep.end(), [](auto* run) { return wrongPixels(*run).has_value(); }))
+        return nullptr;
+    for (auto here = sweep.begin(); here + 1 < sweep.end(); ++here)
+        if (std::none_of(here + 1, sweep.end(), [&](auto* run) {
+                return compareCited(*wrongPixels(*run), *wrongPixels(**here), kTelling) < 0;
+            }))
+            return *here;
     return nullptr;
 }
 
-/// Returns the run of exact shadows with the default sample grid, or null.
-const RunSummary* exactRun(std::span<const RunSummary> runs) {
-    const auto exact = std::find_if(runs.begin(), runs.end(), [](const RunSummary& run) {
-        const auto cells = run.settings.find("cells");
-        return cells != run.settings.end() && cells->second == "map+w";
-    });
+/// Returns the first run with exact shadows that has the level of detail of `maps`, or null.
+const RunSummary* exactRun(std::span<const RunSummary> runs, const RunSummary& maps) {
+    const auto detail = [](const RunSummary& run) {
+        const auto found = run.settings.find("error_pixels");
+        return found == run.settings.end() ? std::string() : found->second;
+    };
+    const auto exact = std::find_if(
+        runs.begin(), runs.end(), [&](const RunSummary& run) { return isExact(run) && detail(run) == detail(maps); });
     return exact == runs.end() ? nullptr : &*exact;
+}
+
+/// Returns true if the recommended run is in `sweep` and has more maps than `run`.
+bool isMoreRecommended(
+    std::span<const RunSummary> runs, const std::vector<const RunSummary*>& sweep, const RunSummary& run) {
+    const auto choice = recommend(runs);
+    return choice && runs[*choice].shadowMaps > run.shadowMaps &&
+           otherSettings(runs[*choice]) == otherSettings(*sweep.front());
 }
 
 } // namespace
 
 std::vector<std::string> sentences(std::span<const RunSummary> runs) {
     std::vector<std::string> result;
-    if (runs.empty()) return result;
     const auto sweep = sweepOverMaps(runs);
-    if (sweep.size() < 2) return result;
-    const RunSummary& one = *sweep.front();
-    const auto four = std::find_if(sweep.begin() + 1, sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
+    if (sweep.empty()) return result;
+    const auto four = std::find_if(sweep.begin(), sweep.end(), [](auto* run) { return run->shadowMaps >= 4; });
     const RunSummary& more = four == sweep.end() ? *sweep.back() : **four;
-    const RunSummary* exact = exactRun(runs);
-    if (exact != nullptr && knownError(*exact, ErrorKind::WrongPixels) && knownError(more, ErrorKind::WrongPixels))
-        result.push_back(comparison({exact, "exact shadows", false}, namedMaps(more), ErrorKind::WrongPixels));
-    const ErrorKind kind = shadowError(runs);
-    result.push_back(comparison(namedMaps(more), {&one, countInWords(one.shadowMaps), one.shadowMaps == 1}, kind));
-    const RunSummary* sufficient = sufficientMaps(sweep, kind);
-    if (sufficient != nullptr && knownError(*sufficient, kind).value_or(0) > 0) {
-        const std::string name = namedMaps(*sufficient).name;
+    if (const RunSummary* exact = exactRun(runs, more))
+        result.push_back(comparison({exact, "exact shadows", false}, namedMaps(more)));
+    if (sweep.size() < 2) return result;
+    const RunSummary& fewest = *sweep.front();
+    result.push_back(comparison(namedMaps(&more == &fewest ? *sweep.back() : more), namedMaps(fewest)));
+    const RunSummary* sufficient = sufficientMaps(sweep);
+    if (sufficient != nullptr && *wrongPixels(*sufficient) > 0 && !isMoreRecommended(runs, sweep, *sufficient))
         result.push_back(
-            atStart(name) + (sufficient->shadowMaps == 1 ? " is" : " are") +
-            " enough here: no larger number that was tried lowers the " + errorName(kind) + " by a tenth.");
-    }
+            atStart(namedMaps(*sufficient).name) + (sufficient->shadowMaps == 1 ? " suffices" : " suffice") +
+            " here (" + citedPercent(*wrongPixels(*sufficient)) +
+            " wrong pixels): no larger number of maps in this bench lowers this share by more than a tenth.");
     return result;
 }
 

@@ -37,6 +37,17 @@ std::optional<double> mean(
     return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
+/// Returns the smallest and the largest known value of a column, or nullopt if no value is known.
+std::optional<report::Range> range(
+    const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
+    std::optional<report::Range> result;
+    for (const telemetry::FrameRow& row : rows)
+        if (const auto value = row.*column)
+            result = result ? report::Range{std::min(result->low, *value), std::max(result->high, *value)}
+                            : report::Range{*value, *value};
+    return result;
+}
+
 std::optional<double> largest(
     const std::vector<telemetry::FrameRow>& rows, std::optional<double> telemetry::FrameRow::*column) {
     std::optional<double> result;
@@ -45,16 +56,55 @@ std::optional<double> largest(
     return result;
 }
 
-/// Returns the frame times in the order of the path. Each is the median over the repetitions.
-std::vector<double> timesAlongPath(const std::vector<telemetry::FrameRow>& rows) {
+/// Adds the frame times in the order of the path to `summary`: the median over the repetitions, and their range.
+void addTimesAlongPath(const std::vector<telemetry::FrameRow>& rows, report::RunSummary& summary) {
     std::map<std::int64_t, std::vector<double>> times;
-    for (const telemetry::FrameRow& row : rows)
+    std::size_t repetitions = 0;
+    for (const telemetry::FrameRow& row : rows) {
         times[row.frame].push_back(row.totalMs.value_or(0));
-    std::vector<double> result;
-    result.reserve(times.size());
-    for (const auto& [frame, values] : times)
-        result.push_back(telemetry::quantile(values, 0.5));
-    return result;
+        repetitions = std::max(repetitions, times[row.frame].size());
+    }
+    for (const auto& [frame, values] : times) {
+        summary.frameMs.push_back(telemetry::quantile(values, 0.5));
+        const auto [min, max] = std::minmax_element(values.begin(), values.end());
+        if (repetitions > 1) summary.frameRanges.push_back({*min, *max});
+    }
+}
+
+report::StageTimes medianStages(const std::vector<telemetry::FrameRow>& rows) {
+    using telemetry::FrameRow;
+    return {
+        median(rows, &FrameRow::planMs),
+        median(rows, &FrameRow::selectMs),
+        median(rows, &FrameRow::cullMs),
+        median(rows, &FrameRow::streamMs),
+        median(rows, &FrameRow::shadowMs),
+        median(rows, &FrameRow::imageMs)};
+}
+
+/// Adds the median times of the stages to `summary`, and the smallest and largest medians of the repetitions.
+void addStages(const std::vector<telemetry::FrameRow>& rows, report::RunSummary& summary) {
+    using report::StageTimes;
+    summary.stages = medianStages(rows);
+    std::map<std::int64_t, std::vector<telemetry::FrameRow>> repetitions;
+    for (const telemetry::FrameRow& row : rows)
+        repetitions[row.repetition].push_back(row);
+    bool isFirst = true;
+    for (const auto& [repetition, its] : repetitions) {
+        const StageTimes times = medianStages(its);
+        if (isFirst) summary.minStages = summary.maxStages = times;
+        isFirst = false;
+        for (double StageTimes::*stage :
+             {&StageTimes::plan,
+              &StageTimes::select,
+              &StageTimes::cull,
+              &StageTimes::stream,
+              &StageTimes::shadow,
+              &StageTimes::image}) {
+            summary.minStages.*stage = std::min(summary.minStages.*stage, times.*stage);
+            summary.maxStages.*stage = std::max(summary.maxStages.*stage, times.*stage);
+        }
+    }
 }
 
 /// Returns the noise of the frame times, (max - min) / (max + min) of the medians of the repetitions. Returns nullopt
@@ -100,13 +150,7 @@ report::RunSummary summarize(const RunResult& result) {
     s.p95Ms = telemetry::quantile(totals, 0.95);
     s.p99Ms = telemetry::quantile(totals, 0.99);
     s.noise = noise(rows);
-    s.stages = {
-        median(rows, &FrameRow::planMs),
-        median(rows, &FrameRow::selectMs),
-        median(rows, &FrameRow::cullMs),
-        median(rows, &FrameRow::streamMs),
-        median(rows, &FrameRow::shadowMs),
-        median(rows, &FrameRow::imageMs)};
+    addStages(rows, s);
     s.imageTriangles = mean(rows, &FrameRow::imageTriangles);
     s.shadowTriangles = mean(rows, &FrameRow::shadowTriangles);
     if (aliasingBound > 0) s.errors[report::ErrorKind::AliasingBound] = aliasingBound;
@@ -125,7 +169,11 @@ report::RunSummary summarize(const RunResult& result) {
         s.errors[report::ErrorKind::ShadowEdge] = median(rows, &FrameRow::shadowEdgeP99Px);
     addError(report::ErrorKind::ImageDifference, mean(rows, &FrameRow::imageDifference));
     s.crawl = mean(rows, &FrameRow::crawl).value_or(-1);
-    s.frameMs = timesAlongPath(rows);
+    for (const auto& [kind, column] :
+         {std::pair(report::ErrorKind::WrongPixels, &FrameRow::wrongPixelsAll),
+          std::pair(report::ErrorKind::ShadowEdge, &FrameRow::shadowEdgeP99Px)})
+        if (const auto found = range(rows, column)) s.errorRanges[kind] = *found;
+    addTimesAlongPath(rows, s);
     return s;
 }
 

@@ -81,17 +81,17 @@ std::string_view key(ErrorKind kind) {
 std::string_view label(ErrorKind kind) {
     switch (kind) {
     case ErrorKind::WrongPixels:
-        return "wrong pixels (fraction of all, against integers)";
+        return "wrong pixels (share of all pixels)";
     case ErrorKind::AliasingBound:
-        return "promised aliasing (texel widths per pixel width)";
+        return "aliasing bound (texel widths per pixel width)";
     case ErrorKind::MeasuredAliasing:
         return "measured aliasing (texel widths per pixel width)";
     case ErrorKind::WrongShadow:
-        return "wrong or missed shadow pixels (fraction of the lit side)";
+        return "wrong or missed shadow pixels (share of the lit side)";
     case ErrorKind::ShadowEdge:
         return "shadow edge distance (pixels, 99th percentile)";
     case ErrorKind::ImageDifference:
-        return "image difference (mean, fraction of full scale)";
+        return "image difference (mean, share of full scale)";
     }
     return {};
 }
@@ -101,7 +101,8 @@ ErrorKind comparedError(std::span<const RunSummary> runs) {
 }
 
 ErrorKind leadingError(std::span<const RunSummary> runs) {
-    return allKnow(runs, ErrorKind::WrongPixels) ? ErrorKind::WrongPixels : comparedError(runs);
+    const auto isKnown = [](const RunSummary& run) { return knownError(run, ErrorKind::WrongPixels).has_value(); };
+    return std::any_of(runs.begin(), runs.end(), isKnown) ? ErrorKind::WrongPixels : ErrorKind::AliasingBound;
 }
 
 ErrorKind shadowError(std::span<const RunSummary> runs) {

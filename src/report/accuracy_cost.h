@@ -17,8 +17,8 @@ std::optional<double> knownError(const RunSummary& run, ErrorKind kind);
 /// `shadowError`. Only the image difference measures coarse models and coarse maps alike.
 ErrorKind comparedError(std::span<const RunSummary> runs);
 
-/// Returns the error that a page shows first: wrong pixels, which cover all pixels, if all runs have them. Otherwise
-/// returns the result of `comparedError`.
+/// Returns the error that a page shows first: wrong pixels, the measure of accuracy, if a run has them. Otherwise
+/// returns the aliasing bound.
 ErrorKind leadingError(std::span<const RunSummary> runs);
 
 /// Returns the error for comparing maps: the first of wrong shadow pixels, edge distance and aliasing bound that all

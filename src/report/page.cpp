@@ -2,21 +2,63 @@
 
 #include "report/accuracy_cost.h"
 #include "report/page_assets.h"
+#include "report/recommendation.h"
 #include "report/self_contained.h"
 #include "report/sentences.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <functional>
+#include <set>
 
 namespace gnomon::report {
 
 namespace {
 
+/// The order of the errors on the page. The plots offer the first three.
+constexpr std::array kShownErrors{
+    ErrorKind::WrongPixels,
+    ErrorKind::AliasingBound,
+    ErrorKind::ShadowEdge,
+    ErrorKind::MeasuredAliasing,
+    ErrorKind::WrongShadow,
+    ErrorKind::ImageDifference};
+
+nlohmann::json rangeData(const Range& range) {
+    return {range.low, range.high};
+}
+
+nlohmann::json stagesData(const StageTimes& s) {
+    return {
+        {"plan", s.plan},
+        {"select", s.select},
+        {"cull", s.cull},
+        {"stream", s.stream},
+        {"shadow", s.shadow},
+        {"image", s.image}};
+}
+
+/// Returns the range of the repetitions' medians per stage, or null for a single repetition.
+nlohmann::json stageRanges(const RunSummary& run) {
+    if (!run.noise) return {};
+    nlohmann::json ranges = stagesData(run.minStages);
+    const nlohmann::json high = stagesData(run.maxStages);
+    for (auto& [stage, value] : ranges.items())
+        value = {value, high[stage]};
+    return ranges;
+}
+
 nlohmann::json runData(const RunSummary& run) {
     nlohmann::json errors = nlohmann::json::object();
     for (const auto& [kind, value] : run.errors)
         errors[std::string(key(kind))] = value;
-    const StageTimes& s = run.stages;
+    nlohmann::json errorRanges = nlohmann::json::object();
+    for (const auto& [kind, range] : run.errorRanges)
+        errorRanges[std::string(key(kind))] = rangeData(range);
+    nlohmann::json frameRanges = nlohmann::json::array();
+    for (const Range& range : run.frameRanges)
+        frameRanges.push_back(rangeData(range));
     return {
         {"name", run.name},
         {"options", run.options},
@@ -27,20 +69,17 @@ nlohmann::json runData(const RunSummary& run) {
         {"p95", run.p95Ms},
         {"p99", run.p99Ms},
         {"noise", run.noise ? nlohmann::json(*run.noise) : nlohmann::json()},
-        {"stages",
-         {{"plan", s.plan},
-          {"select", s.select},
-          {"cull", s.cull},
-          {"stream", s.stream},
-          {"shadow", s.shadow},
-          {"image", s.image}}},
+        {"stages", stagesData(run.stages)},
+        {"stage_ranges", stageRanges(run)},
         {"image_triangles", run.imageTriangles},
         {"shadow_triangles", run.shadowTriangles},
         {"errors", errors},
+        {"error_ranges", errorRanges},
         {"crawl", run.crawl < 0 ? nlohmann::json() : nlohmann::json(run.crawl)},
         {"storage_factor", run.storageFactor},
-        {"promise_kept", run.isBoundKept},
-        {"frames", run.frameMs}};
+        {"bound_kept", run.isBoundKept},
+        {"frames", run.frameMs},
+        {"frame_ranges", frameRanges}};
 }
 
 /// Quotes `word` for a shell if necessary.
@@ -55,25 +94,49 @@ std::string shellWord(const std::string& word) {
     return quoted + "'";
 }
 
-/// Returns the command line of the recommended run, or null if there is none.
+/// Returns the recommended run with its command line and the reason, or only the reason if there is no such run.
 nlohmann::json recommendation(const Report& report) {
-    const ErrorKind kind = comparedError(report.runs);
-    const auto run = recommendedRun(report.runs, kind);
-    if (!run) return {};
+    const auto run = recommend(report.runs);
+    if (!run) return {{"reason", reasonForNone(report.runs)}};
     const auto model = report.context.find("model");
     const std::string& options = report.runs[*run].options;
     return {
         {"run", *run},
-        {"error", key(kind)},
-        {"times", kWorthwhileTimes},
+        {"reason", reasonFor(*run, report.runs)},
         {"command",
          "gnomon render " + shellWord(model == report.context.end() ? "MODEL" : model->second) + " -o picture.png" +
              (options.empty() ? "" : " ") + options}};
 }
 
+/// Returns the recommended run as a step function of a limit: pairs of a limit in `limits` and the run that is
+/// recommended from this limit on.
+nlohmann::json recommendedSteps(
+    const Report& report, const std::set<double>& limits, const std::function<Request(double limit)>& requestOf) {
+    nlohmann::json steps = nlohmann::json::array();
+    for (const double limit : limits) {
+        const auto run = recommend(report.runs, requestOf(limit));
+        if (run && (steps.empty() || steps.back()[1] != *run)) steps.push_back({limit, *run});
+    }
+    return steps;
+}
+
+/// Returns `report` with the wrong pixels of exact shadows that were not compared with a ground truth.
+Report withKnownAccuracy(Report report) {
+    for (RunSummary& run : report.runs)
+        if (const auto wrong = wrongPixels(run)) run.errors[ErrorKind::WrongPixels] = *wrong;
+    return report;
+}
+
 } // namespace
 
-nlohmann::json pageData(const Report& report) {
+nlohmann::json pageData(const Report& measured) {
+    const Report report = withKnownAccuracy(measured);
+    std::set<double> times;
+    std::set<double> shares;
+    for (const RunSummary& run : report.runs) {
+        times.insert(timeToExpectMs(run));
+        if (const auto wrong = wrongPixels(run)) shares.insert(*wrong);
+    }
     nlohmann::json data = {
         {"model", report.model},
         {"context", report.context},
@@ -83,6 +146,20 @@ nlohmann::json pageData(const Report& report) {
         {"runs", nlohmann::json::array()},
         {"errors", nlohmann::json::array()},
         {"recommended", recommendation(report)},
+        {"budget_steps",
+         recommendedSteps(
+             report,
+             times,
+             [](double ms) {
+                 return Request{std::nullopt, ms};
+             })},
+        {"bound_steps",
+         recommendedSteps(
+             report,
+             shares,
+             [](double share) {
+                 return Request{share, std::nullopt};
+             })},
         {"unknown_noise", kUnknownNoise},
         {"leading_error", key(leadingError(report.runs))},
         {"fronts", nlohmann::json::object()},
@@ -90,12 +167,12 @@ nlohmann::json pageData(const Report& report) {
         {"storage", nlohmann::json::array()}};
     for (const RunSummary& run : report.runs)
         data["runs"].push_back(runData(run));
-    for (const ErrorKind kind : kErrorKinds) {
+    for (const ErrorKind kind : kShownErrors) {
         data["errors"].push_back({{"key", key(kind)}, {"label", label(kind)}});
         data["fronts"][std::string(key(kind))] = paretoFront(report.runs, kind);
     }
-    const Correlation bound = correlation(report.runs, ErrorKind::AliasingBound, ErrorKind::WrongShadow);
-    data["correlation"] = {{"rank", bound.rank}, {"runs", bound.runs}, {"disobedient", bound.outliers}};
+    const Correlation bound = correlation(report.runs, ErrorKind::AliasingBound, ErrorKind::WrongPixels);
+    data["correlation"] = {{"rank", bound.rank}, {"runs", bound.runs}, {"outliers", bound.outliers}};
     for (const StoragePoint& point : report.storage)
         data["storage"].push_back({{"scheme", point.scheme}, {"maps", point.maps}, {"S", point.storageFactor}});
     for (const Picture& picture : report.pictures)
@@ -107,7 +184,7 @@ nlohmann::json pageData(const Report& report) {
 std::string page(const Report& report) {
     std::string text(kPageHtml);
     substitute(text, "/*CSS*/", kPageCss);
-    substitute(text, "/*CHART*/", kChartJs);
+    substitute(text, "/*PLOT*/", kPlotJs);
     substitute(text, "/*PICTURES*/", kPicturesJs);
     substitute(text, "/*JS*/", kPageJs);
     substitute(text, "/*DATA*/", scriptSafe(pageData(report))); // last, because its strings can contain the other marks

@@ -36,8 +36,8 @@ struct Report {
     std::string jsonFile;
 };
 
-/// Returns the data of the page: runs, the Pareto front of each error, the sentences, and the correlation of aliasing
-/// bound and measured error.
+/// Returns the data of the page: runs, the Pareto front of each error, the sentences, the recommended run, also for
+/// each time budget and each limit of wrong pixels, and the correlation of aliasing bound and wrong pixels.
 nlohmann::json pageData(const Report& report);
 
 /// Returns the HTML text of the page.

@@ -1,5 +1,4 @@
-// The parts of the report's page, embedded at build time. Chart.js comes from its Debian package, all other parts from
-// src/report/page.
+// The parts of the report's page, embedded at build time from src/report/page.
 #pragma once
 
 #include <string_view>
@@ -11,6 +10,6 @@ extern const std::string_view kSunPageHtml;
 extern const std::string_view kPageCss;
 extern const std::string_view kPicturesJs;
 extern const std::string_view kPageJs;
-extern const std::string_view kChartJs;
+extern const std::string_view kPlotJs;
 
 } // namespace gnomon::report

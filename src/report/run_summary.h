@@ -45,6 +45,12 @@ struct StageTimes {
     double image = 0;
 };
 
+/// The smallest and the largest of some values.
+struct Range {
+    double low = 0;
+    double high = 0;
+};
+
 /// The frames of one run, over all repetitions.
 struct RunSummary {
     std::string name;                            // unique in a report
@@ -59,16 +65,21 @@ struct RunSummary {
     // Half the range of the repetitions' medians, relative to the middle. It requires two repetitions.
     std::optional<double> noise;
     StageTimes stages;
+    // The same medians per repetition: the smallest and the largest. They equal `stages` for a single repetition.
+    StageTimes minStages;
+    StageTimes maxStages;
     double imageTriangles = 0;
     double shadowTriangles = 0;
     // Over all frames: max of the aliasing, median of the edge distance, mean of all other errors.
     std::map<ErrorKind, double> errors;
-    double crawl = -1; // share of fixed points whose shadow changed; negative: not measured
+    std::map<ErrorKind, Range> errorRanges; // over the frames that were compared with a ground truth
+    double crawl = -1;                      // share of fixed points whose shadow changed; negative: not measured
     double storageFactor = 0;
     bool isBoundKept = true;
     std::uint64_t pagesDamaged = 0; // total up to the last frame
     std::uint64_t pagesMissing = 0; // max over all frames
     std::vector<double> frameMs;    // along the path, median over repetitions
+    std::vector<Range> frameRanges; // along the path, over the repetitions; empty for a single repetition
 };
 
 } // namespace gnomon::report

@@ -3,6 +3,7 @@
 #include "report/accuracy_cost.h"
 #include "report/page.h"
 #include "report/page_assets.h"
+#include "report/recommendation.h"
 #include "report/sentences.h"
 #include "report/sun_page.h"
 
@@ -70,6 +71,10 @@ Report anyReport(Random& random) {
         run.storageFactor = random.uniform(1, 100);
         run.isBoundKept = random.below(2) == 0;
         run.frameMs = {random.unit(), random.unit()};
+        run.minStages.shadow = random.unit();
+        run.maxStages.shadow = random.unit();
+        run.errorRanges[ErrorKind::WrongPixels] = {random.unit(), random.unit()};
+        run.frameRanges = {{random.unit(), random.unit()}, {random.unit(), random.unit()}};
         report.runs.push_back(run);
         report.storage.push_back({anyName(random), static_cast<int>(i), random.uniform(1, 100)});
         std::vector<std::uint8_t> png(random.below(10));
@@ -108,12 +113,31 @@ TEST(PageData, HasEveryFigureOfEveryRun) {
             EXPECT_EQ(told["image_triangles"], run.imageTriangles);
             EXPECT_EQ(told["shadow_triangles"], run.shadowTriangles);
             EXPECT_EQ(told["storage_factor"], run.storageFactor);
-            EXPECT_EQ(told["promise_kept"], run.isBoundKept);
+            EXPECT_EQ(told["bound_kept"], run.isBoundKept);
             EXPECT_EQ(told["frames"], nlohmann::json(run.frameMs));
+            EXPECT_EQ(told["frame_ranges"][1][1], run.frameRanges[1].high);
+            EXPECT_EQ(told["error_ranges"]["wrong_pixels_all"][0], run.errorRanges.at(ErrorKind::WrongPixels).low);
+            EXPECT_EQ(told["stage_ranges"].is_null(), !run.noise);
+            if (run.noise) {
+                EXPECT_EQ(told["stage_ranges"]["shadow"][0], run.minStages.shadow);
+                EXPECT_EQ(told["stage_ranges"]["shadow"][1], run.maxStages.shadow);
+            }
             EXPECT_EQ(told["errors"].size(), run.errors.size());
             for (const auto& [kind, value] : run.errors)
                 EXPECT_EQ(told["errors"][std::string(key(kind))], value);
         }
+    }
+}
+
+/// Compares a step function of a limit with `expected` at 200 limits from 0 to `max`.
+template <class Expected>
+void expectSteps(const nlohmann::json& steps, double max, Expected expected) {
+    for (int i = 0; i < 200; ++i) {
+        const double limit = max * i / 200;
+        std::optional<std::size_t> run;
+        for (const nlohmann::json& step : steps)
+            if (step[0].get<double>() <= limit) run = step[1].get<std::size_t>();
+        EXPECT_EQ(run, expected(limit)) << limit;
     }
 }
 
@@ -124,20 +148,29 @@ TEST(PageData, HasFrontsSentencesAndPointsAsTheyAreReckoned) {
         const nlohmann::json data = pageData(report);
         EXPECT_EQ(data["sentences"], nlohmann::json(sentences(report.runs)));
         EXPECT_EQ(data["leading_error"], key(leadingError(report.runs)));
-        const auto recommended = recommendedRun(report.runs, comparedError(report.runs));
-        EXPECT_EQ(data["recommended"].is_null(), !recommended);
+        const auto recommended = recommend(report.runs);
+        const nlohmann::json& told = data["recommended"];
+        EXPECT_EQ(told.contains("run"), recommended.has_value());
+        EXPECT_EQ(told["reason"], recommended ? reasonFor(*recommended, report.runs) : reasonForNone(report.runs));
         if (recommended) {
-            const std::string command = data["recommended"]["command"];
-            EXPECT_EQ(data["recommended"]["run"], *recommended);
+            const std::string command = told["command"];
+            EXPECT_EQ(told["run"], *recommended);
             EXPECT_TRUE(command.starts_with("gnomon render ")) << command;
             EXPECT_TRUE(command.ends_with(report.runs[*recommended].options)) << command;
         }
+        expectSteps(data["budget_steps"], 60, [&](double ms) { return recommend(report.runs, {std::nullopt, ms}); });
+        expectSteps(data["bound_steps"], 1, [&](double share) {
+            return recommend(report.runs, {share, std::nullopt});
+        });
         ASSERT_EQ(data["errors"].size(), kErrorKinds.size());
-        for (std::size_t i = 0; i < kErrorKinds.size(); ++i) {
-            const std::string name(key(kErrorKinds[i]));
-            EXPECT_EQ(data["errors"][i]["key"], name);
-            EXPECT_EQ(data["errors"][i]["label"], label(kErrorKinds[i]));
-            EXPECT_EQ(data["fronts"][name], nlohmann::json(paretoFront(report.runs, kErrorKinds[i])));
+        std::set<std::string> names;
+        for (const nlohmann::json& error : data["errors"])
+            names.insert(error["key"].get<std::string>());
+        EXPECT_EQ(data["errors"][0]["key"], "wrong_pixels_all");
+        for (const ErrorKind kind : kErrorKinds) {
+            const std::string name(key(kind));
+            EXPECT_TRUE(names.contains(name));
+            EXPECT_EQ(data["fronts"][name], nlohmann::json(paretoFront(report.runs, kind)));
         }
         EXPECT_EQ(data["csv"], report.csvFile);
         EXPECT_EQ(data["json"], report.jsonFile);
@@ -154,7 +187,7 @@ TEST(PageData, HasFrontsSentencesAndPointsAsTheyAreReckoned) {
 TEST(PageData, QuotesTheModelOfTheCommandThatItRecommends) {
     Report report;
     RunSummary& run = report.runs.emplace_back();
-    run.errors[ErrorKind::AliasingBound] = 1;
+    run.errors[ErrorKind::WrongPixels] = 0.1;
     run.options = "--z-partitions 1";
     report.context["model"] = "plant.gnm";
     EXPECT_EQ(pageData(report)["recommended"]["command"], "gnomon render plant.gnm -o picture.png --z-partitions 1");
@@ -187,7 +220,7 @@ TEST(Page, EndsItsDataOnlyWhereTheDataEndsWhateverNamesSay) {
     Random random(4);
     for (int trial = 0; trial < 5; ++trial) {
         Report report = anyReport(random);
-        report.model = "</script><!--<script>/*CSS*//*CHART*//*JS*//*DATA*/" + anyName(random);
+        report.model = "</script><!--<script>/*CSS*//*PLOT*//*JS*//*DATA*/" + anyName(random);
         const std::string html = page(report);
         const std::string begin = "id=\"data\">";
         const std::size_t from = html.find(begin);
@@ -200,11 +233,11 @@ TEST(Page, EndsItsDataOnlyWhereTheDataEndsWhateverNamesSay) {
 
 TEST(Page, HasAllItsPartsWhole) {
     const std::string html = page(Report());
-    for (const std::string_view part : {kPageCss, kPicturesJs, kPageJs, kChartJs}) {
+    for (const std::string_view part : {kPageCss, kPicturesJs, kPageJs, kPlotJs}) {
         EXPECT_GT(part.size(), 100U);
         EXPECT_NE(html.find(part), std::string::npos);
     }
-    for (const char* mark : {"/*CSS*/", "/*CHART*/", "/*DATA*/", "/*JS*/"}) {
+    for (const char* mark : {"/*CSS*/", "/*PLOT*/", "/*DATA*/", "/*JS*/"}) {
         EXPECT_NE(kPageHtml.find(mark), std::string_view::npos) << mark;
         EXPECT_EQ(kPageHtml.find(mark), kPageHtml.rfind(mark)) << mark << " stands twice";
         EXPECT_EQ(html.find(mark), std::string::npos) << mark;

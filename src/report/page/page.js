@@ -1,20 +1,30 @@
 "use strict";
 const data = JSON.parse(document.getElementById("data").textContent);
 const element = (id) => document.getElementById(id);
-const style = getComputedStyle(document.documentElement);
-const [ink, line, accent] = ["--ink", "--line", "--accent"].map((name) => style.getPropertyValue(name).trim());
-const palette = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#bb5500", "#777777"];
+const kWrong = "wrong_pixels_all";
 
-Object.assign(Chart.defaults, { color: ink, borderColor: line, animation: false, maintainAspectRatio: false });
+/// Returns a number with three significant digits, as the sentences cite it.
+function figures(value) {
+  if (value === null || value === undefined) return "";
+  if (value === 0) return "0";
+  const decimals = Math.min(24, Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value)))));
+  const text = value.toFixed(decimals);
+  return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+}
 
-const figures = (value) => value === null || value === undefined ? "" : Number(value.toPrecision(4)).toString();
 const percent = (fraction) => `${figures(100 * fraction)}%`;
-const axis = (title, logarithmic) => ({ type: logarithmic ? "logarithmic" : "linear", title: { display: true, text: title } });
-/// A logarithmic axis of its own would reach down to a power of ten, and label little but those.
-const around = (values) => ({ min: Math.min(...values) / 1.2, max: Math.max(...values) * 1.2, ticks: { callback: figures } });
-const known = (key) => data.runs.map((run, i) => ({ run, i })).filter(({ run }) => run.errors[key] !== undefined);
+const known = (key) => data.runs.filter((run) => run.errors[key] !== undefined);
+const numberOf = (run) => String(data.runs.indexOf(run) + 1);
 
-/// The settings of `run` in which it differs from most of the runs: a name that fits under a bar.
+/// The errors of the plots. Shares are shown in percent.
+const shares = new Set([kWrong, "wrong_or_missed_fraction", "image_difference"]);
+const scaled = (key, value) => shares.has(key) ? 100 * value : value;
+const titles = {
+  [kWrong]: "wrong pixels, % of all", promised_aliasing: "aliasing bound", shadow_edge_p99_px: "edge distance, pixels",
+  measured_aliasing: "measured aliasing", wrong_or_missed_fraction: "wrong or missed, % of lit side", image_difference: "image difference, %",
+};
+
+/// Returns the settings in which `run` differs from most runs. If there are none, returns "usual settings".
 function shortName(run) {
   const usual = (key) => {
     const counts = new Map();
@@ -22,137 +32,92 @@ function shortName(run) {
     return [...counts].sort((a, b) => b[1] - a[1])[0][0];
   };
   const own = Object.keys(run.settings).filter((key) => run.settings[key] !== usual(key));
-  return own.map((key) => `${key} ${run.settings[key]}`).join(", ") || "the usual settings";
+  return own.map((key) => `${key} ${run.settings[key]}`).join(", ") || "usual settings";
 }
+
+const timeRange = (run) => run.noise === null ? undefined : [run.p50 * Math.max(0, 1 - run.noise), run.p50 * (1 + run.noise)];
+const errorRange = (run, key) => run.error_ranges?.[key]?.map((value) => scaled(key, value));
 
 function describe(run) {
-  const errors = data.errors.filter((e) => run.errors[e.key] !== undefined).map((e) => `${e.key} ${figures(run.errors[e.key])}`);
-  return [`${data.runs.indexOf(run) + 1}: ${run.name}`, `${figures(run.p50)} ms${run.noise === null ? "" : ` ± ${percent(run.noise)}`} (p95 ${figures(run.p95)}, p99 ${figures(run.p99)})`, ...errors];
+  const errors = data.errors.filter((e) => run.errors[e.key] !== undefined).map((e) => `${titles[e.key]}: ${figures(scaled(e.key, run.errors[e.key]))}`);
+  return [`Run ${numberOf(run)}: ${shortName(run)}`,
+    `${figures(run.p50)} ms${run.noise === null ? "" : ` ± ${percent(run.noise)}`} (95%: ${figures(run.p95)} ms, 99%: ${figures(run.p99)} ms)`, ...errors].join("\n");
 }
 
-/// A logarithmic axis has no place for 0: the one below all others that `zero` names, if it does.
-const zeroTick = (zero) => zero === undefined ? {} : {
-  afterBuildTicks: (scale) => { scale.ticks = [{ value: zero }, ...scale.ticks.filter((tick) => tick.value > 1.5 * zero)]; },
-  ticks: { callback: (value) => value === zero ? "0" : figures(value) },
-};
-
-function scatter(id, xTitle, yTitle, datasets, logarithmic = {}) {
-  return new Chart(element(id), {
-    type: "scatter",
-    data: { datasets },
-    options: {
-      onClick: (event, items, chart) => items.length && lookAt(chart.data.datasets[items[0].datasetIndex].data[items[0].index].run),
-      scales: {
-        x: axis(xTitle, logarithmic.x),
-        y: { ...axis(yTitle, logarithmic.y), ...(logarithmic.y ? around(datasets.flatMap((set) => set.data.map((point) => point.y))) : {}), ...zeroTick(logarithmic.zero) },
-      },
-      plugins: { tooltip: { callbacks: { label: (item) => item.raw.run ? describe(item.raw.run) : `${figures(item.raw.x)}, ${figures(item.raw.y)}` } } },
-    },
-  });
-}
-
-/// What each column of the table means, and each error of the plots.
+/// The meaning of the columns of the table and of the settings.
 const terms = {
-  "#": "The number of the run in the plots.",
-  run: "The settings in which the runs differ.",
-  "p50 ms": "The median frame time: half of the frames were faster. p95 and p99: 95 and 99 of 100 were.",
-  noise: "How far the medians of the repetitions lie from their middle, at most. Two times are told apart where they differ by more than both noises.",
-  "mean image tri": "Triangles drawn for the picture, a frame on average; mean shadow tri: those drawn into shadow maps.",
-  S: "Storage factor: the texels that all maps together need for each pixel, so that no texel is wider than a pixel.",
-  wrong_pixels_all: "The share of all pixels, background and what is turned from the light included, that are lit where integer arithmetic has the run's own triangles shadow them, or the other way round.",
-  promised_aliasing: "The most pixels that a shadow texel may be wide, known before the frame is drawn, for surfaces that face eye and light alike.",
-  measured_aliasing: "The same, as found at the pixels of the pictures.",
-  wrong_or_missed_fraction: "The share of the pixels that face the light whose shadow is not the one that rays find at the run's own detail, casters too thin for a map's texels included.",
-  shadow_edge_p99_px: "How far the shadow edges lie from those that rays find; 99 of 100 edge pixels are nearer.",
-  image_difference: "The mean difference from full detail in ray-traced shadows, a share of full scale: it tells coarse models from fine ones too.",
-  crawl: "The share of fixed points of the model whose shadow changed from one frame to the next, though nothing but the eye moved.",
-  "promise kept": "Whether all frames kept the aliasing that --max-aliasing asks for, where a number of maps was chosen for it.",
-  error_pixels: "Level of detail: how many pixels the model's surface may be off.",
-  shadow_maps: "The number of shadow maps.",
-  z_partitions: "Slices of the view by depth, each with a map of its own.",
-  face_partitions: "Whether slices are cut along the faces of the view's pyramid as well.",
-  shadow_texels: "The texels of all shadow maps together.",
-  cull_casters: "Which triangles a map draws: all (off), those that can throw a shadow into its slice (on), or those of them that can change a pixel (receivers).",
-  warp: "How a map gives what is near to the eye more texels.",
-  filter: "How many texels a lookup averages across; 0 is one texel.",
-  stabilize: "Maps that move by whole texels, so that edges stand still.",
-  occlusion: "Whether what is hidden in the picture is left out before it is drawn.",
+  "#": "Number of the run in the figures.",
+  settings: "Settings in which the run differs from most runs.",
+  "median ms": "Median frame time. 95% ms and 99% ms are the 95th and 99th percentile.",
+  "noise, %": "Spread of the repetitions: half the range of their medians. Two times differ measurably if their ranges are disjoint.",
+  "image triangles": "Mean number of triangles drawn into the image per frame; shadow triangles: into all shadow maps.",
+  "storage factor": "Texels of all maps per pixel for an aliasing bound of 1.",
+  [titles[kWrong]]: "Share of all pixels whose result (lit or dark) differs from integer arithmetic on the same triangles. This is the measure of accuracy. Exact shadows have 0.",
+  [titles.promised_aliasing]: "Max width of a texel per width of a pixel, known before a frame is drawn. It ignores the slant of surfaces.",
+  [titles.measured_aliasing]: "The same ratio, measured at the pixels.",
+  [titles.wrong_or_missed_fraction]: "Share of the pixels that face the light whose shadow differs from ray tracing. It includes casters that are thinner than a texel.",
+  [titles.shadow_edge_p99_px]: "Distance of shadow edges from ray-traced edges: 99% of the edge pixels are nearer.",
+  [titles.image_difference]: "Mean absolute difference from full detail with ray-traced shadows. It also measures the level of detail.",
+  "crawl, %": "Share of fixed points whose shadow changed between two frames although only the eye moved.",
+  "bound kept": "Whether all frames had at most the aliasing of --max-aliasing.",
+  error_pixels: "Level of detail: max geometric error in pixels.",
+  shadow_maps: "Number of shadow maps.",
+  z_partitions: "Number of slices of the view along its depth. Each slice has its own maps.",
+  face_partitions: "Whether the view is also partitioned along the faces of its frustum.",
+  shadow_texels: "Total number of texels of all shadow maps.",
+  cull_casters: "Triangles that a map draws: all (off), those that can shadow its slice (on), or those that can shadow visible surfaces (receivers).",
+  warp: "Reparameterisation that gives texels near the eye more resolution.",
+  filter: "Width of the filter in texels; 0 is no filter.",
+  stabilize: "Maps move by whole texels, so that shadow edges do not flicker.",
+  occlusion: "Whether hidden clusters are culled.",
   shadows: "Shadow maps, exact shadows, rays, or none.",
-  cells: "The layout by which exact shadows sort what is visible.",
+  cells: "Layout of the sample grid of exact shadows.",
 };
 
-/// Fills a list with the terms of `keys` that there are.
+const made = (tag, textContent) => Object.assign(document.createElement(tag), { textContent });
+
+/// Fills a list with the meanings of `keys`.
 function explain(list, keys) {
-  const made = (tag, textContent) => Object.assign(document.createElement(tag), { textContent });
   list.replaceChildren(...keys.filter((key) => terms[key]).flatMap((key) => [made("dt", key), made("dd", terms[key])]));
 }
 
-/// Writes the number of its run beside each point, on the side where the fewest others are in its way.
-const pointNumbers = {
-  id: "pointNumbers",
-  afterDatasetsDraw(chart) {
-    const points = chart.data.datasets.flatMap((set, i) => chart.isDatasetVisible(i) && chart.config.type === "scatter" ?
-      chart.getDatasetMeta(i).data.map((point, j) => ({ x: point.x, y: point.y, run: set.data[j].run })) : []).filter((point) => point.run);
-    const boxes = points.map(({ x, y }) => ({ x, y, half: 4 }));
-    const { ctx } = chart;
-    ctx.save();
-    Object.assign(ctx, { font: "11px system-ui, sans-serif", fillStyle: ink, textAlign: "center", textBaseline: "middle" });
-    const done = new Set();
-    for (const { x, y, run } of points) {
-      const number = String(data.runs.indexOf(run) + 1);
-      const place = `${number} ${Math.round(x)} ${Math.round(y)}`;
-      if (done.has(place)) continue; // a point of the front lies on that of its run
-      done.add(place);
-      const spots = [10, 17, 24].flatMap((far) => [[1, -0.6], [1, 0.6], [-1, -0.6], [-1, 0.6], [0, -1], [0, 1], [1, 0], [-1, 0]]
-        .map(([dx, dy]) => ({ x: x + far * dx, y: y + far * dy, half: 3 + 3 * number.length, far })));
-      const { left, right, top, bottom } = chart.chartArea;
-      const cost = (spot) => spot.far / 10 + boxes.reduce((sum, box) => sum +
-        Math.max(0, spot.half + box.half - Math.abs(spot.x - box.x)) * Math.max(0, 6 + box.half - Math.abs(spot.y - box.y)), 0) +
-        (spot.x < left || spot.x > right || spot.y < top || spot.y > bottom ? 100 : 0);
-      const best = spots.reduce((a, b) => cost(b) < cost(a) ? b : a);
-      boxes.push(best);
-      ctx.fillText(number, best.x, best.y);
-    }
-    ctx.restore();
-  },
-};
-Chart.register(pointNumbers);
-
-let errorTime;
 function drawErrorTime() {
-  const kind = data.errors.find((e) => e.key === element("error-kind").value);
-  const logarithmic = element("log-error").checked;
-  const visible = known(kind.key);
-  const errors = visible.map(({ run }) => run.errors[kind.key]);
-  const zero = logarithmic && errors.includes(0) ? Math.min(...errors.filter((error) => error > 0), 1) / 4 : undefined;
-  const point = (run) => ({ x: run.p50, y: run.errors[kind.key] === 0 && logarithmic ? zero : run.errors[kind.key], run });
-  const front = data.fronts[kind.key].map((i) => data.runs[i]);
-  if (errorTime) errorTime.destroy();
-  errorTime = scatter("error-time", "median frame time, ms", kind.label, [
-    { label: "Pareto front", data: front.map(point), showLine: true, borderColor: accent, backgroundColor: accent, pointRadius: 5 },
-    { label: "runs", data: visible.map(({ run }) => point(run)), backgroundColor: palette[0], pointRadius: 4 },
-  ], { y: logarithmic, zero });
-  explain(element("error-terms"), [kind.key]);
-  answerBudget();
-  answerBound();
+  const { key } = data.errors.find((e) => e.key === element("error-kind").value);
+  const log = element("log-error").checked;
+  const visible = known(key);
+  const positive = visible.flatMap((run) => [run.errors[key], ...(run.error_ranges?.[key] ?? [])]).filter((error) => error > 0).map((error) => scaled(key, error));
+  const hasZero = visible.some((run) => run.errors[key] === 0 || run.error_ranges?.[key]?.[0] === 0);
+  const point = (run) => ({ x: run.p50, y: scaled(key, run.errors[key]), xRange: timeRange(run), yRange: errorRange(run, key), run, number: numberOf(run), title: describe(run) });
+  const isExact = (run) => run.settings.cells !== undefined;
+  const kinds = [["shadow maps", (run) => run.shadow_maps > 0, 0], ["exact shadows", isExact, 1], ["others", (run) => !isExact(run) && !(run.shadow_maps > 0), 2]];
+  const front = data.fronts[key].map((i) => data.runs[i]);
+  drawXY("error-time", {
+    xTitle: "median frame time, ms", yTitle: titles[key], yLog: log, yZero: log && hasZero ? Math.min(...positive, 1) / 4 : undefined,
+    height: 420, onClick: lookAt,
+    series: [
+      { label: "Pareto front", isLine: true, color: palette[6], dash: dashes[1], points: front.map((run) => ({ x: run.p50, y: scaled(key, run.errors[key]) })) },
+      ...kinds.map(([label, is, i]) => ({ label, shape: shapes[i], color: palette[i], points: visible.filter(is).map(point) })).filter((set) => set.points.length > 0),
+    ],
+  });
+  explain(element("error-terms"), [titles[key]]);
 }
 
-function answer(output, run) {
-  element(output).textContent = run ? `${run.options}   (${figures(run.p50)} ms, error ${figures(run.errors[element("error-kind").value])})` : "no run does";
+/// Shows the run that the program recommends for the limit in `input`. `steps` are pairs of a limit and the recommended
+/// run from this limit on.
+function answerLimit(input, output, steps, scale) {
+  const limit = element(input).valueAsNumber / scale;
+  if (Number.isNaN(limit)) return void (element(output).textContent = "");
+  const step = steps.filter(([from]) => from <= limit * (1 + 1e-12)).at(-1);
+  if (!step) return void (element(output).textContent = "no run");
+  const run = data.runs[step[1]];
+  element(output).textContent = `${run.options}   (run ${numberOf(run)}: ${figures(run.p50)} ms, ${percent(run.errors[kWrong])} wrong pixels)`;
 }
 
-function answerBudget() {
-  const [budget, kind] = [element("budget").valueAsNumber, element("error-kind").value];
-  if (Number.isNaN(budget)) return void (element("budget-answer").textContent = "");
-  const runs = known(kind).map(({ run }) => run).filter((run) => run.p50 * (1 + (run.noise ?? 0)) <= budget);
-  answer("budget-answer", runs.sort((a, b) => a.errors[kind] - b.errors[kind] || a.p50 - b.p50)[0]);
-}
-
-function answerBound() {
-  const [bound, kind] = [element("bound").valueAsNumber, element("error-kind").value];
-  if (Number.isNaN(bound)) return void (element("bound-answer").textContent = "");
-  const runs = known(kind).map(({ run }) => run).filter((run) => run.errors[kind] <= bound);
-  answer("bound-answer", runs.sort((a, b) => a.p50 - b.p50 || a.errors[kind] - b.errors[kind])[0]);
+function showLimits() {
+  for (const [name, steps, scale] of [["budget", data.budget_steps, 1], ["bound", data.bound_steps, 100]]) {
+    if (steps.length === 0) element(`${name}-control`).remove();
+    else element(name).addEventListener("input", () => answerLimit(name, `${name}-answer`, steps, scale));
+  }
 }
 
 function drawMaps() {
@@ -163,147 +128,161 @@ function drawMaps() {
     if (!groups.has(key)) groups.set(key, []);
     groups.get(key).push(run);
   }
-  const sweeps = [...groups.entries()].filter(([, runs]) => new Set(runs.map((r) => r.shadow_maps)).size > 1);
-  const differing = [...new Set(data.runs.flatMap((r) => Object.keys(r.settings)))]
-    .filter((key) => new Set(sweeps.map(([, runs]) => runs[0].settings[key])).size > 1);
-  const datasets = [];
-  sweeps.forEach(([, runs], i) => {
+  const sweeps = [...groups.values()].filter((runs) => new Set(runs.map((r) => r.shadow_maps)).size > 1);
+  const caption = element("maps-caption");
+  if (sweeps.length === 0) {
+    caption.textContent = "No two runs differ only in their number of maps.";
+    return void element("time-maps").remove();
+  }
+  const differing = Object.keys(data.runs[0].settings).filter((key) => !["shadow_maps", "z_partitions"].includes(key) &&
+    new Set(sweeps.map((runs) => runs[0].settings[key])).size > 1);
+  const series = sweeps.flatMap((runs, i) => {
     const sorted = [...runs].sort((a, b) => a.shadow_maps - b.shadow_maps);
-    const name = differing.filter((k) => k !== "shadow_maps" && k !== "z_partitions").map((k) => `${k} ${runs[0].settings[k]}`).join(", ");
-    const color = palette[i % palette.length];
-    const add = (stage, dash) => datasets.push({
-      label: [name, stage].filter(Boolean).join(": "), showLine: true, borderColor: color, backgroundColor: color, borderDash: dash,
-      data: sorted.map((run) => ({ x: run.shadow_maps, y: run.stages[stage], run })),
-    });
-    add("shadow", []);
-    add("image", [5, 4]);
+    const name = differing.map((k) => `${k} ${runs[0].settings[k]}`).join(", ");
+    return ["shadow", "image"].map((stage, j) => ({
+      label: [name, `${stage} pass`].filter(Boolean).join(": "), isLine: true, color: palette[(2 * i + j) % palette.length], dash: dashes[(2 * i + j) % dashes.length],
+      shape: shapes[(2 * i + j) % shapes.length],
+      points: sorted.map((run) => ({ x: run.shadow_maps, y: run.stages[stage], yRange: run.stage_ranges?.[stage], run, title: describe(run) })),
+    }));
   });
-  scatter("time-maps", "shadow maps", "ms", datasets);
-  const culling = new Set(sweeps.map(([, runs]) => runs[0].settings.cull_casters));
-  const casters = culling.has("on") && culling.has("off") ? ", casters culled per partition and not" :
-    culling.has("auto") || culling.has("receivers") ? ", casters culled per partition and by what is seen" :
-    culling.has("on") ? ", casters culled per partition" : culling.has("off") ? ", casters not culled per partition" : "";
-  element("maps-caption").textContent = sweeps.length === 0 ? "No two runs differ in their number of maps alone." :
-    `The shape of the paper's figure 13: image and shadow passes${casters}.`;
+  drawXY("time-maps", { xTitle: "number of shadow maps", yTitle: "ms", series, onClick: lookAt, whole: true });
+  const culling = new Set(sweeps.map((runs) => runs[0].settings.cull_casters));
+  const casters = culling.has("on") && culling.has("off") ? " With and without culling of casters per partition." :
+    culling.has("auto") || culling.has("receivers") ? " Casters are culled per partition and by visible surfaces." :
+    culling.has("on") ? " Casters are culled per partition." : culling.has("off") ? " Casters are not culled." : "";
+  caption.textContent = `Median times of the shadow and image passes, as in figure 13 of Lloyd et al. 2006.${casters}`;
 }
 
-/// Exact shadows over each layout of cells, and the maps that are laid out the same.
+/// Draws exact shadows for each layout of the sample grid, with shadow maps of the same layout.
 function drawCells() {
   const exact = data.runs.filter((run) => run.settings.cells !== undefined);
   if (exact.length < 2) return void element("cells-section").remove();
   const usual = data.runs.find((run) => run.shadow_maps > 0) ?? exact[0];
   const alike = (run) => ["error_pixels", "shadow_texels", "cull_casters", "filter"].every((key) => run.settings[key] === usual.settings[key]);
   const mapsOf = (scheme) => data.runs.find((run) => run.shadow_maps > 0 && run.scheme === scheme && alike(run));
-  const names = { "map": "one map, no warp", "map+w": "one map, LSPSM", "zp4": "4 slices, no warp", "zp4+w": "4 slices, LSPSM" };
-  const runs = Object.keys(names).map((scheme) => exact.find((run) => run.scheme === scheme)).filter(Boolean);
-  const maps = runs.map((run) => mapsOf(run.scheme));
-  const bar = (label, of, color) => ({ type: "bar", label, data: of.map((run) => run?.stages.shadow ?? null), backgroundColor: color, of });
-  const wrong = (label, of, color) => ({
-    type: "line", label, yAxisID: "wrong", showLine: false, pointRadius: 7, pointStyle: "rectRot", backgroundColor: color, borderColor: ink, of,
-    data: of.map((run) => run?.errors.wrong_pixels_all === undefined ? null : 100 * run.errors.wrong_pixels_all),
+  const names = { "map": "one map, no warp", "map+w": "one map, warp", "zp4": "4 slices, no warp", "zp4+w": "4 slices, warp" };
+  const bar = (run, series) => ({
+    parts: [{ value: run.stages.shadow, series }], range: run.stage_ranges?.shadow,
+    note: run.errors[kWrong] === undefined ? "" : `${percent(run.errors[kWrong])} wrong`,
   });
-  new Chart(element("cells"), {
-    data: {
-      labels: runs.map((run) => names[run.scheme]),
-      datasets: [wrong("wrong pixels, exact", runs, palette[2]), wrong("wrong pixels, maps", maps, palette[1]),
-        bar("exact shadows, ms", runs, palette[0]), bar("shadow maps, ms", maps, palette[7])],
-    },
-    options: {
-      scales: {
-        y: { beginAtZero: true, title: { display: true, text: "shadow stage, ms" } },
-        wrong: { position: "right", beginAtZero: true, grid: { drawOnChartArea: false }, title: { display: true, text: "wrong pixels, % of all" } },
-      },
-      plugins: { tooltip: { callbacks: { label: (item) => item.dataset.of[item.dataIndex] ? describe(item.dataset.of[item.dataIndex]) : "" } } },
-    },
+  drawBars("cells", {
+    xTitle: "time of the shadow pass, ms", series: [{ label: "exact shadows" }, { label: "shadow maps" }],
+    groups: Object.keys(names).map((scheme) => [scheme, exact.find((run) => run.scheme === scheme), mapsOf(scheme)]).filter(([, run]) => run)
+      .map(([scheme, run, maps]) => ({ label: names[scheme], bars: [bar(run, 0), ...(maps ? [bar(maps, 1)] : [])] })),
   });
 }
 
 function drawStorage() {
+  if (data.storage.length === 0) return void element("storage-maps").parentElement.remove();
   const schemes = [...new Set(data.storage.map((p) => p.scheme))];
-  scatter("storage-maps", "shadow maps", "storage factor S", schemes.map((scheme, i) => ({
-    label: scheme, showLine: true, borderColor: palette[i % palette.length], backgroundColor: palette[i % palette.length],
-    data: data.storage.filter((p) => p.scheme === scheme).map((p) => ({ x: p.maps, y: p.S })),
-  })), { y: true });
+  drawXY("storage-maps", {
+    xTitle: "number of shadow maps", yTitle: "storage factor", yLog: true, whole: true,
+    series: schemes.map((label, i) => ({
+      label, isLine: true, color: palette[i % palette.length], dash: dashes[i % dashes.length], shape: shapes[i % shapes.length],
+      points: data.storage.filter((p) => p.scheme === label).map((p) => ({ x: p.maps, y: p.S })),
+    })),
+  });
 }
 
-function drawPromises() {
-  const both = known("promised_aliasing").filter(({ run }) => run.errors.measured_aliasing !== undefined);
-  const largest = Math.max(1, ...both.map(({ run }) => run.errors.promised_aliasing));
-  scatter("promise", "promised aliasing", "measured aliasing", [
-    { label: "runs", data: both.map(({ run }) => ({ x: run.errors.promised_aliasing, y: run.errors.measured_aliasing, run })), backgroundColor: palette[0] },
-    { label: "measured = promised", data: [{ x: 0, y: 0 }, { x: largest, y: largest }], showLine: true, pointRadius: 0, borderColor: accent },
-  ]);
-  const wrong = known("promised_aliasing").filter(({ run }) => run.errors.wrong_or_missed_fraction !== undefined);
-  const disobedient = new Set(data.correlation.disobedient);
-  const points = (wanted) => wrong.filter(({ i }) => disobedient.has(i) === wanted)
-    .map(({ run }) => ({ x: run.errors.promised_aliasing, y: run.errors.wrong_or_missed_fraction, run }));
-  scatter("wrong", "promised aliasing", "wrong or missed shadow pixels, fraction", [
-    { label: "runs", data: points(false), backgroundColor: palette[0] },
-    { label: "disobedient", data: points(true), backgroundColor: palette[1] },
-  ]);
-  element("correlation").textContent = data.correlation.runs < 3 ? "Too few runs were measured against rays for a correlation." :
-    `Rank correlation ${figures(data.correlation.rank)} over ${data.correlation.runs} runs.` +
-    (disobedient.size ? ` Disobedient (ranks differ by more than a third): ${[...disobedient].map((i) => data.runs[i].name).join("; ")}.` : "");
+function drawAliasing() {
+  const both = known("promised_aliasing").filter((run) => run.errors.measured_aliasing !== undefined);
+  if (both.length === 0) element("promise").parentElement.remove();
+  else {
+    const largest = Math.max(1, ...both.map((run) => run.errors.promised_aliasing));
+    drawXY("promise", { xTitle: titles.promised_aliasing, yTitle: titles.measured_aliasing, onClick: lookAt, series: [
+      { label: "runs", shape: shapes[0], color: palette[0], points: both.map((run) => ({ x: run.errors.promised_aliasing, y: run.errors.measured_aliasing, run, number: numberOf(run), title: describe(run) })) },
+      { label: "measured = bound", isLine: true, color: palette[1], dash: dashes[1], points: [{ x: 0, y: 0 }, { x: largest, y: largest }] },
+    ] });
+  }
+  const wrong = known("promised_aliasing").filter((run) => run.errors[kWrong] !== undefined);
+  if (wrong.length === 0) return void element("wrong").parentElement.remove();
+  const outliers = new Set(data.correlation.outliers.map((i) => data.runs[i]));
+  const points = (isOutlier) => wrong.filter((run) => outliers.has(run) === isOutlier)
+    .map((run) => ({ x: run.errors.promised_aliasing, y: 100 * run.errors[kWrong], yRange: errorRange(run, kWrong), run, number: numberOf(run), title: describe(run) }));
+  drawXY("wrong", { xTitle: titles.promised_aliasing, yTitle: titles[kWrong], onClick: lookAt, series: [
+    { label: "runs", shape: shapes[0], color: palette[0], points: points(false) },
+    ...(outliers.size ? [{ label: "outliers", shape: shapes[1], color: palette[1], points: points(true) }] : []),
+  ] });
+  element("correlation").textContent = "Bars show the spread of the frames. " +
+    (data.correlation.runs < 3 ? "The runs are too few for a correlation." :
+      `The rank correlation (Spearman) of ${data.correlation.runs} runs is ${figures(data.correlation.rank)}.` +
+      (outliers.size ? ` Outliers are the runs whose ranks differ by more than a third: ${[...outliers].map(numberOf).join(", ")}.` : ""));
 }
 
 function drawStages() {
   const stages = ["plan", "select", "cull", "stream", "shadow", "image"];
-  new Chart(element("stages"), {
-    type: "bar",
-    data: {
-      labels: data.runs.map(shortName),
-      datasets: stages.map((stage, i) => ({ label: stage, data: data.runs.map((run) => run.stages[stage]), backgroundColor: palette[i] })),
-    },
-    options: { scales: { x: { stacked: true }, y: { stacked: true, title: { display: true, text: "ms" } } } },
+  drawBars("stages", {
+    xTitle: "ms", series: stages.map((label) => ({ label })),
+    groups: data.runs.map((run) => ({ label: `${numberOf(run)}: ${shortName(run)}`, bars: [{
+      parts: stages.map((stage, series) => ({ value: run.stages[stage], series })), range: timeRange(run) ?? [run.p50, run.p50] }] })),
   });
 }
 
+/// The runs of the figure along the path: at first the fastest, the most accurate and the recommended run.
+const pathRuns = new Set();
 function drawPath() {
-  const longest = Math.max(0, ...data.runs.map((run) => run.frames.length));
-  new Chart(element("path"), {
-    type: "line",
-    data: {
-      labels: Array.from({ length: longest }, (_, i) => i),
-      datasets: data.runs.map((run, i) => ({
-        label: shortName(run), data: run.frames, borderColor: palette[i % palette.length], borderWidth: 1.5, pointRadius: 0, hidden: i >= palette.length,
-      })),
-    },
-    options: {
-      interaction: { mode: "nearest", intersect: false },
-      scales: { x: { title: { display: true, text: "frame" } }, y: { title: { display: true, text: "ms" }, beginAtZero: true } },
-    },
+  const runs = data.runs.filter((run) => pathRuns.has(run));
+  drawXY("path", {
+    xTitle: "frame", yTitle: "ms", whole: true,
+    series: runs.map((run, i) => ({
+      label: `${numberOf(run)}: ${shortName(run)}`, isLine: true, isBand: run.frame_ranges?.length > 0, color: palette[i % palette.length], dash: dashes[i % dashes.length],
+      points: run.frames.map((ms, frame) => ({ x: frame, y: ms, yRange: run.frame_ranges?.[frame] })),
+    })),
   });
+}
+
+function choosePath() {
+  const fastest = data.runs.reduce((a, b) => b.p50 < a.p50 ? b : a, data.runs[0]);
+  const accurate = known(data.leading_error).reduce((a, b) => a && a.errors[data.leading_error] <= b.errors[data.leading_error] ? a : b, undefined);
+  for (const run of [fastest, accurate, data.runs[data.recommended.run]]) if (run) pathRuns.add(run);
+  element("path-runs").replaceChildren("Runs:", ...data.runs.map((run) => {
+    const box = Object.assign(document.createElement("input"), { type: "checkbox", checked: pathRuns.has(run) });
+    box.addEventListener("change", () => {
+      if (box.checked) pathRuns.add(run);
+      else pathRuns.delete(run);
+      drawPath();
+    });
+    const label = made("label", ` ${numberOf(run)}`);
+    label.title = shortName(run);
+    label.prepend(box);
+    return label;
+  }));
 }
 
 function showTable() {
-  const settings = [...new Set(data.runs.flatMap((run) => Object.keys(run.settings)))];
+  const number = (value, extra) => ({ value, extra, text: (run) => figures(value(run)) });
   const columns = [
-    ["#", (r) => data.runs.indexOf(r) + 1], ["run", (r) => r.name], ...settings.map((key) => [key, (r) => r.settings[key] ?? ""]),
-    ["p50 ms", (r) => r.p50], ["p95 ms", (r) => r.p95], ["p99 ms", (r) => r.p99], ["noise", (r) => r.noise],
-    ["mean image tri", (r) => r.image_triangles], ["mean shadow tri", (r) => r.shadow_triangles], ["S", (r) => r.storage_factor],
-    ...data.errors.map((e) => [e.key, (r) => r.errors[e.key] ?? null]), ["crawl", (r) => r.crawl], ["promise kept", (r) => r.promise_kept ? "yes" : "no"],
+    ["#", number((r) => data.runs.indexOf(r) + 1)], ["settings", { value: shortName, text: shortName }],
+    ["median ms", number((r) => r.p50)], ["95% ms", number((r) => r.p95, true)], ["99% ms", number((r) => r.p99, true)],
+    ["noise, %", number((r) => r.noise === null ? null : 100 * r.noise, true)],
+    ...data.errors.map(({ key }, i) => [titles[key], number((r) => r.errors[key] === undefined ? null : scaled(key, r.errors[key]), i > 1)]),
+    ["crawl, %", number((r) => r.crawl === null ? null : 100 * r.crawl, true)],
+    ["image triangles", number((r) => r.image_triangles, true)], ["shadow triangles", number((r) => r.shadow_triangles, true)],
+    ["storage factor", number((r) => r.storage_factor || null, true)], ["bound kept", { value: (r) => r.bound_kept ? "yes" : "no", text: (r) => r.bound_kept ? "yes" : "no", extra: true }],
   ];
+  const varies = (text) => new Set(data.runs.map(text)).size > 1;
+  const shown = columns.filter(([title, { text }]) => ["#", "settings", "median ms"].includes(title) || varies(text));
+  const settings = [...new Set(data.runs.flatMap((run) => Object.keys(run.settings)))];
+  const same = [
+    ...settings.filter((key) => !varies((run) => run.settings[key] ?? "")).map((key) => `${key} ${data.runs[0].settings[key]}`),
+    ...columns.filter((column) => !shown.includes(column)).filter(([, { text }]) => text(data.runs[0]) !== "").map(([title, { text }]) => `${title} ${text(data.runs[0])}`),
+  ];
+  element("same").textContent = data.runs.length > 0 && same.length > 0 ? `The same for all runs: ${same.join("; ")}.` : "";
   const table = element("table");
   let order = data.runs.map((_, i) => i);
   const render = () => {
     const onFront = new Set(data.fronts[element("error-kind").value]);
-    const body = order.map((i) => {
+    table.tBodies[0].replaceChildren(...order.map((i) => {
       const row = document.createElement("tr");
       if (onFront.has(i)) row.className = "front";
-      for (const [, value] of columns) {
-        const v = value(data.runs[i]);
-        row.insertCell().textContent = typeof v === "number" || v === null ? figures(v) : v;
-      }
+      for (const [, { text, extra }] of shown) row.append(Object.assign(made("td", text(data.runs[i])), { className: extra ? "extra" : "" }));
       return row;
-    });
-    table.tBodies[0].replaceChildren(...body);
+    }));
   };
   const head = table.createTHead().insertRow();
   table.createTBody();
-  columns.forEach(([title, value]) => {
-    const cell = document.createElement("th");
-    cell.textContent = title;
-    cell.title = terms[title] ?? "";
+  for (const [title, { value, extra }] of shown) {
+    const cell = Object.assign(made("th", title), { title: terms[title] ?? "", className: extra ? "extra" : "" });
     let ascending = false;
     cell.addEventListener("click", () => {
       ascending = !ascending;
@@ -312,61 +291,56 @@ function showTable() {
       render();
     });
     head.append(cell);
-  });
+  }
   element("error-kind").addEventListener("change", render);
-  explain(element("terms"), columns.map(([title]) => title));
+  explain(element("terms"), [...shown.map(([title]) => title), ...settings.filter((key) => varies((run) => run.settings[key] ?? ""))]);
   render();
 }
 
 function showNoise() {
-  const noises = data.runs.map((run) => run.noise).filter((noise) => noise !== null);
-  element("noise").textContent = noises.length === 0 ? `Each run was walked once, so the noise of its time is not known; ± ${percent(data.unknown_noise)} is assumed.` :
-    `Noise: the medians of a run's repetitions lie within ± ${percent(Math.max(...noises))} (worst run), ` +
-    `± ${percent(noises.sort((a, b) => a - b)[Math.floor(noises.length / 2)])} (middle run). ` +
-    "A setting meets a budget if its median and its noise do.";
+  const noises = data.runs.map((run) => run.noise).filter((noise) => noise !== null).sort((a, b) => a - b);
+  element("noise").textContent = noises.length === 0 ? `Each run has one repetition, so its noise is unknown; ${percent(data.unknown_noise)} is assumed.` :
+    `The noise of the runs is ${percent(noises[Math.floor(noises.length / 2)])} (median) and at most ${percent(noises.at(-1))}.`;
 }
 
-function showContext() {
+function showHeader() {
   element("model").textContent = data.model;
-  element("sentences").replaceChildren(...data.sentences.map((sentence) => Object.assign(document.createElement("p"), { textContent: sentence })));
-  element("run-names").replaceChildren(...data.runs.map((run) => Object.assign(document.createElement("li"), { textContent: shortName(run) })));
+  element("sentences").replaceChildren(...data.sentences.map((sentence) => made("p", sentence)));
   const { recommended } = data;
-  if (recommended === null) element("recommended").remove();
-  else {
-    const run = data.runs[recommended.run];
-    const kind = data.errors.find((error) => error.key === recommended.error);
-    element("command").textContent = recommended.command;
-    element("recommended-why").textContent = `Run ${recommended.run + 1}: ${figures(run.p50)} ms a frame on this machine, ${kind.label}: ` +
-      `${figures(run.errors[kind.key])}. Of the runs that noise lets tell apart it is the max accurate that takes at max ` +
-      `${figures(recommended.times)} times the frame time of the fastest.`;
-  }
-  for (const [name, value] of Object.entries(data.context)) {
-    element("context").append(
-      Object.assign(document.createElement("dt"), { textContent: name }),
-      Object.assign(document.createElement("dd"), { textContent: typeof value === "string" ? value : JSON.stringify(value) }));
-  }
-  for (const [title, file] of [["CSV", data.csv], ["JSON", data.json]]) {
-    if (file) element("links").append(Object.assign(document.createElement("a"), { href: file, textContent: title }), " ");
-  }
+  if (recommended.command === undefined) element("command").parentElement.remove();
+  else element("command").textContent = recommended.command;
+  element("recommended-why").textContent = (recommended.run === undefined ? "" : `Run ${recommended.run + 1}. `) + recommended.reason;
+  for (const [name, value] of Object.entries(data.context))
+    element("context").append(made("dt", name), made("dd", typeof value === "string" ? value : JSON.stringify(value)));
+  for (const [title, file] of [["CSV, one row per frame", data.csv], ["JSON", data.json]])
+    if (file) element("links").append(Object.assign(made("a", title), { href: file }), " ");
 }
 
-const measured = data.errors.filter((e) => known(e.key).length > 0);
-for (const kind of measured.length ? measured : data.errors) element("error-kind").add(new Option(kind.label, kind.key));
+function drawAll() {
+  for (const draw of [drawErrorTime, drawMaps, drawCells, drawStorage, drawAliasing, drawStages, drawPath]) draw();
+}
+
+for (const { key } of data.errors.slice(0, 3)) if (known(key).length > 0) element("error-kind").add(new Option(titles[key], key));
+if (element("error-kind").length === 0) element("error-kind").add(new Option(titles[kWrong], kWrong));
 element("error-kind").value = data.leading_error;
 element("error-kind").addEventListener("change", drawErrorTime);
 element("log-error").addEventListener("change", drawErrorTime);
-element("budget").addEventListener("input", answerBudget);
-element("bound").addEventListener("input", answerBound);
-showContext();
+showHeader();
 showNoise();
-drawErrorTime();
-drawMaps();
-drawCells();
-drawStorage();
-drawPromises();
-drawStages();
-drawPath();
+showLimits();
+if (data.runs.length > 0) {
+  choosePath();
+  drawAll();
+}
 showPrices();
 showPictures();
 showTable();
+let drawnWidth = document.documentElement.clientWidth;
+addEventListener("resize", () => {
+  if (document.documentElement.clientWidth === drawnWidth || data.runs.length === 0) return;
+  drawnWidth = document.documentElement.clientWidth;
+  for (const draw of [drawErrorTime, drawStages, drawPath]) draw();
+  for (const [id, draw] of [["time-maps", drawMaps], ["cells", drawCells], ["storage-maps", drawStorage]]) if (element(id)) draw();
+  if (element("promise") && element("wrong")) drawAliasing();
+});
 document.documentElement.dataset.ready = "yes";

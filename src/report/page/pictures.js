@@ -1,7 +1,7 @@
 "use strict";
-// What the runs look like. Uses `data`, `element`, `figures` and `shortName` of page.js, which calls what is here.
+// The pictures of the runs. Uses the functions of page.js.
 
-/// Shows the picture of a run on the left and what it should be on the right, where the page holds them.
+/// Shows the picture of a run on the left and its reference on the right, if the page contains them.
 function lookAt(run) {
   const place = (kind) => data.pictures.findIndex((picture) => run && picture.run === run.name && picture.kind === kind);
   for (const [side, index] of [["left", place("picture")], ["right", place("reference")]]) {
@@ -30,8 +30,8 @@ function showPictures() {
   slide();
 }
 
-/// At most three runs that have a picture: the fastest, the most accurate, and of those on the front between them the
-/// one whose time is nearest to the middle of theirs (as a ratio); the most accurate is the fastest of its like.
+/// Returns up to three runs with a picture: the fastest run, the run of the Pareto front whose time is nearest to the
+/// geometric mean of both others, and the most accurate run (the fastest of equally accurate runs).
 function threePrices() {
   const key = data.leading_error;
   const runs = data.runs.filter((run) => run.errors[key] !== undefined &&
@@ -49,7 +49,7 @@ function threePrices() {
 function showPrices() {
   const runs = threePrices();
   if (runs.length < 2) return void element("prices-section").remove();
-  const kind = data.errors.find((error) => error.key === data.leading_error);
+  const key = data.leading_error;
   element("prices-count").textContent = runs.length === 2 ? "two" : "three";
   element("prices").replaceChildren(...runs.map((run) => {
     const figure = document.createElement("figure");
@@ -58,7 +58,7 @@ function showPrices() {
     image.alt = run.name;
     const caption = document.createElement("figcaption");
     const price = Object.assign(document.createElement("strong"), { textContent: `${figures(run.p50)} ms` });
-    caption.append(price, ` a frame, ${kind.label}: ${figures(run.errors[kind.key])}. Run ${data.runs.indexOf(run) + 1}: ${shortName(run)}`);
+    caption.append(price, ` per frame, ${titles[key]}: ${figures(scaled(key, run.errors[key]))}. Run ${numberOf(run)}: ${shortName(run)}`);
     figure.append(image, caption);
     return figure;
   }));

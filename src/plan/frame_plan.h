@@ -89,6 +89,13 @@ inline constexpr std::array kCasterCullings = {
     Word<CasterCulling>{CasterCulling::Receivers, "receivers"},
 };
 
+/// Slices without a visible surface that faces the light: they have no map (Drop), or a map as in the paper (Keep).
+enum class EmptySlices : std::uint8_t { Drop, Keep };
+inline constexpr std::array kEmptySlices = {
+    Word<EmptySlices>{EmptySlices::Drop, "drop"},
+    Word<EmptySlices>{EmptySlices::Keep, "keep"},
+};
+
 /// The user's settings, with the names of the command line.
 struct Quality {
     ShadowMode shadows = ShadowMode::Maps; // chooseShadows replaces ShadowMode::Auto by the chosen type
@@ -97,6 +104,7 @@ struct Quality {
     shadow::Warp warp;
     std::optional<int> zPartitions = 4; // number of depth slices; nullopt: auto
     double splitLambda = 1;
+    EmptySlices emptySlices = EmptySlices::Drop;
     Choice facePartitions = Choice::Off;
     int shadowTexelsWidth = 2048; // width times height is the total number of texels of all maps, borders included
     int shadowTexelsHeight = 2048;

@@ -26,7 +26,7 @@ std::vector<double> splitsOf(const SchemeContext& context, int slices) {
 }
 
 std::uint64_t emptySlicesOf(const SchemeContext& context, int slices) {
-    if (!context.scene->light) return 0;
+    if (!context.scene->light || context.quality.emptySlices == EmptySlices::Keep) return 0;
     const std::vector<double> splits = splitsOf(context, slices);
     if (!context.before || context.ignoreHistory) return slicesWithout(context.scene->light->lit, splits);
     const bool isSame = context.before->choice.slices == slices;

@@ -58,7 +58,7 @@ std::vector<Contradiction> lightContradictions() {
         {{"light-at"}, {kLight, {"sun"}}, "each of them sets the light"},
         {{"light-at"}, {{"sun-angle"}}, "the light of a lamp has no width"},
         {{"light-at"},
-         {kWarp, {"eta"}, {"z-partitions"}, {"split-lambda"}, {"face-partitions"}, {"stabilize"}},
+         {kWarp, {"eta"}, {"z-partitions"}, {"split-lambda"}, {"empty-slices"}, {"face-partitions"}, {"stabilize"}},
          "the maps of a lamp are the faces of a cube around it"},
         {{"light-at"}, {{"ground"}}, "the ground shows the shadow of a direction"},
         {{"shading", [](const Request& r) { return plan::hasNoSun(r.settings.quality.look.shading); }},

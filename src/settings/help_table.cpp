@@ -126,6 +126,7 @@ constexpr std::array kRows = {
     HelpRow{"z-partitions", Group::Research, ""},
     HelpRow{"face-partitions", Group::Research, ""},
     HelpRow{"split-lambda", Group::Research, ""},
+    HelpRow{"empty-slices", Group::Research, ""},
     HelpRow{"warp", Group::Research, ""},
     HelpRow{"eta", Group::Research, ""},
     HelpRow{"tsm-focus", Group::Research, ""},

@@ -175,6 +175,14 @@ std::vector<Setting> fixedMapSettings() {
              .statedAs = "split_lambda"},
             number("a number from 0 to 1", [](double v) { return v >= 0 && v <= 1; })),
         quality(
+            &Quality::emptySlices,
+            {.name = "empty-slices",
+             .form = {},
+             .help = "Maps of slices without visible receivers: drop or keep (as in Lloyd et al. 2006)",
+             .isOfMaps = true,
+             .statedAs = "empty_slices"},
+            oneOf(plan::kEmptySlices)),
+        quality(
             &Quality::maxAliasing,
             {.name = "max-aliasing",
              .form = "M",

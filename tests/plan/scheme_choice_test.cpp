@@ -115,6 +115,18 @@ TEST(SchemeChoice, WithoutFactsOfTheLightTheTexelsAloneCost) {
     EXPECT_EQ(found.cost, texels / kTexelsPerTriangle);
 }
 
+TEST(SchemeChoice, KeepsTheMapsOfEmptySlicesOnRequest) {
+    GNOMON_TOO_LONG_FOR_SANITIZERS();
+    const MadeScene scene(2);
+    const View view = madeView(2);
+    SceneFacts facts = scene.facts(view);
+    facts.light->lit.clear(); // no slice has a receiver
+    Quality quality;
+    EXPECT_EQ(evaluate(contextOf(scene, view, facts, quality), {4, false, false}).setup.maps.size(), 0U);
+    quality.emptySlices = EmptySlices::Keep;
+    EXPECT_EQ(evaluate(contextOf(scene, view, facts, quality), {4, false, false}).setup.maps.size(), 4U);
+}
+
 TEST(SchemeChoice, TakesNoMoreTexelsThanItsPromiseAsksForAndHardlyMore) {
     GNOMON_TOO_LONG_FOR_SANITIZERS();
     int tested = 0;

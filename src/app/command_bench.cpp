@@ -1,13 +1,19 @@
+#include "app/bench_against.h"
+#include "app/command_bench_build.h"
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/oracle_option.h"
 #include "app/thread_limit.h"
-#include "bench/baseline.h"
+#include "bench/alike_keys.h"
 #include "bench/bench_output.h"
 #include "bench/bench_text.h"
+#include "bench/child_process.h"
 #include "bench/report_runs.h"
+#include "bench/results_of_runs.h"
 #include "bench/summarize.h"
+#include "bench/verdict_text.h"
+#include "core/formatted.h"
 #include "core/prepared_output.h"
 #include "settings/codec.h"
 #include "settings/contradictions.h"
@@ -15,6 +21,7 @@
 #include "settings/old_names.h"
 #include "settings/resolve.h"
 #include "settings/table.h"
+#include "telemetry/benchmark_report.h"
 #include "telemetry/shortfall.h"
 
 #include <algorithm>
@@ -22,6 +29,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <set>
 
 namespace gnomon::app {
 
@@ -35,15 +43,15 @@ struct BenchOptions {
     std::string path;
     std::optional<std::string> shadowMaps;
     std::string csv;
-    std::string json;
+    GateOptions gates;
+    std::string againstModel;
     std::string images;
     bool hasAllImages = false;
     std::string report;
     std::optional<int> repetitions;
     bool isQuick = false;
     std::string budgetMs;
-    std::string baseline;
-    std::string failAbovePercent = "10";
+    std::string maxWrongPixels;
 };
 
 /// Returns how `gnomon bench` moves along its camera path. --quick reduces the number of frames. With --report, the
@@ -61,28 +69,48 @@ bench::WalkOptions walkOf(const BenchOptions& options) {
             "--oracle",
             "--oracle and --no-wait contradict each other: a frame that is compared with rays waits for its pages"};
     walk.provenFrames = walk.frames;
-    if (!options.report.empty() && !isProven && !walk.isRealTime) {
+    walk.countsWrongPixels = isProven;
+    const bool isAsked = !options.budgetMs.empty() || !options.maxWrongPixels.empty();
+    if ((!options.report.empty() || isAsked) && !isProven && !walk.isRealTime) {
         walk.groundTruth = validation::GroundTruth::SameDetail;
         walk.countsWrongPixels = true;
-        walk.provenFrames = options.isQuick ? 3 : 8;
+        walk.provenFrames = options.isQuick || options.report.empty() ? 3 : 8;
     }
     return walk;
 }
 
-/// The limits that a bench must not exceed: those of --fail-above (percent) and --budget-ms (ms).
+/// The limits that a bench must not exceed: those of the gates, --budget-ms (ms) and --max-wrong-pixels (a share).
 struct Bounds {
-    double failAbovePercent = 0;
+    bench::Limits gates;
     std::optional<double> budgetMs;
+    std::optional<double> maxWrongShare;
 };
 
 /// Parses the limits of --fail-above and --budget-ms. Throws UsageError for a negative percentage, or for a budget of 0
 /// or less.
 Bounds boundsOf(const BenchOptions& options) {
-    const auto nonNegative = settings::number("a number of at least 0", [](double value) { return value >= 0; });
-    Bounds bounds{settings::parsed(nonNegative, "--fail-above", options.failAbovePercent), std::nullopt};
+    Bounds bounds{limitsOf(options.gates), std::nullopt, std::nullopt};
+    bounds.gates.waits = !options.walk.isRealTime;
     if (!options.budgetMs.empty())
         bounds.budgetMs = settings::parsed(settings::positiveNumber(), "--budget-ms", options.budgetMs);
+    const auto percentage =
+        settings::number("a percentage from 0 to 100", [](double value) { return value >= 0 && value <= 100; });
+    if (!options.maxWrongPixels.empty())
+        bounds.maxWrongShare = settings::parsed(percentage, "--max-wrong-pixels", options.maxWrongPixels) / 100;
     return bounds;
+}
+
+/// Returns the given options that a bench can sweep, with their values: "error_pixels:1, filter:3". Options with
+/// several values are left out, because the names of the runs contain them.
+std::string givenText(const std::vector<settings::Axis>& axes) {
+    std::string text;
+    for (const settings::Axis& axis : axes) {
+        if (axis.values.size() != 1) continue;
+        settings::Settings with;
+        axis.setting->set(with, axis.values.front());
+        text += (text.empty() ? "" : ", ") + axis.setting->column() + ":" + axis.setting->text(with);
+    }
+    return text.empty() ? "none" : text;
 }
 
 /// Returns the runs of a bench, one per combination of settings. Throws UsageError if options contradict each other in
@@ -96,8 +124,11 @@ std::vector<bench::BenchRun> runsOf(const BenchOptions& options) {
     settings::Request request{options.model, fixed, {}};
     request.output.path = options.path;
     settings::requireSound(request);
-    std::vector<bench::BenchRun> runs =
-        bench::runsOf(settings::combinations(fixed, options.settings.axes(options.shadowMaps)));
+    const std::vector<settings::Axis> axes = options.settings.axes(options.shadowMaps);
+    std::set<std::string> given;
+    for (const settings::Axis& axis : axes)
+        given.insert(axis.setting->column());
+    std::vector<bench::BenchRun> runs = bench::runsOf(settings::combinations(fixed, axes), given);
     if (runs.size() == 1 && !options.report.empty()) runs = bench::reportRuns(runs.front().settings, options.isQuick);
     for (const bench::BenchRun& run : runs)
         settings::requireSound(run.settings); // before the first run, because runs take long
@@ -117,10 +148,10 @@ public:
           bounds_(boundsOf(options)),
           runs_(runsOf(options)),
           path_(path::projected(path::readCameraPath(options.path), runs_.front().settings.projection)),
-          baseline_(options.baseline.empty() ? std::nullopt : std::optional(bench::readBaseline(options.baseline))),
+          baseline_(baselineOf(options.gates)),
           session_(options.model, bench::backendSettings(runs_), printWarning, backendOf(runs_)),
           csv_(options.csv),
-          json_(options.json),
+          files_(options.gates),
           images_(options.images),
           report_(options.report) {
         if (options.isQuick) shorten();
@@ -128,7 +159,8 @@ public:
         context_["path"] = std::filesystem::path(options.path).filename().string();
         context_["version"] = GNOMON_VERSION;
         context_["threads"] = std::to_string(ThreadLimit::current());
-        if (baseline_) bench::requireComparable(*baseline_, context_);
+        context_["options"] = givenText(options.settings.axes(options.shadowMaps));
+        if (baseline_) requireComparable();
         if (options.hasAllImages)
             options_.walk.onPicture = [folder = options.images](auto run, int frame, auto png) {
                 bench::writeFramePicture(folder, run, frame, png);
@@ -136,26 +168,25 @@ public:
     }
 
     void run() {
+        const double stolen = telemetry::stolenSeconds();
         const std::vector<bench::RunResult> results = walked();
         std::vector<report::RunSummary> summaries;
         std::transform(results.begin(), results.end(), std::back_inserter(summaries), bench::summarize);
         context_["first_frame_ms"] = std::to_string(results.front().firstFrameMs);
+        context_["steal_seconds"] = formatted("%.2f", telemetry::stolenSeconds() - stolen);
         tellShortfall(results);
         csv_.write(bench::csvText(results)); // first, because a later step can be interrupted
-        json_.write(bench::benchmarkText(context_, results));
-        std::fputs(bench::tableText(summaries).c_str(), stdout);
-        std::fputs(choicesText(summaries).c_str(), stdout);
+        const bench::ResultSet set = bench::resultSet(context_, results, options_.walk.isRealTime);
+        bench::Verdict verdict;
+        if (baseline_) verdict = bench::judge(*baseline_, set, bounds_.gates);
+        const std::string choices = choicesText(summaries, verdict);
+        files_.write(set, hasGates() ? &verdict : nullptr);
+        print(bench::tableText(summaries) + choices + bench::verdictText(verdict));
         if (!options_.images.empty()) writeImages();
-        if (!options_.report.empty()) bench::writeReport(options_.report, pageOf(summaries), results);
-        const bool hasFiles = !(options_.csv + options_.json + options_.images + options_.report).empty();
+        if (!options_.report.empty()) bench::writeReport(options_.report, pageOf(summaries), results, set);
+        const bool hasFiles = !(options_.csv + options_.gates.json + options_.images + options_.report).empty();
         requirePrinted(hasFiles ? "the requested files are complete" : "");
-        if (baseline_) {
-            for (const std::string& name : bench::notCompared(*baseline_, summaries))
-                printMessage(
-                    baseline_->path + ": only one of the two benches has this run, so it is not compared: " + name);
-            bench::requireComplete(*baseline_, summaries, !options_.walk.isRealTime);
-            bench::requireNotSlower(*baseline_, summaries, bounds_.failAbovePercent);
-        }
+        conclude(verdict, baseline_ ? baseline_->path : options_.model);
     }
 
 private:
@@ -169,12 +200,38 @@ private:
 
     bench::BenchWalks walks() { return {session_, path_, runs_, options_.walk}; }
 
-    std::string choicesText(const std::vector<report::RunSummary>& summaries) {
-        std::string text;
+    bool hasGates() const { return baseline_ || bounds_.budgetMs; }
+
+    void print(const std::string& text) const {
+        if (!options_.gates.writesJsonToStdout()) std::fputs(text.c_str(), stdout);
+    }
+
+    /// Throws GatesFailed before the measurements if the context of the baseline differs.
+    void requireComparable() {
+        bounds_.gates.alikeKeys = bench::alikeKeys(*baseline_, context_, false);
+        bench::Verdict verdict;
+        verdict.gates = bench::contextGates(*baseline_, context_, bounds_.gates);
+        if (verdict.gates.empty()) return;
+        files_.writeVerdict(verdict);
+        conclude(verdict, baseline_->path);
+    }
+
+    /// Returns the recommended runs. Adds the gate of the budget to `verdict`.
+    std::string choicesText(const std::vector<report::RunSummary>& summaries, bench::Verdict& verdict) {
+        std::string text = bench::recommendationText(summaries, bounds_.maxWrongShare);
         const auto again = [this](std::size_t run) { return walkedAgain(run); };
-        if (bounds_.budgetMs) text += bench::underBudgetText(*bounds_.budgetMs, summaries, again);
+        if (bounds_.budgetMs) {
+            const bench::BudgetChoice choice = bench::underBudget(*bounds_.budgetMs, summaries, again);
+            text += choice.text;
+            bench::Gate gate;
+            gate.quantity = "budget";
+            gate.before = formatted("a run within %g ms", *bounds_.budgetMs);
+            gate.after = choice.hasRun ? "one" : "none";
+            gate.decision = choice.hasRun ? bench::Decision::Pass : bench::Decision::Fail;
+            gate.fails = !choice.hasRun;
+            verdict.gates.push_back(gate);
+        }
         if (summaries.size() > 1) text += bench::underBoundText(runs_.front().settings.quality.maxAliasing, summaries);
-        if (baseline_) text += bench::changesText(*baseline_, summaries, bounds_.failAbovePercent);
         return text;
     }
 
@@ -232,21 +289,52 @@ private:
     Bounds bounds_;
     std::vector<bench::BenchRun> runs_;
     path::CameraPath path_;
-    std::optional<bench::Baseline> baseline_;
+    std::optional<bench::ResultSet> baseline_;
     task::Session session_;
     PreparedFile csv_;
-    PreparedFile json_;
+    GateFiles files_;
     std::map<std::string, std::string> context_;
     PreparedFolder images_;
     PreparedFolder report_;
 };
 
+/// Measures this program and another one alternately.
+void runAgainst(const BenchOptions& options) {
+    if (!(options.csv + options.images + options.report + options.budgetMs + options.maxWrongPixels).empty())
+        throw settings::UsageError{
+            "--against",
+            "--against has no --csv, --images, --report, --budget-ms and --max-wrong-pixels: run a bench without it"};
+    Comparison comparison;
+    comparison.repetitions = options.repetitions.value_or(kRepetitionsAgainst);
+    comparison.measure = benchOnce;
+    comparison.limits = boundsOf(options).gates;
+    comparison.limits.pairing = bench::Pairing::Repetitions;
+    comparison.limits.allowsOtherModel = !options.againstModel.empty();
+    comparison.isSilent = options.gates.writesJsonToStdout();
+    static_cast<void>(runsOf(options)); // a contradiction of options fails here, not in a child process
+    GateFiles files(options.gates);
+    const auto progress = makeProgress(options.common);
+    progress->stage("bench", "repetitions", 2 * static_cast<std::uint64_t>(comparison.repetitions));
+    const bench::Side before{
+        std::filesystem::absolute(options.gates.against).string(), wordsOfSide(options.model, options.againstModel)};
+    const bench::Side after{bench::ownProgram(), wordsOfSide(options.model, "")};
+    compareSides(before, after, comparison, files, *progress);
+}
+
 void runBench(BenchOptions options) {
     const ThreadLimit limit(options.common);
     settings::requireDistinctFiles(
-        {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.baseline}},
-        {{"--csv", options.csv}, {"--json-file", options.json}});
+        {{"MODEL", options.model}, {"--path", options.path}, {"--baseline", options.gates.baseline}},
+        {{"--csv", options.csv},
+         {"--json-file", options.gates.writesJsonToStdout() ? "" : options.gates.json},
+         {"--verdict", options.gates.verdict},
+         {"--summary-md", options.gates.summaryMd},
+         {"--bmf", options.gates.bmf},
+         {"--action-json", options.gates.actionJson}});
     options.walk = walkOf(options);
+    if (!options.gates.against.empty()) return runAgainst(options);
+    if (!options.againstModel.empty())
+        throw settings::UsageError{"--against-model", "--against-model needs --against, which names the other program"};
     Bench(options).run();
 }
 
@@ -291,8 +379,6 @@ void addBenchCommand(CLI::App& program) {
         "List of numbers of shadow maps: --z-partitions with these numbers, without face partitions");
     shadowMaps->type_name("K,...");
     command->add_option("--csv", options->csv, "Write one row per frame")->type_name("FILE.csv");
-    command->add_option("--json-file", options->json, "Write the runs in the format of Google Benchmark")
-        ->type_name("FILE.json");
     CLI::Option* images = command->add_option(
         "--images", options->images, "Write six pictures of the middle frame of each run to a folder");
     images->type_name("DIR");
@@ -302,19 +388,29 @@ void addBenchCommand(CLI::App& program) {
         ->type_name("DIR");
     command->add_option("--budget-ms", options->budgetMs, "Print the most accurate run with a frame time below T ms")
         ->type_name("T");
-    command->add_option("--baseline", options->baseline, "Compare with the --json-file of an earlier bench")
-        ->type_name("FILE.json");
+    addGateOptions(*command, options->gates);
+    command->add_option("--against-model", options->againstModel, "With --against: the model of the other program")
+        ->type_name("OLD.gnm");
     command
-        ->add_option("--fail-above", options->failAbovePercent, "Max growth of a median since --baseline, in percent")
-        ->type_name("PERCENT")
-        ->capture_default_str();
+        ->add_option(
+            "--max-wrong-pixels", options->maxWrongPixels, "Recommend the fastest run with at most P% wrong pixels")
+        ->type_name("P");
     command->footer(
         "These options accept a list such as --shadows maps,exact. Each combination of values is one run:" +
         sweptOptions() + "\nWithout a list, --report compares a standard set of runs.");
     options->settings.addTo(*command);
     shadowMaps->excludes("--z-partitions");
     addCommonOptions(*command, options->common);
-    command->callback([options] { runBench(*options); });
+    CLI::App* build = addBenchBuildCommand(*command);
+    const std::vector<CLI::Option*> required =
+        command->get_options([](const CLI::Option* option) { return option->get_required(); });
+    build->preparse_callback([required](std::size_t) {
+        for (CLI::Option* option : required)
+            option->required(false); // bench build has its own arguments
+    });
+    command->callback([options, build] {
+        if (!build->parsed()) runBench(*options);
+    });
 }
 
 } // namespace gnomon::app

@@ -78,7 +78,8 @@ std::string usageOf(const CommandWords& command, const std::string& name) {
     }
     for (const OptionWords& option : command.options)
         if (option.isRequired) usage += " " + option.names.front() + " " + valueOf(option);
-    return usage + (command.commands.empty() ? " [OPTIONS]\n" : " COMMAND [OPTIONS]\n");
+    const bool needsCommand = !command.commands.empty() && command.arguments.empty();
+    return usage + (!needsCommand ? " [OPTIONS]\n" : " COMMAND [OPTIONS]\n");
 }
 
 std::size_t labelColumnsOf(const std::vector<const OptionWords*>& options) {

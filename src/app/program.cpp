@@ -75,6 +75,9 @@ int exitCodeOf(const std::function<void()>& work) {
     } catch (const settings::UsageError& error) {
         printMessage(error.message);
         return 2;
+    } catch (const GatesFailed& error) {
+        printMessage(error.what());
+        return error.exitCode();
     } catch (const Interrupted&) {
         printMessage(kInterrupted);
         return 1;

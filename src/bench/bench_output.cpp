@@ -1,6 +1,6 @@
 #include "bench/bench_output.h"
 
-#include "bench/summarize.h"
+#include "bench/result_json.h"
 #include "core/file.h"
 #include "core/formatted.h"
 #include "report/accuracy_cost.h"
@@ -12,6 +12,38 @@
 #include <filesystem>
 
 namespace gnomon::bench {
+
+namespace {
+
+/// Returns what identifies the source of a model: its numbers of triangles and vertices, and its bounds. The file does
+/// not contain a hash of the source.
+std::string sourceOf(const hierarchy::ModelSummary& summary) {
+    const Box& box = summary.bounds;
+    return formatted(
+        "%llu triangles, %llu vertices, %.6g,%.6g,%.6g to %.6g,%.6g,%.6g",
+        static_cast<unsigned long long>(summary.sourceTriangles),
+        static_cast<unsigned long long>(summary.sourceVertices),
+        box.min.x,
+        box.min.y,
+        box.min.z,
+        box.max.x,
+        box.max.y,
+        box.max.z);
+}
+
+/// Returns the values of the settings that change the picture but that no bench sweeps, also the default values.
+std::string pictureOf(const settings::Settings& settings) {
+    std::string text;
+    for (const char* name :
+         {"projection", "shading", "ambient", "background", "ground", "sky", "sun-angle", "section"}) {
+        const settings::Setting& setting = settings::named(name);
+        const std::string value = setting.text(settings);
+        text += (text.empty() ? "" : ", ") + setting.column() + " " + (value.empty() ? "default" : value);
+    }
+    return text + ", samples 1, fov_y from the path";
+}
+
+} // namespace
 
 std::map<std::string, std::string> statedSettings(const std::vector<BenchRun>& runs) {
     std::map<std::string, std::string> stated;
@@ -37,6 +69,8 @@ std::map<std::string, std::string> statedFacts(
     context["model"] = std::filesystem::path(model.path()).filename().string();
     context["model_triangles"] = std::to_string(model.summary().sourceTriangles);
     context["model_content_hash"] = model.contentHash();
+    context["model_source"] = sourceOf(model.summary());
+    context["picture"] = pictureOf(runs.front().settings);
     context["path_content_hash"] = path::contentHash(path);
     context.merge(statedSettings(runs));
     context["backend"] = session.backend().name();
@@ -53,18 +87,6 @@ std::string csvText(const std::vector<RunResult>& results) {
         for (const telemetry::FrameRow& row : result.rows)
             text += telemetry::csvRow(row) + "\n";
     return text;
-}
-
-std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results) {
-    std::vector<telemetry::RunTimes> runs;
-    for (const RunResult& result : results) {
-        const report::RunSummary facts = summarize(result);
-        telemetry::RunTimes times{result.run.name, {}, result.cpuMs, facts.pagesDamaged, facts.pagesMissing};
-        for (const telemetry::FrameRow& row : result.rows)
-            times.totalMs.push_back(row.totalMs.value_or(0));
-        runs.push_back(times);
-    }
-    return telemetry::benchmarkJson(context, runs) + "\n";
 }
 
 void writePictures(const std::string& folder, std::size_t run, const std::vector<report::Picture>& pictures) {
@@ -88,12 +110,13 @@ std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& sum
     return runs;
 }
 
-void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results) {
+void writeReport(
+    const std::string& folder, report::Report page, const std::vector<RunResult>& results, const ResultSet& set) {
     const auto place = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
     page.csvFile = "bench.csv";
     page.jsonFile = "bench.json";
     writeTextFile(place(page.csvFile), csvText(results));
-    writeTextFile(place(page.jsonFile), benchmarkText(page.context, results));
+    writeTextFile(place(page.jsonFile), resultJson(set));
     writeTextFile(place("index.html"), report::page(page));
 }
 

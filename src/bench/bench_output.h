@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/bench_runs.h"
+#include "bench/result_set.h"
 #include "report/page.h"
 
 #include <cstdint>
@@ -24,9 +25,6 @@ std::map<std::string, std::string> statedFacts(
 /// Returns the log as CSV: a header line and one row per frame.
 std::string csvText(const std::vector<RunResult>& results);
 
-/// Returns the context and the results as JSON in the format of Google Benchmark.
-std::string benchmarkText(const std::map<std::string, std::string>& context, const std::vector<RunResult>& results);
-
 /// Writes the pictures of run `run` as runN.png (the picture) and runN_KIND.png (all other kinds) into `folder`.
 void writePictures(const std::string& folder, std::size_t run, const std::vector<report::Picture>& pictures);
 
@@ -38,7 +36,8 @@ std::vector<std::size_t> picturedRuns(const std::vector<report::RunSummary>& sum
 
 /// Writes the report into `folder`: index.html, bench.csv and bench.json. The files do not contain the name of the
 /// host, because reports are given to other people.
-void writeReport(const std::string& folder, report::Report page, const std::vector<RunResult>& results);
+void writeReport(
+    const std::string& folder, report::Report page, const std::vector<RunResult>& results, const ResultSet& set);
 
 /// Returns the storage factors of four schemes with 1 to 8 slices each, for the frustum and the light of `plan`. The
 /// schemes are slices, warped slices, warped slices with faces, and logarithmic slices with faces.

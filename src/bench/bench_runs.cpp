@@ -29,20 +29,31 @@ std::string joined(std::string text, const char* separator, const std::string& m
     return text + more;
 }
 
-/// Returns the run of `own`. Its name contains the settings that vary in `all`.
-BenchRun runOf(const settings::Settings& own, const std::vector<settings::Settings>& all) {
+/// Returns the run of `own`. Its name contains the settings that vary in `all`. Its scheme also contains the `given`
+/// settings, except the error, which has its own part of the name in files.
+BenchRun runOf(
+    const settings::Settings& own, const std::vector<settings::Settings>& all, const std::set<std::string>& given) {
     BenchRun run{{}, own, {}};
+    run.scheme = settings::named("shadows").text(own);
     for (const settings::Setting& setting : settings::table()) {
         if (!setting.description().isSwept) continue;
         const std::string value = setting.text(own);
         const bool varies = std::any_of(
             all.begin(), all.end(), [&](const settings::Settings& other) { return setting.text(other) != value; });
         if (!settings::appliesTo(setting, own)) continue;
+        if (setting.name() == "error-pixels")
+            run.error = varies || given.contains(setting.column()) ? value + "px" : "default";
+        const bool isApart = setting.name() == "shadows" || setting.name() == "error-pixels";
+        if (!isApart && (varies || given.contains(setting.column())))
+            run.scheme = joined(run.scheme, ",", setting.column() + ":" + value);
         if (varies) run.name = joined(run.name, "/", setting.column() + ":" + value);
         if (varies || !setting.isDefault(own)) run.options = joined(run.options, " ", setting.option() + " " + value);
     }
-    if (own.quality.cellScheme != plan::Quality().cellScheme)
-        run.name = joined(run.name, "/", "cells:" + std::string(wordOf(plan::kCellSchemes, own.quality.cellScheme)));
+    if (own.quality.cellScheme != plan::Quality().cellScheme) {
+        const std::string cells = "cells:" + std::string(wordOf(plan::kCellSchemes, own.quality.cellScheme));
+        run.name = joined(run.name, "/", cells);
+        run.scheme = joined(run.scheme, ",", cells);
+    }
     run.options = joined(run.options, " ", settings::optionsToPaste(own, false));
     if (run.name.empty()) run.name = "run";
     return run;
@@ -82,12 +93,12 @@ std::vector<RunResult> walked(
 
 } // namespace
 
-std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings) {
+std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings, const std::set<std::string>& given) {
     std::vector<BenchRun> runs;
     runs.reserve(settings.size());
     for (const settings::Settings& each : settings) {
         const auto isThere = [&](const BenchRun& run) { return areTheSameExact(run.settings, each); };
-        if (std::none_of(runs.begin(), runs.end(), isThere)) runs.push_back(runOf(each, settings));
+        if (std::none_of(runs.begin(), runs.end(), isThere)) runs.push_back(runOf(each, settings, given));
     }
     return runs;
 }

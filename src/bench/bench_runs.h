@@ -4,14 +4,16 @@
 #include "bench/bench_walk.h"
 #include "report/page.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
 namespace gnomon::bench {
 
 /// Returns one run per element of `settings`, in their order. Elements that draw exact shadows and differ only in
-/// settings of shadow maps have one common run.
-std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings);
+/// settings of shadow maps have one common run. `given` are the columns of the settings that the user gives; the scheme
+/// of each run contains them, so that the run has the same name in a smaller or larger sweep.
+std::vector<BenchRun> runsOf(const std::vector<settings::Settings>& settings, const std::set<std::string>& given = {});
 
 /// Returns the settings from which the backend of all runs is made: the settings of the first run that needs the
 /// software backend, or else of the first run.

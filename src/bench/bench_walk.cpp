@@ -30,7 +30,8 @@ void Walk::repeat(int repetition, const OnFrame& onFrame, Progress& progress) {
             std::this_thread::sleep_until(start + std::chrono::duration<double>(timeOf(frame) - timeOf(0)));
         const double cpuBefore = telemetry::processorTime().count;
         telemetry::FrameRow row = draw(frame).row;
-        result_.cpuMs += (telemetry::processorTime().count - cpuBefore) / (options_.frames * options_.repetitions);
+        result_.rowCpuMs.push_back(telemetry::processorTime().count - cpuBefore);
+        result_.cpuMs += result_.rowCpuMs.back() / (options_.frames * options_.repetitions);
         row.run = result_.run.name;
         row.repetition = repetition;
         row.frame = frame;

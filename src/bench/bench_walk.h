@@ -19,7 +19,9 @@ namespace gnomon::bench {
 struct BenchRun {
     std::string name; // settings that vary between runs: "error_pixels:1/z_partitions:4"; "run" if no setting varies
     settings::Settings settings;
-    std::string options; // for `gnomon render MODEL`: the settings that vary or differ from the default
+    std::string options;  // for `gnomon render MODEL`: the settings that vary or differ from the default
+    std::string scheme{}; // for names in files: the shadow method and the settings that vary or are given
+    std::string error{};  // for names in files: "2px", or "default" if the max error is not given
 };
 
 /// The options that all runs share.
@@ -40,6 +42,7 @@ struct RunResult {
     BenchRun run;
     std::vector<telemetry::FrameRow> rows; // one per frame, ordered by repetition, then by frame
     double cpuMs = 0;                      // processor time of all threads, mean per logged frame
+    std::vector<double> rowCpuMs;          // processor time of all threads, per row
     double firstFrameMs = 0; // from the start of the process to the end of the run's first frame, with warm-up frames
 };
 

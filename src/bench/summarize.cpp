@@ -158,6 +158,7 @@ report::RunSummary summarize(const RunResult& result) {
         if (value) s.errors[kind] = *value;
     };
     addError(report::ErrorKind::WrongPixels, mean(rows, &FrameRow::wrongPixelsAll));
+    if (isExact) s.errors.emplace(report::ErrorKind::WrongPixels, 0.0); // integer arithmetic also decides exact shadows
     addError(report::ErrorKind::MeasuredAliasing, largest(rows, &FrameRow::measuredAliasing));
     // A caster thinner than a texel counts as missed, not as wrong. Coarse maps miss more casters, so only the sum is
     // comparable between maps of different texels.

@@ -88,6 +88,7 @@ telemetry::FrameRow frameRow(
     row.residentBytes = toCount(source.residency.resident.count + source.trees.count);
     row.gpuBytes = toCount(drawn.deviceMemory.count);
     row.bytesRead = toCount(source.residency.read.count);
+    row.pagesRead = toCount(source.residency.pagesRead);
     row.pagesMissing = toCount(frame.residency.pagesMissing);
     row.pagesDamaged = toCount(source.residency.pagesDamaged);
     row.achievedErrorPixels = frame.cut.achievedErrorPixels;

@@ -149,6 +149,7 @@ constexpr std::array kColumns = {
     column<&R::sunAngle>("sun_angle"),
     column<&R::lightError>("light_error"),
     column<&R::trianglesSetUp>("triangles_set_up"),
+    column<&R::pagesRead>("pages_read"),
 };
 
 } // namespace

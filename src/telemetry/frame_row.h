@@ -99,6 +99,7 @@ struct FrameRow {
     // Number of triangles in the image for which edge functions are computed, if occlusion culling skips hidden
     // geometry.
     std::optional<std::int64_t> trianglesSetUp;
+    std::optional<std::int64_t> pagesRead; // total since the start
 };
 
 /// The value of a log column, or monostate if it was not measured.

@@ -1,5 +1,6 @@
 // A run's figures against figures counted out of its rows one by one; and what a bench writes down of them.
 #include "bench/bench_output.h"
+#include "bench/results_of_runs.h"
 #include "bench/summarize.h"
 #include "core/random.h"
 #include "settings/axes.h"
@@ -11,8 +12,6 @@
 #include <cmath>
 #include <set>
 #include <sstream>
-
-#include <nlohmann/json.hpp>
 
 namespace gnomon::bench {
 namespace {
@@ -258,18 +257,19 @@ TEST(BenchOutput, HasALineAndABenchmarkForEachRow) {
         }
     EXPECT_EQ(rows, 0U);
     EXPECT_FALSE(std::getline(lines, line));
-    const std::string text = benchmarkText({{"model", "m.gnm"}}, results);
-    EXPECT_TRUE(text.ends_with("}\n"));
-    const auto document = nlohmann::json::parse(text);
-    ASSERT_EQ(document["benchmarks"].size(), results.size());
+    const ResultSet set = resultSet({{"model", "m.gnm"}}, results, false);
+    ASSERT_EQ(set.runs.size(), results.size());
     for (std::size_t i = 0; i < results.size(); ++i) {
         const report::RunSummary told = summarize(results[i]);
-        EXPECT_EQ(document["benchmarks"][i]["name"], told.name);
-        EXPECT_EQ(document["benchmarks"][i]["iterations"], results[i].rows.size());
-        EXPECT_NEAR(document["benchmarks"][i]["p50"].get<double>(), told.p50Ms, 1e-9);
-        EXPECT_EQ(document["benchmarks"][i]["cpu_time"].get<double>(), results[i].cpuMs);
-        EXPECT_EQ(document["benchmarks"][i]["pages_missing"], told.pagesMissing);
-        EXPECT_EQ(document["benchmarks"][i]["pages_damaged"], told.pagesDamaged);
+        EXPECT_EQ(set.runs[i].label, told.name);
+        EXPECT_NEAR(medianOf(set.runs[i].realMs), told.p50Ms, 1e-9);
+        EXPECT_EQ(set.runs[i].pagesMissing, told.pagesMissing);
+        EXPECT_EQ(set.runs[i].pagesDamaged, told.pagesDamaged);
+        std::int64_t triangles = 0;
+        for (const FrameRow& row : results[i].rows)
+            if (row.repetition == 0) triangles += row.imageTriangles.value_or(0) + row.shadowTriangles.value_or(0);
+        EXPECT_EQ(set.runs[i].work.at("triangles"), static_cast<double>(triangles));
+        EXPECT_TRUE(resultSet({}, results, true).runs[i].work.empty()) << "in real time";
     }
 }
 

@@ -178,11 +178,14 @@ class Refusals(ProgramTest):
         walked(0, "", json_file=before)
         context = json.loads(before.read_text())["context"]
         self.assertEqual((context["path"], context["shadow_texels"]), (PATH.name, "128x128"))
+        self.assertEqual(context["options"], "shadow_texels:128x128")
         self.assertNotIn("z_partitions", context)
         held = {"baseline": before, "fail_above": "1e9"}
         self.assertEqual(walked(0, "", **held).stderr, "")
-        told = walked(0, "not compared", z_partitions="2,3", **held)
-        self.assertEqual([said.split(": ")[-1] for said in told.stderr.splitlines()], ["z_partitions:3", "z_partitions:1"])
+        told = walked(5, "2 gates fail", z_partitions="2,3", **held)
+        for run in ("z_partitions:3/32x32/default/software run: expected missing, found present",
+                    "z_partitions:1/32x32/default/software run: expected present, found missing"):  # fmt: skip
+            self.assertIn(run, told.stderr)
         for key, option, value in (
             ("path_content_hash", "path", other_path),
             ("frames", "frames", "3"),
@@ -194,12 +197,13 @@ class Refusals(ProgramTest):
             ("max_triangles", "max_triangles", "1000"),
             ("split_lambda", "split_lambda", "0.5"),
             ("eta", "eta", "0.25"),
-            ("shadow_texels", "shadow_texels", "64x64"),
-            ("error_pixels", "error_pixels", "2"),
+            ("options: expected shadow_texels:128x128, found shadow_texels:64x64", "shadow_texels", "64x64"),
+            ("options", "error_pixels", "2"),
+            ("picture", "sun_angle", "1"),
         ):
-            told = walked(1, f"the baseline is of another bench: {key}", **held, **{option: value})
+            told = walked(5, f"comparable {key}", **held, **{option: value})
             self.assertEqual(told.stdout, "", "it has walked first")
-        walked(1, "the baseline is of another bench: real_time", "--no-wait", **held)
+        walked(5, "comparable real_time", "--no-wait", **held)
 
     def test_a_baseline_is_of_the_same_model_size_and_backend(self):
         before, changed = self.place / "before.json", self.place / "changed.json"
@@ -209,14 +213,14 @@ class Refusals(ProgramTest):
             document = json.loads(before.read_text())
             document["context"][key] = "another"
             changed.write_text(json.dumps(document))
-            told = self.bench(1, key, "--baseline", changed, "--fail-above", "1e9")
+            told = self.bench(5, key, "--baseline", changed, "--fail-above", "1e9")
             self.assertEqual(told.stdout, "", "it has walked first")
             del document["context"][key]
             changed.write_text(json.dumps(document))
-            self.bench(1, key, "--baseline", changed, "--fail-above", "1e9")
+            self.bench(5, key, "--baseline", changed, "--fail-above", "1e9")
         for option in ("--fail-above", "--budget-ms"):
             for value in ("-1", "-50", "nan", "inf", "x"):
-                self.bench(2, option, option, value)
+                self.bench(2, option, option, value, "--baseline", before)
         self.bench(2, "--budget-ms", "--budget-ms", "0")
 
     def test_a_path_is_the_only_camera_of_a_bench(self):
@@ -308,7 +312,7 @@ class Refusals(ProgramTest):
     def test_the_options_that_a_bench_prints_draw_the_same(self):
         given = ("--eta", "0.25", "--split-lambda", "0.5", "--light", "1,2,0.5")
         told = self.bench(0, "", "--error-pixels", "1,2", "--budget-ms", "1e9", *given)
-        for line in ("fastest with a promise", "least "):
+        for line in ("fastest with an aliasing bound", "least "):
             printed = next(text for text in told.stdout.splitlines() if text.startswith(line))
             for option, value in zip(given[::2], given[1::2]):
                 self.assertIn(f"{option} {value}", printed)

@@ -1,10 +1,12 @@
 // JSON of users: the first byte says whether it is a camera, a path, saved views, a baseline or rows of the theory.
-#include "bench/baseline.h"
+#include "bench/alike_keys.h"
+#include "bench/result_formats.h"
+#include "bench/result_json.h"
+#include "bench/verdict_text.h"
 #include "core/error.h"
 #include "core/json_file.h"
 #include "harness.h"
 #include "path/camera_path.h"
-#include "settings/table.h"
 #include "theory/rows.h"
 
 #include <cmath>
@@ -21,32 +23,24 @@ void readPath(const std::string& file) {
     static_cast<void>(path::toJson(walk));
 }
 
-/// Holds a bench that drew the runs of the baseline, the first of them twice as slow, one with a page missing, against
-/// it.
-void compareWith(const bench::Baseline& baseline) {
-    std::vector<report::RunSummary> runs;
-    for (const auto& [name, p50Ms] : baseline.p50Ms) {
-        report::RunSummary& run = runs.emplace_back();
-        run.name = name;
-        run.p50Ms = runs.size() == 1 ? 2 * p50Ms : p50Ms;
-        run.pagesMissing = runs.size() == 2 ? 1 : 0;
+/// Compares the file with a bench whose first run is twice as slow, and whose second run lacks a page.
+void compareWith(const bench::ResultSet& before) {
+    bench::ResultSet now = before;
+    for (std::size_t i = 0; i < now.runs.size(); ++i) {
+        if (i == 1) now.runs[i].pagesMissing = 1;
+        if (i != 0) continue;
+        for (auto& repetition : now.runs[i].realMs)
+            for (double& time : repetition)
+                time *= 2;
     }
-    static_cast<void>(bench::notCompared(baseline, runs));
-    const auto attempt = [](const auto& compare) {
-        try {
-            compare();
-        } catch (const Error&) { // refused in words
-        }
-    };
-    attempt([&] { bench::requireComplete(baseline, runs, true); });
-    if (!runs.empty()) attempt([&] { bench::requireNotSlower(baseline, runs, 10); });
-    std::map<std::string, std::string> now = baseline.context;
-    for (const char* key : {"model_content_hash", "path_content_hash", "frames", "real_time", "backend", "threads"})
-        now.try_emplace(key, "not given");
-    for (const settings::Setting& setting : settings::table())
-        if (!setting.description().statedAs.empty())
-            now.try_emplace(std::string(setting.description().statedAs), "not given");
-    attempt([&] { bench::requireComparable(baseline, now); });
+    bench::Limits limits;
+    limits.alikeKeys = bench::alikeKeys(before, now.context, false);
+    bench::Verdict verdict = bench::judge(before, now, limits);
+    const std::vector<bench::Gate> context = bench::contextGates(before, now.context, limits);
+    verdict.gates.insert(verdict.gates.end(), context.begin(), context.end());
+    static_cast<void>(bench::verdictText(verdict) + bench::failureLine(verdict) + bench::verdictJson(verdict));
+    static_cast<void>(bench::resultJson(now) + bench::summaryMarkdown(now, &verdict));
+    static_cast<void>(bench::bmfJson(now) + bench::actionJson(now));
 }
 
 void readAs(unsigned kind, const std::string& file) {
@@ -61,7 +55,7 @@ void readAs(unsigned kind, const std::string& file) {
         static_cast<void>(path::toJson(path::readViews(file)));
         break;
     case 3:
-        compareWith(bench::readBaseline(file));
+        compareWith(bench::readResultSet(file));
         break;
     default:
         static_cast<void>(theory::evaluateRows(readJsonFile(file), file));

@@ -22,7 +22,8 @@ void fillMeasured(FrameRow& row) {
           &row.castersKept,    &row.drawCalls,       &row.residentBytes,   &row.gpuBytes,
           &row.bytesRead,      &row.pagesMissing,    &row.pagesDamaged,    &row.shadowSamples,
           &row.shadowCells,    &row.sampleTests,     &row.exactDecisions,  &row.pixelsWithinTolerance,
-          &row.clustersHidden, &row.imageWidthDrawn, &row.samplesPerPixel, &row.trianglesSetUp})
+          &row.clustersHidden, &row.imageWidthDrawn, &row.samplesPerPixel, &row.trianglesSetUp,
+          &row.pagesRead})
         *field = ++whole;
     double real = 0.5;
     for (std::optional<double>* field :

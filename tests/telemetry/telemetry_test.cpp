@@ -24,7 +24,7 @@ TEST(FrameRow, ColumnsAreThoseOfTheContractInItsOrder) {
         "image_difference,crawl,since_start_ms,missed_shadow_fraction,unexplained_shadow_fraction,"
         "shadows,shadow_samples,shadow_cells,sample_tests,exact_decisions,touching_pixels,"
         "occlusion,clusters_hidden,wrong_pixels_all,image_width_drawn,samples_per_pixel,sun_angle,light_error,"
-        "triangles_set_up");
+        "triangles_set_up,pages_read");
 }
 
 TEST(FrameRow, EveryRowHasEveryCell) {
@@ -66,24 +66,6 @@ TEST(Quantile, InterpolatesBetweenRanks) {
     EXPECT_DOUBLE_EQ(quantile(values, 0.5), 2.5);
     EXPECT_DOUBLE_EQ(quantile(values, 1), 4);
     EXPECT_DOUBLE_EQ(quantile(std::vector<double>{7}, 0.99), 7);
-}
-
-TEST(BenchmarkJson, HasTheShapeOfGoogleBenchmark) {
-    const std::vector<RunTimes> runs = {{"one", {1, 2, 3}, 3.5}, {"two", {5}, 1, 3, 14}};
-    const auto document = nlohmann::json::parse(benchmarkJson(machineContext(), runs));
-    for (const char* fact : {"num_cpus", "cpu", "memory_bytes", "compiler", "library_build_type", "date"})
-        EXPECT_NE(document.at("context").value(fact, ""), "") << fact;
-    ASSERT_EQ(document.at("benchmarks").size(), 2U);
-    const auto& first = document.at("benchmarks")[0];
-    EXPECT_EQ(first.at("name"), "one");
-    EXPECT_EQ(first.at("time_unit"), "ms");
-    EXPECT_DOUBLE_EQ(first.at("real_time").get<double>(), 2);
-    EXPECT_DOUBLE_EQ(first.at("cpu_time").get<double>(), 3.5);
-    EXPECT_DOUBLE_EQ(first.at("p50").get<double>(), 2);
-    EXPECT_DOUBLE_EQ(first.at("p95").get<double>(), 2.9);
-    EXPECT_EQ(first.at("pages_damaged"), 0);
-    EXPECT_EQ(document.at("benchmarks")[1].at("pages_damaged"), 3);
-    EXPECT_EQ(document.at("benchmarks")[1].at("pages_missing"), 14);
 }
 
 TEST(ProcessClock, CountsFromTheStartOfTheProcess) {

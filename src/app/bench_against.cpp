@@ -10,9 +10,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
-
-#include <stdlib.h> // NOLINT(modernize-deprecated-headers): mkdtemp
 
 namespace gnomon::app {
 

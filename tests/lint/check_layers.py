@@ -9,7 +9,7 @@ import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 # What the system itself gives: POSIX and Linux headers, by their first part. Headers of the standard library have no dot.
-SYSTEM = {"sys", "linux", "fcntl.h", "malloc.h", "unistd.h", "dirent.h", "dlfcn.h", "poll.h", "pthread.h", "sched.h"}
+SYSTEM = {"sys", "linux", "fcntl.h", "malloc.h", "unistd.h", "dirent.h", "dlfcn.h", "poll.h", "pthread.h", "sched.h", "spawn.h"}
 
 
 def read_layers(text):

@@ -110,6 +110,13 @@ void addFiles(CLI::App& command, settings::Output& output) {
         ->type_name("FILE.pfm");
     command
         .add_option(
+            "--shadow-classes",
+            output.shadowClasses,
+            "Write the class of each pixel: 255 lit, 192 background, 128 within tolerance, 64 faces away, 0 dark; with "
+            "--oracle exact, of the ground truth")
+        ->type_name("FILE.png");
+    command
+        .add_option(
             "--shadow-depth", output.shadowDepth, "Write the depth of each shadow map to this folder, as PFM files")
         ->type_name("DIR");
     addOracleOption(command, output.groundTruth);

@@ -217,7 +217,7 @@ std::vector<glm::dmat3> cellPlanes(const DrawInputs& frame, const exact::LightSh
     return planes;
 }
 
-Raster<std::uint8_t> litByIntegers(const DrawInputs& frame) {
+Raster<std::uint8_t> statusesByIntegers(const DrawInputs& frame) {
     const plan::View& view = frame.plan->view;
     raster::Rasterizer rasterizer;
     SoftwarePass pass;
@@ -236,9 +236,16 @@ Raster<std::uint8_t> litByIntegers(const DrawInputs& frame) {
     std::vector<exact::Caster> casters;
     gatherExactCasters(frame, pass, casters);
     const std::vector<std::uint8_t> statuses = exact::plainStatuses(samples, casters, {origin.x, origin.y, origin.z});
-    Raster<std::uint8_t> lit(view.width, view.height);
+    Raster<std::uint8_t> result(view.width, view.height, kNoSample);
     for (std::size_t i = 0; i < samples.size(); ++i)
-        if (!exact::isDark(statuses[i])) lit.pixels[samples.pixel[i]] = 255;
+        result.pixels[samples.pixel[i]] = statuses[i];
+    return result;
+}
+
+Raster<std::uint8_t> litByIntegers(const DrawInputs& frame) {
+    Raster<std::uint8_t> lit = statusesByIntegers(frame);
+    for (std::uint8_t& pixel : lit.pixels)
+        pixel = pixel == kNoSample || exact::isDark(pixel) ? 0 : 255;
     return lit;
 }
 

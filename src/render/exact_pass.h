@@ -34,8 +34,15 @@ void gatherExactCasters(const DrawInputs& frame, SoftwarePass& image, std::vecto
 /// empty for a point light.
 std::vector<glm::dmat3> cellPlanes(const DrawInputs& frame, const exact::LightShear& shear);
 
-/// Computes the lit pixels of `frame` by brute force with integers: 255 if lit, otherwise 0. The result is the ground
-/// truth for all backends. Casters are the clusters of `frame.image` and `frame.exactCasters`.
+/// The status of a pixel without a sample: it shows no surface, or one that faces away from the light.
+constexpr std::uint8_t kNoSample = 0xFF;
+
+/// Computes the status of each pixel of `frame` by brute force with integers (exact::plainStatuses). The result is
+/// kNoSample for pixels without a sample. This is the ground truth for all backends. Casters are the clusters of
+/// `frame.image` and `frame.exactCasters`.
+Raster<std::uint8_t> statusesByIntegers(const DrawInputs& frame);
+
+/// Returns 255 for each pixel that is lit according to statusesByIntegers, otherwise 0.
 Raster<std::uint8_t> litByIntegers(const DrawInputs& frame);
 
 } // namespace gnomon::render

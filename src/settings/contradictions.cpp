@@ -25,6 +25,7 @@ constexpr OptionUse kStats{"stats", [](const Request& r) { return !r.output.stat
 constexpr OptionUse kOracle{
     "oracle", [](const Request& r) { return r.output.groundTruth != validation::GroundTruth::None; }};
 constexpr OptionUse kDepth{"depth", [](const Request& r) { return !r.output.depth.empty(); }};
+constexpr OptionUse kShadowClasses{"shadow-classes", [](const Request& r) { return !r.output.shadowClasses.empty(); }};
 constexpr OptionUse kShadowDepth{"shadow-depth", [](const Request& r) { return !r.output.shadowDepth.empty(); }};
 constexpr OptionUse kReference{"reference", [](const Request& r) { return !r.output.reference.empty(); }};
 constexpr OptionUse kTime{"time", [](const Request& r) { return r.output.time.has_value(); }};
@@ -93,16 +94,22 @@ std::vector<Contradiction> mapContradictions() {
         {kShadowDepth,
          {{"shadows", [](const Request& r) { return r.settings.quality.shadows == plan::ShadowMode::Exact; }}},
          "exact shadows have no maps"},
+        {kShadowClasses,
+         {{"shadows", [](const Request& r) { return r.settings.quality.shadows == plan::ShadowMode::Off; }},
+          {"shading", [](const Request& r) { return plan::hasNoSun(r.settings.quality.look.shading); }}},
+         "pixels have shadow classes only with a light and shadows"},
     };
 }
 
 std::vector<Contradiction> outputContradictions() {
-    const std::vector<OptionUse> ofOneFrame = {kOverlay, kColorBy, kStats, kOracle, kDepth, kShadowDepth};
+    const std::vector<OptionUse> ofOneFrame = {
+        kOverlay, kColorBy, kStats, kOracle, kDepth, kShadowClasses, kShadowDepth};
     std::vector<OptionUse> asksForOneFrame = ofOneFrame;
     asksForOneFrame.push_back(samples([](const Request& r) { return r.output.samples == 1; }));
     asksForOneFrame.push_back(
         {"reference", [](const Request& r) { return !r.output.reference.empty() && !r.output.samples; }});
-    const std::vector<OptionUse> ofOnePicture = {kStats, kReference, kDepth, kShadowDepth, kOracle, kTime};
+    const std::vector<OptionUse> ofOnePicture = {
+        kStats, kReference, kDepth, kShadowClasses, kShadowDepth, kOracle, kTime};
     return {
         {kColorBy, {kOverlay, kPath, kTurntable}, "it colours one picture without an overlay"},
         {kPath, ofOnePicture, "it needs a single picture"},
@@ -138,6 +145,7 @@ void requireFiles(const Request& request) {
     const Output& output = request.output;
     const bool isStream = output.isSeries() && output.picture == "-";
     if (!isStream) requireExtension("--output", output.picture, ".png");
+    if (!output.shadowClasses.empty()) requireExtension("--shadow-classes", output.shadowClasses, ".png");
     if (output.isSeries()) {
         if (!isStream && !render::numberedName(output.picture, 0))
             refuse("--output", output.picture, "- or a name with a number in it, such as frame%04d.png");
@@ -145,7 +153,10 @@ void requireFiles(const Request& request) {
     }
     requireDistinctFiles(
         {{"MODEL", request.model}, {"--camera", request.settings.cameraFile}, {"--reference", output.reference}},
-        {{"--output", output.picture}, {"--stats", output.statistics}, {"--depth", output.depth}});
+        {{"--output", output.picture},
+         {"--stats", output.statistics},
+         {"--depth", output.depth},
+         {"--shadow-classes", output.shadowClasses}});
 }
 
 } // namespace

@@ -147,6 +147,7 @@ constexpr std::array kRows = {
     HelpRow{"stabilize", Group::Research, ""},
     HelpRow{"cull-casters", Group::Research, ""},
     HelpRow{"occlusion", Group::Research, ""},
+    HelpRow{"shadow-classes", Group::Research, ""},
     HelpRow{"shadow-depth", Group::Research, ""},
     HelpRow{"cluster-triangles", Group::Research, ""},
     HelpRow{"chunk-triangles", Group::Research, ""},

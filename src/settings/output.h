@@ -28,6 +28,7 @@ struct Output {
     std::string reference{};      // PNG file that is compared with the picture
     double referenceThreshold = 0.01; // max mean difference, fraction of full scale
     std::string depth{};              // PFM file with view depths
+    std::string shadowClasses{};      // PNG file with the shadow class of each pixel
     std::string shadowDepth{};        // folder for the shadow maps as PFM files
     validation::GroundTruth groundTruth = validation::GroundTruth::None;
 

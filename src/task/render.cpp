@@ -114,27 +114,30 @@ void drawSeries(const RenderTask& task, const plan::View& view, Session& session
 void drawStill(const RenderTask& task, const plan::View& view, Session& session, Progress& progress) {
     const Output& output = task.output;
     const bool hasValues = output.colors.by != settings::ColorBy::None;
-    for (const std::string& path : {output.picture, output.statistics, output.depth})
+    for (const std::string& path : {output.picture, output.statistics, output.depth, output.shadowClasses})
         requireWritable(path); // before drawing, which can take long
     const PreparedFolder shadowDepth(output.shadowDepth);
     frame::FrameOptions options;
     options.overlay = output.overlay;
     options.wantsSurfaces = hasValues;
     options.wantsWholeMaps = !output.shadowDepth.empty();
-    options.wantsWholeImage =
-        !(output.depth + output.statistics).empty() || output.groundTruth != validation::GroundTruth::None;
+    options.wantsWholeImage = !(output.depth + output.statistics + output.shadowClasses).empty() ||
+                              output.groundTruth != validation::GroundTruth::None;
     validation::ValidationOptions validations;
     validations.measuresAliasing = !output.statistics.empty();
     validations.groundTruth = output.groundTruth;
+    validations.classifiesPixels = !output.shadowClasses.empty();
     validations.comparesWithFinest = output.groundTruth != validation::GroundTruth::None;
     progress.stage("render", task.samples > 1 ? "frames" : "pictures", static_cast<std::uint64_t>(task.samples));
     FinishedPicture drawn = drawFinished(session, {view, task.quality, options, task.samples}, progress);
     session.tellShortfall();
     const std::vector<render::NamedDepths> depths = depthsOf(output, drawn.frame.plan, session.backend());
     if (hasValues) inspect::colorByValues(output.colors, session.renderer(), drawn.frame, drawn.picture);
-    if (task.samples == 1)
-        validation::setAccuracy(validation::validate(session.renderer(), drawn.frame, validations), drawn.frame.row);
+    validation::FrameValidation proof;
+    if (task.samples == 1) proof = validation::validate(session.renderer(), drawn.frame, validations);
+    validation::setAccuracy(proof, drawn.frame.row);
     render::writePng(output.picture, drawn.picture, drawn.coverage);
+    if (proof.classes) render::writePng(output.shadowClasses, validation::pictureOf(*proof.classes));
     for (const auto& [path, picture] : depths)
         render::writePfm(path, picture);
     if (!output.statistics.empty()) writeTextFile(output.statistics, renderRow(drawn.frame.row));

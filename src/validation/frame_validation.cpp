@@ -67,24 +67,30 @@ ShadowTruth truthOfSameDetail(
     return shadowTruth(scene, drawing, surfaces, light);
 }
 
-/// Returns the fraction of all pixels of `frame` whose lit or dark result differs from exact integer shadows of all its
-/// selected clusters. The frame must have been drawn with its surfaces just before.
-double wrongPixels(const frame::Renderer& renderer, const frame::Frame& frame, render::DrawInputs drawing) {
-    const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
+/// Computes the status of each pixel of `frame` by exact integer shadows of all its selected clusters. The frame must
+/// have been drawn just before.
+render::Raster<std::uint8_t> trueStatuses(
+    const frame::Renderer& renderer, const frame::Frame& frame, render::DrawInputs drawing) {
     const std::array volumes = {frame.volumes[0], frame::rayCasterVolume(frame)};
     lod::CutQuery wider = frame::cutQuery(renderer.residency(), frame);
     wider.volumes = volumes;
     wider.sectionVolumes = 0;
     const lod::Cut cut = lod::cut(wider);
     drawing.exactCasters = &cut.lists.casters[0];
-    const render::Raster<std::uint8_t> truth = render::litByIntegers(drawing);
+    return render::statusesByIntegers(drawing);
+}
+
+/// Returns the share of all pixels whose lit or dark result in `surfaces` differs from `statuses`.
+double wrongPixels(
+    const render::Raster<render::SurfaceSample>& surfaces, const render::Raster<std::uint8_t>& statuses) {
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < statuses.pixels.size(); ++i) {
         const render::SurfaceSample& surface = surfaces.pixels[i];
         const bool isLit = surface.isLitSide() && surface.litFraction() >= 0.5F;
-        wrong += isLit != (truth.pixels[i] != 0) ? 1U : 0U;
+        const std::uint8_t status = statuses.pixels[i];
+        wrong += isLit != (status != render::kNoSample && !exact::isDark(status)) ? 1U : 0U;
     }
-    return static_cast<double>(wrong) / static_cast<double>(truth.pixels.size());
+    return static_cast<double>(wrong) / static_cast<double>(statuses.pixels.size());
 }
 
 /// Draws the frame before `now` again and compares the shadows of both frames. `maps` are the shadow maps of `now`. The
@@ -117,13 +123,13 @@ FrameValidation validate(frame::Renderer& renderer, const frame::Frame& frame, c
     const bool hasCrawl =
         options.measuresCrawl && hasMaps && frame.before.previous && !frame.before.previous->plan.passes.empty();
     FrameValidation proof;
-    if (frame.options.observerCamera ||
-        !(hasGroundTruth || isCompared || isMeasured || hasCrawl || options.comparesWithFinest))
+    if (frame.options.observerCamera || !(hasGroundTruth || isCompared || isMeasured || hasCrawl ||
+                                          options.comparesWithFinest || options.classifiesPixels))
         return proof;
     render::Backend& backend = renderer.backend();
     frame::FrameOptions plain = frame.options;
     plain.overlay = render::Overlay::None;
-    plain.wantsSurfaces = hasGroundTruth || isCompared || isMeasured || hasCrawl;
+    plain.wantsSurfaces = hasGroundTruth || isCompared || isMeasured || hasCrawl || options.classifiesPixels;
     plain.wantsWholeMaps = hasCrawl;
     frame::PreparedFrame again = static_cast<const frame::PreparedFrame&>(frame);
     renderer.draw(again, plain, frame.history.maps);
@@ -134,7 +140,15 @@ FrameValidation validate(frame::Renderer& renderer, const frame::Frame& frame, c
     if (hasGroundTruth)
         proof.truth = options.groundTruth == GroundTruth::FullDetail ? truthOfFullDetail(renderer, frame, drawn)
                                                                      : truthOfSameDetail(renderer, frame, drawn);
-    if (isCompared) proof.wrongPixelsAll = wrongPixels(renderer, frame, drawn);
+    const render::Raster<render::SurfaceSample> surfaces =
+        isCompared || options.classifiesPixels ? backend.surfaces() : render::Raster<render::SurfaceSample>();
+    if (options.classifiesPixels) proof.classes = drawnClasses(surfaces);
+    if (isCompared) {
+        const render::Raster<std::uint8_t> statuses = trueStatuses(renderer, frame, drawn);
+        proof.wrongPixelsAll = wrongPixels(surfaces, statuses);
+        if (options.classifiesPixels && options.groundTruth == GroundTruth::Exact)
+            proof.classes = trueClasses(surfaces, statuses);
+    }
     if (options.comparesWithFinest)
         proof.imageDifference = render::difference(finestPicture(renderer, frame, options.groundTruth), picture).mean;
     if (hasCrawl) proof.crawl = crawlSince(renderer, *frame.before.previous, drawn, maps);

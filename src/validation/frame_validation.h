@@ -5,6 +5,7 @@
 #include "validation/crawl.h"
 #include "validation/ground_truth_kind.h"
 #include "validation/measured_aliasing.h"
+#include "validation/shadow_classes.h"
 #include "validation/shadow_truth.h"
 
 #include <array>
@@ -20,6 +21,7 @@ struct ValidationOptions {
     // counts the pixels that differ from exact integer shadows (GroundTruth::Exact), even if `groundTruth` is another
     // kind
     bool countsWrongPixels = false;
+    bool classifiesPixels = false;   // by the ground truth if it is GroundTruth::Exact, otherwise as drawn
     bool comparesWithFinest = false; // compares the picture with the finest level of detail with ray-traced shadows
 };
 
@@ -32,6 +34,7 @@ struct FrameValidation {
     std::optional<double> imageDifference;
     // fraction of all pixels whose shadow differs from the result by integer arithmetic; for any frame with shadows
     std::optional<double> wrongPixelsAll;
+    std::optional<render::Raster<ShadowClass>> classes; // only if `classifiesPixels`
 };
 
 /// Measures `frame`, the last frame of `renderer`, as `options` request. The function draws additional frames, whose

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Draws the masks of several renderers for a shadowtruth set, and prints the table of docs/shadowtruth.md.
+
+usage: results.py DIR MASKS [--rows maps,log,exact,rays,cycles,three] [--gnomon PROGRAM] [--three FOLDER]
+
+DIR is the result of scripts/shadowtruth. Rows whose masks exist in MASKS are only scored.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import score
+
+HERE = pathlib.Path(__file__).resolve().parent
+MAPS = ["--shadows", "maps", "--shadow-texels", "2048x2048", "--filter", "1", "--face-partitions", "off", "--cull-casters", "on"]
+SLICES = ["--z-partitions", "4", "--split-lambda", "1", "--stabilize", "off", "--shadow-near", "auto", "--shadow-far", "auto"]
+# Options per row, and the additional options for suns. A lamp has cube maps without warp.
+GNOMON = {
+    "maps": (MAPS, [*SLICES, "--warp", "lspsm"]),
+    "log": (MAPS, [*SLICES, "--warp", "log"]),
+    "exact": (["--shadows", "exact"], []),
+    "rays": (["--shadows", "rays"], []),
+}
+NAMES = {"maps": "gnomon, 4 LSPSM maps", "log": "gnomon, 4 logarithmic maps", "exact": "gnomon, exact", "rays": "gnomon, rays",
+         "cycles": "Blender 3.4 Cycles, CPU", "three": "three.js, BasicShadowMap"}  # fmt: skip
+
+
+def draw_by_gnomon(gnomon, folder, masks, row, case):
+    common, for_suns = GNOMON[row]
+    subprocess.run([gnomon, "render", folder / f"models/{case['scene']}.gnm", "-o", masks / f"{case['name']}.tmp.png",
+                    *case["options"], *common, *(for_suns if "sun" in case else []),
+                    "--shadow-classes", masks / f"{case['name']}.png", "--threads", "1", "--progress", "none"],
+                   check=True)  # fmt: skip
+    (masks / f"{case['name']}.tmp.png").unlink()
+
+
+def draw(words, row, cases, masks):
+    if row in GNOMON:
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(lambda case: draw_by_gnomon(words.gnomon, words.folder, masks, row, case), cases))
+    elif row == "cycles":
+        subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "-P", HERE / "cycles.py", "--", words.folder, masks],
+                       check=True, stdout=subprocess.DEVNULL)  # fmt: skip
+    else:
+        subprocess.run([sys.executable, HERE / "three.py", words.folder, masks, words.three], check=True)
+
+
+def cells(words, row, cases):
+    """Returns the cells of a row for `cases`."""
+    pairs = [(c["name"], words.folder / f"{c['name']}.png", words.masks / row / f"{c['name']}.png") for c in cases]
+    _, total = score.score_all(pairs)
+    _, judged, _, *kinds, wrong, p50, p99 = total
+    return [f"{wrong}%", *(f"{100 * k / judged:.4f}%" for k in kinds), p50, p99]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path, metavar="DIR")
+    parser.add_argument("masks", type=pathlib.Path, metavar="MASKS")
+    parser.add_argument("--rows", default=",".join(NAMES))
+    parser.add_argument("--gnomon", default=HERE.parents[1] / "build/release/gnomon")
+    parser.add_argument("--three", default="node_modules/three", help="folder of the npm package")
+    words = parser.parse_args()
+    cases = json.loads((words.folder / "cases.json").read_text())
+    print("| renderer | lights | wrong | false | missed | leaked | edge p50, px | edge p99, px |\n|---|---|---|---|---|---|---|---|")
+    for row in words.rows.split(","):
+        masks = words.masks / row
+        masks.mkdir(parents=True, exist_ok=True)
+        if any(not (masks / f"{case['name']}.png").exists() for case in cases):
+            draw(words, row, cases, masks)
+        for light in ("sun", "lamp"):
+            some = [c for c in cases if light in c]
+            if row == "log" and light == "lamp":
+                continue
+            print("| " + " | ".join([NAMES[row], f"{len(some)} {light}s", *cells(words, row, some)]) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -103,21 +103,21 @@ def edges(lit, judged):
     return found
 
 
-def distances(marked):
-    """Returns the distance of each pixel centre to the nearest marked one, or the diagonal if nothing is marked."""
+def distances(marked, at):
+    """Returns the distance of each pixel centre of `at` to the nearest of `marked`, or the diagonal if nothing is marked."""
     h, w = marked.shape
+    y, x = np.nonzero(at)
     if not marked.any():
-        return np.full(marked.shape, np.hypot(h, w))
-    rows = np.arange(h)[:, None]
-    last = np.maximum.accumulate(np.where(marked, rows, -4 * (h + w)), axis=0)
-    after = np.minimum.accumulate(np.where(marked, rows, 4 * (h + w))[::-1], axis=0)[::-1]
-    column = np.minimum(rows - last, after - rows).astype(np.int64) ** 2
-    best = column.copy()
+        return np.full(y.size, np.hypot(h, w))
+    rows, far = np.arange(h)[:, None], 4 * (h + w)
+    last = np.maximum.accumulate(np.where(marked, rows, -far), axis=0)
+    after = np.minimum.accumulate(np.where(marked, rows, far)[::-1], axis=0)[::-1]
+    column = np.pad(np.minimum(rows - last, after - rows).astype(np.int64) ** 2, ((0, 0), (w, w)), constant_values=far * far)
+    best = column[y, x + w]
     for dx in range(1, w):
-        if dx * dx >= best.max():
+        if y.size == 0 or dx * dx >= best.max():
             break
-        best[:, dx:] = np.minimum(best[:, dx:], column[:, :-dx] + dx * dx)
-        best[:, :-dx] = np.minimum(best[:, :-dx], column[:, dx:] + dx * dx)
+        best = np.minimum(best, np.minimum(column[y, x + w - dx], column[y, x + w + dx]) + dx * dx)
     return np.sqrt(best)
 
 
@@ -134,7 +134,7 @@ def score(truth, mask):
     missed = light & ~drawn[label]
     false = judged & ~dark & ~lit
     true_edges, mask_edges = edges(~dark, judged), edges(lit, judged)
-    apart = np.concatenate([distances(mask_edges)[true_edges], distances(true_edges)[mask_edges]])
+    apart = np.concatenate([distances(mask_edges, true_edges), distances(true_edges, mask_edges)])
     counts = {"judged": judged, "wrong": light | false, "false": false, "missed": missed, "leaked": light & ~missed}
     return {name: int(pixels.sum()) for name, pixels in counts.items()}, apart
 

@@ -82,7 +82,8 @@ def draw(path, output):
 def main():
     folder, masks = map(pathlib.Path, sys.argv[sys.argv.index("--") + 1 :])
     for path in sorted(folder.glob("*.glb")):
-        draw(path, masks / f"{path.stem}.png")
+        if not (masks / f"{path.stem}.png").exists():
+            draw(path, masks / f"{path.stem}.png")
 
 
 main()

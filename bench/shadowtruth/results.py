@@ -1,21 +1,23 @@
 #!/usr/bin/env python3
 """Draws the masks of several renderers for a shadowtruth set, and prints the table of docs/shadowtruth.md.
 
-usage: results.py DIR MASKS [--rows maps,log,exact,rays,cycles,three] [--gnomon PROGRAM] [--three FOLDER]
+usage: results.py DIR MASKS [--rows maps,log,exact,rays,cycles,three] [--gnomon PROGRAM] [--three FOLDER] [--write]
 
-DIR is the result of scripts/shadowtruth. Rows whose masks exist in MASKS are only scored.
+DIR is the result of scripts/shadowtruth. Masks that exist in MASKS are only scored. --write puts the table into the page.
 """
 import argparse
 import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
 import score
 
 HERE = pathlib.Path(__file__).resolve().parent
+PAGE = HERE.parents[1] / "docs/shadowtruth.md"
 MAPS = ["--shadows", "maps", "--shadow-texels", "2048x2048", "--filter", "1", "--face-partitions", "off", "--cull-casters", "on"]
 SLICES = ["--z-partitions", "4", "--split-lambda", "1", "--stabilize", "off", "--shadow-near", "auto", "--shadow-far", "auto"]
 # Options per row, and the additional options for suns. A lamp has cube maps without warp.
@@ -41,7 +43,8 @@ def draw_by_gnomon(gnomon, folder, masks, row, case):
 def draw(words, row, cases, masks):
     if row in GNOMON:
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            list(pool.map(lambda case: draw_by_gnomon(words.gnomon, words.folder, masks, row, case), cases))
+            absent = [case for case in cases if not (masks / f"{case['name']}.png").exists()]
+            list(pool.map(lambda case: draw_by_gnomon(words.gnomon, words.folder, masks, row, case), absent))
     elif row == "cycles":
         subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "-P", HERE / "cycles.py", "--", words.folder, masks],
                        check=True, stdout=subprocess.DEVNULL)  # fmt: skip
@@ -64,9 +67,11 @@ def main():
     parser.add_argument("--rows", default=",".join(NAMES))
     parser.add_argument("--gnomon", default=HERE.parents[1] / "build/release/gnomon")
     parser.add_argument("--three", default="node_modules/three", help="folder of the npm package")
+    parser.add_argument("--write", action="store_true", help="write the table into docs/shadowtruth.md")
     words = parser.parse_args()
     cases = json.loads((words.folder / "cases.json").read_text())
-    print("| renderer | lights | wrong | false | missed | leaked | edge p50, px | edge p99, px |\n|---|---|---|---|---|---|---|---|")
+    lines = ["| renderer | lights | wrong | false | missed | leaked | edge p50, px | edge p99, px |\n|---|---|---|---|---|---|---|---|"]
+    print(lines[0])
     for row in words.rows.split(","):
         masks = words.masks / row
         masks.mkdir(parents=True, exist_ok=True)
@@ -76,7 +81,11 @@ def main():
             some = [c for c in cases if light in c]
             if row == "log" and light == "lamp":
                 continue
-            print("| " + " | ".join([NAMES[row], f"{len(some)} {light}s", *cells(words, row, some)]) + " |", flush=True)
+            lines.append("| " + " | ".join([NAMES[row], f"{len(some)} {light}s", *cells(words, row, some)]) + " |")
+            print(lines[-1], flush=True)
+    if words.write:
+        text = PAGE.read_text()
+        PAGE.write_text(re.sub(r"(<!-- results -->\n).*?(<!-- end -->)", lambda found: found[1] + "\n".join(lines) + "\n" + found[2], text, flags=re.S))
 
 
 if __name__ == "__main__":

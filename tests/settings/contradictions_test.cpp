@@ -144,6 +144,13 @@ TEST(Contradictions, OfMaps) {
          "--shadow-depth",
          "--shadow-depth and --shadows exact contradict each other: exact shadows have no maps"},
         {[](Request& r) {
+             r.output.shadowClasses = "classes.png";
+             r.settings.quality.shadows = plan::ShadowMode::Off;
+         },
+         "--shadow-classes",
+         "--shadow-classes and --shadows off contradict each other: pixels have shadow classes only with a light and "
+         "shadows"},
+        {[](Request& r) {
              r.settings.backend = Backend::Egl;
              r.settings.quality.warp.rule = shadow::WarpRule::Log;
          },
@@ -226,6 +233,7 @@ TEST(Samples, AreOneBesideAnOutputOfOneFrame) {
     EXPECT_EQ(samplesOf({.reference = "a.png"}), 1);
     EXPECT_EQ(samplesOf({.samples = 5, .reference = "a.png"}), 5) << "pictures may be compared";
     EXPECT_EQ(samplesOf({.depth = "a.pfm"}), 1);
+    EXPECT_EQ(samplesOf({.shadowClasses = "classes.png"}), 1);
     EXPECT_EQ(samplesOf({.shadowDepth = "maps"}), 1);
     EXPECT_EQ(samplesOf({.groundTruth = validation::GroundTruth::Exact}), 1);
 }

@@ -15,6 +15,7 @@
 #include "bench/verdict_text.h"
 #include "core/formatted.h"
 #include "core/prepared_output.h"
+#include "manual/command_words.h"
 #include "settings/codec.h"
 #include "settings/contradictions.h"
 #include "settings/files/named_files.h"
@@ -219,9 +220,13 @@ private:
     /// Returns the recommended runs. Adds the gate of the budget to `verdict`.
     std::string choicesText(const std::vector<report::RunSummary>& summaries, bench::Verdict& verdict) {
         std::string text = bench::recommendationText(summaries, bounds_.maxWrongShare);
+        const auto isKnown = [](const report::RunSummary& run) { return report::wrongPixels(run).has_value(); };
+        if (!text.empty() && std::none_of(summaries.begin(), summaries.end(), isKnown))
+            text += "--oracle compares the runs with the ground truth.\n";
         const auto again = [this](std::size_t run) { return walkedAgain(run); };
         if (bounds_.budgetMs) {
-            const bench::BudgetChoice choice = bench::underBudget(*bounds_.budgetMs, summaries, again);
+            const bench::BudgetChoice choice =
+                bench::underBudget({bounds_.maxWrongShare, bounds_.budgetMs}, summaries, again);
             text += choice.text;
             bench::Gate gate;
             gate.quantity = "budget";
@@ -355,8 +360,9 @@ void addBenchCommand(CLI::App& program) {
         "bench", "Measure frame times and shadow errors along a camera path, for combinations of options");
     auto options = std::make_shared<BenchOptions>();
     addModel(*command, options->model);
+    command->get_option("MODEL")->required(false)->option_text(manual::kRequiredWithoutSubcommand);
     command->add_option("--path", options->path, "Camera path, such as gnomon path writes")
-        ->required()
+        ->option_text(manual::kRequiredWithoutSubcommand)
         ->type_name("FILE.json");
     const auto count = [&](const char* flag, int& value, const char* help, int min) {
         command->add_option(flag, value, help)->check(CLI::Range(min, 1000000))->type_name("N")->capture_default_str();
@@ -402,14 +408,12 @@ void addBenchCommand(CLI::App& program) {
     shadowMaps->excludes("--z-partitions");
     addCommonOptions(*command, options->common);
     CLI::App* build = addBenchBuildCommand(*command);
-    const std::vector<CLI::Option*> required =
-        command->get_options([](const CLI::Option* option) { return option->get_required(); });
-    build->preparse_callback([required](std::size_t) {
-        for (CLI::Option* option : required)
-            option->required(false); // bench build has its own arguments
-    });
     command->callback([options, build] {
-        if (!build->parsed()) runBench(*options);
+        if (build->parsed()) return;
+        for (const auto& [name, text] : {std::pair{"MODEL", options->model}, std::pair{"--path", options->path}})
+            if (text.empty())
+                throw settings::UsageError{name, std::string(name) + " is required; see gnomon bench --help"};
+        runBench(*options);
     });
 }
 

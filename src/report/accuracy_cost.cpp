@@ -8,10 +8,6 @@ namespace gnomon::report {
 
 namespace {
 
-bool allKnow(std::span<const RunSummary> runs, ErrorKind kind) {
-    return std::all_of(runs.begin(), runs.end(), [&](const auto& run) { return knownError(run, kind).has_value(); });
-}
-
 /// Returns true if there are runs with maps and all of them have the error. Other runs never have errors of maps.
 bool allMapsKnow(std::span<const RunSummary> runs, ErrorKind kind) {
     const auto lacks = [&](const auto& run) { return run.shadowMaps > 0 && !knownError(run, kind); };
@@ -96,10 +92,6 @@ std::string_view label(ErrorKind kind) {
     return {};
 }
 
-ErrorKind comparedError(std::span<const RunSummary> runs) {
-    return allKnow(runs, ErrorKind::ImageDifference) ? ErrorKind::ImageDifference : shadowError(runs);
-}
-
 ErrorKind leadingError(std::span<const RunSummary> runs) {
     const auto isKnown = [](const RunSummary& run) { return knownError(run, ErrorKind::WrongPixels).has_value(); };
     return std::any_of(runs.begin(), runs.end(), isKnown) ? ErrorKind::WrongPixels : ErrorKind::AliasingBound;
@@ -144,42 +136,8 @@ std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind
     return front;
 }
 
-std::optional<std::size_t> recommendedRun(std::span<const RunSummary> runs, ErrorKind kind) {
-    const std::vector<std::size_t> front = paretoFront(runs, kind);
-    std::optional<std::size_t> best;
-    for (const std::size_t i : front)
-        // The accuracy grows along the front.
-        if (runs[i].p50Ms <= kWorthwhileTimes * runs[front.front()].p50Ms) best = i;
-    return best;
-}
-
 double timeToExpectMs(const RunSummary& run) {
     return run.p50Ms * (1 + run.noise.value_or(0));
-}
-
-std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs) {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto error = knownError(runs[i], kind);
-        if (!error || timeToExpectMs(runs[i]) > budgetMs) continue;
-        const auto rank = [&](std::size_t run) { return std::pair(*knownError(runs[run], kind), runs[run].p50Ms); };
-        if (!best || rank(i) < rank(*best)) best = i;
-    }
-    return best;
-}
-
-std::optional<ConfirmedRun> confirmedUnderBudget(
-    std::span<const RunSummary> runs,
-    ErrorKind kind,
-    double budgetMs,
-    const std::function<RunSummary(std::size_t run)>& walkAgain) {
-    std::vector<RunSummary> candidates(runs.begin(), runs.end());
-    while (const auto best = bestUnderBudget(candidates, kind, budgetMs)) {
-        const RunSummary again = walkAgain(*best);
-        if (timeToExpectMs(again) <= budgetMs) return ConfirmedRun{*best, again.p50Ms};
-        candidates[*best].errors.erase(kind);
-    }
-    return std::nullopt;
 }
 
 std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound) {

@@ -1,5 +1,5 @@
-// The trade-off between accuracy and time: the Pareto front of a set of runs, and the best run within a budget or an
-// error bound.
+// The trade-off between accuracy and time: the Pareto front of a set of runs, and the fastest run within an error
+// bound.
 #pragma once
 
 #include "report/run_summary.h"
@@ -12,10 +12,6 @@ namespace gnomon::report {
 
 /// Returns the error of `run` if it was measured and is finite.
 std::optional<double> knownError(const RunSummary& run, ErrorKind kind);
-
-/// Returns the error for comparing runs: the image difference if all runs have it, otherwise the result of
-/// `shadowError`. Only the image difference measures coarse models and coarse maps alike.
-ErrorKind comparedError(std::span<const RunSummary> runs);
 
 /// Returns the error that a page shows first: wrong pixels, the measure of accuracy, if a run has them. Otherwise
 /// returns the aliasing bound.
@@ -53,32 +49,8 @@ TimeOrder compareTimes(const RunSummary& a, const RunSummary& b);
 /// a run that is at least as accurate and not measurably slower. Runs without the error are ignored.
 std::vector<std::size_t> paretoFront(std::span<const RunSummary> runs, ErrorKind kind);
 
-/// Max ratio of the recommended run's frame time to that of the fastest run on the front.
-inline constexpr double kWorthwhileTimes = 2;
-
-/// Returns the most accurate run of the front whose time is at most kWorthwhileTimes that of the fastest.
-std::optional<std::size_t> recommendedRun(std::span<const RunSummary> runs, ErrorKind kind);
-
 /// Returns the expected upper limit of a run's median time when it is measured again: its median plus its noise.
 double timeToExpectMs(const RunSummary& run);
-
-/// Returns the run with the smallest error whose `timeToExpectMs` is at most `budgetMs`. Among equal errors it is the
-/// fastest. Returns nullopt if no run is that fast.
-std::optional<std::size_t> bestUnderBudget(std::span<const RunSummary> runs, ErrorKind kind, double budgetMs);
-
-/// A run that was within the budget when it was measured again, with its second median time.
-struct ConfirmedRun {
-    std::size_t run = 0;
-    double p50MsAgain = 0;
-};
-
-/// Returns the result of `bestUnderBudget` if a second measurement `walkAgain(run)` is also within the budget.
-/// Otherwise tries the next best run. This is necessary because the apparent best of many runs is partly luck.
-std::optional<ConfirmedRun> confirmedUnderBudget(
-    std::span<const RunSummary> runs,
-    ErrorKind kind,
-    double budgetMs,
-    const std::function<RunSummary(std::size_t run)>& walkAgain);
 
 /// Returns the fastest run whose error is at most `bound`, or nullopt.
 std::optional<std::size_t> cheapestUnderError(std::span<const RunSummary> runs, ErrorKind kind, double bound);

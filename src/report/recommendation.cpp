@@ -11,6 +11,22 @@ namespace gnomon::report {
 
 namespace {
 
+/// Returns the indices of the runs by level of detail: first runsOfOneDetail, then the other levels, finest first.
+std::vector<std::vector<std::size_t>> runsByDetail(std::span<const RunSummary> runs) {
+    std::map<double, std::vector<std::size_t>> byDetail;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto detail = runs[i].settings.find("error_pixels");
+        byDetail[detail == runs[i].settings.end() ? 0 : std::strtod(detail->second.c_str(), nullptr)].push_back(i);
+    }
+    std::vector<std::vector<std::size_t>> levels;
+    for (auto& [detail, which] : byDetail)
+        levels.push_back(std::move(which));
+    const auto frequent = std::max_element(
+        levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    if (frequent != levels.end()) std::rotate(levels.begin(), frequent, frequent + 1);
+    return levels;
+}
+
 double fastestMs(std::span<const RunSummary> runs) {
     const std::vector<std::size_t> alike = runsOfOneDetail(runs);
     return std::accumulate(alike.begin(), alike.end(), runs[alike.front()].p50Ms, [&](double ms, std::size_t i) {
@@ -44,10 +60,21 @@ std::optional<std::size_t> bestOf(
     return best == candidates.end() ? std::nullopt : std::optional(*best);
 }
 
-std::vector<std::size_t> candidatesOf(std::span<const RunSummary> runs, const Request& request) {
-    std::vector<std::size_t> candidates = runsOfOneDetail(runs);
-    std::erase_if(candidates, [&](std::size_t i) { return !fulfils(runs[i], runs, request); });
-    return candidates;
+/// Returns the runs that fulfil `request`, by level of detail in the order of preference. No list is empty.
+std::vector<std::vector<std::size_t>> candidatesOf(std::span<const RunSummary> runs, const Request& request) {
+    std::vector<std::vector<std::size_t>> levels = runsByDetail(runs);
+    if (!request.budgetMs && !request.maxWrongPixels && !levels.empty()) levels.resize(1);
+    for (std::vector<std::size_t>& level : levels)
+        std::erase_if(level, [&](std::size_t i) { return !fulfils(runs[i], runs, request); });
+    std::erase_if(levels, [](const std::vector<std::size_t>& level) { return level.empty(); });
+    return levels;
+}
+
+/// Returns "with a pixel error of 1 " if `runs` have several levels of detail.
+std::string detailInWords(const RunSummary& run, std::span<const RunSummary> runs) {
+    const auto detail = run.settings.find("error_pixels");
+    if (runsByDetail(runs).size() < 2 || detail == run.settings.end()) return {};
+    return "with a pixel error of " + detail->second + " ";
 }
 
 /// Returns for example "with at most 0.1% wrong pixels and within 40 ms".
@@ -73,31 +100,26 @@ std::optional<double> wrongPixels(const RunSummary& run) {
 }
 
 std::vector<std::size_t> runsOfOneDetail(std::span<const RunSummary> runs) {
-    std::map<double, std::vector<std::size_t>> byDetail;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto detail = runs[i].settings.find("error_pixels");
-        byDetail[detail == runs[i].settings.end() ? 0 : std::strtod(detail->second.c_str(), nullptr)].push_back(i);
-    }
-    std::vector<std::size_t> most;
-    for (const auto& [detail, which] : byDetail) // finest first
-        if (which.size() > most.size()) most = which;
-    return most;
+    const std::vector<std::vector<std::size_t>> levels = runsByDetail(runs);
+    return levels.empty() ? std::vector<std::size_t>() : levels.front();
 }
 
 std::optional<std::size_t> recommend(std::span<const RunSummary> runs, const Request& request) {
-    return bestOf(candidatesOf(runs, request), runs, request);
+    const std::vector<std::vector<std::size_t>> levels = candidatesOf(runs, request);
+    return levels.empty() ? std::nullopt : bestOf(levels.front(), runs, request);
 }
 
 std::optional<ConfirmedRun> recommendConfirmed(
     std::span<const RunSummary> runs,
     const Request& request,
     const std::function<RunSummary(std::size_t run)>& walkAgain) {
-    std::vector<std::size_t> candidates = candidatesOf(runs, request);
-    while (const auto best = bestOf(candidates, runs, request)) {
-        const RunSummary again = walkAgain(*best);
-        if (!request.budgetMs || timeToExpectMs(again) <= *request.budgetMs) return ConfirmedRun{*best, again.p50Ms};
-        std::erase(candidates, *best);
-    }
+    for (std::vector<std::size_t>& level : candidatesOf(runs, request))
+        while (const auto best = bestOf(level, runs, request)) {
+            const RunSummary again = walkAgain(*best);
+            if (!request.budgetMs || timeToExpectMs(again) <= *request.budgetMs)
+                return ConfirmedRun{*best, again.p50Ms};
+            std::erase(level, *best);
+        }
     return std::nullopt;
 }
 
@@ -106,18 +128,20 @@ std::string reasonFor(std::size_t run, std::span<const RunSummary> runs, const R
     const double wrong = wrongPixels(chosen).value_or(0);
     const std::string ms = request.budgetMs ? citedBelow(chosen.p50Ms, *request.budgetMs) : cited(chosen.p50Ms);
     if (request.maxWrongPixels)
-        return "Of the runs " + inWords(request) + " it has the shortest frame time: " + ms + " ms, " +
+        return "Of the runs " + detailInWords(chosen, runs) + inWords(request) +
+               " it has the shortest frame time: " + ms + " ms, " +
                citedBelow(100 * wrong, 100 * *request.maxWrongPixels) + "% wrong pixels.";
     const std::string which = request.budgetMs
                                   ? inWords(request)
                                   : "that take at most " + cited(kWorthwhileTimes) +
                                         " times the frame time of the fastest run (" + cited(fastestMs(runs)) + " ms)";
-    return "Of the runs " + which + " it has the fewest wrong pixels: " + citedPercent(wrong) + ", " + ms + " ms.";
+    return "Of the runs " + detailInWords(chosen, runs) + which +
+           " it has the fewest wrong pixels: " + citedPercent(wrong) + ", " + ms + " ms.";
 }
 
 std::string reasonForNone(std::span<const RunSummary> runs, const Request& request) {
     if (std::none_of(runs.begin(), runs.end(), [](const RunSummary& run) { return wrongPixels(run).has_value(); }))
-        return "No run is recommended: no run was compared with a ground truth (option --oracle).";
+        return "No run is recommended: no run was compared with the ground truth.";
     const std::string wish = inWords(request);
     if (wish.empty())
         return "No run is recommended: no run with known accuracy takes at most " + cited(kWorthwhileTimes) +

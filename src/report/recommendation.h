@@ -25,19 +25,29 @@ std::optional<double> wrongPixels(const RunSummary& run);
 /// a coarse model with a fine model.
 std::vector<std::size_t> runsOfOneDetail(std::span<const RunSummary> runs);
 
-/// The wishes of a user. All of them must be fulfilled.
+/// The limits that a user requests. A recommended run keeps both.
 struct Request {
     std::optional<double> maxWrongPixels{}; // share of all pixels, from 0 to 1
     std::optional<double> budgetMs{};       // limit of `timeToExpectMs`
 };
 
-/// Returns the recommended run of `runsOfOneDetail`, or nullopt if no run with known `wrongPixels` fulfils `request`:
+/// Max ratio of the recommended run's frame time to that of the fastest run.
+inline constexpr double kWorthwhileTimes = 2;
+
+/// Returns the recommended run, or nullopt if no run with known `wrongPixels` fulfils `request`:
 /// - with `maxWrongPixels`: the run with the smallest median frame time;
 /// - with `budgetMs` only: the run with the fewest wrong pixels;
 /// - without a request: the run with the fewest wrong pixels of those that take at most kWorthwhileTimes the median
 ///   frame time of the fastest run.
-/// Among equal runs it is the better in the other value, then the first.
+/// Among equal runs it is the better in the other value, then the first. All candidates have one level of detail: that
+/// of `runsOfOneDetail`, or if none of these runs fulfils `request`, the finest of the other levels with such a run.
 std::optional<std::size_t> recommend(std::span<const RunSummary> runs, const Request& request = {});
+
+/// A run that was within the budget when it was measured again, with its second median time.
+struct ConfirmedRun {
+    std::size_t run = 0;
+    double p50MsAgain = 0;
+};
 
 /// Returns the result of `recommend` for a request with a budget if a second measurement `walkAgain(run)` is also
 /// within the budget. Otherwise tries the next run. This is necessary because the apparent best of many runs is partly

@@ -136,6 +136,45 @@ bool areAlikeLong(const Times& before, const Times& after) {
     return std::all_of(before.begin(), before.end(), isAlike) && std::all_of(after.begin(), after.end(), isAlike);
 }
 
+/// Returns the bootstrap's values of `statistic`. `resamplesFrames` also resamples blocks of frames.
+std::vector<double> bootstrap(
+    const Times& before,
+    const Times& after,
+    TimeStatistic statistic,
+    bool isPaired,
+    bool resamplesRepetitions,
+    bool resamplesFrames,
+    const BootstrapOptions& options) {
+    Random random(options.seed);
+    Sample sample = wholeSample(before, after);
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(options.resamples));
+    for (int i = 0; i < options.resamples; ++i) {
+        if (resamplesRepetitions) {
+            sample.before = drawn(random, before.size());
+            sample.after = isPaired ? sample.before : drawn(random, after.size());
+        }
+        if (resamplesFrames) sample.frames = drawnBlocks(random, before.front().size());
+        values.push_back(sampled(before, after, statistic, sample));
+    }
+    return values;
+}
+
+double variance(const std::vector<double>& values) {
+    const auto n = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    return std::accumulate(values.begin(), values.end(), 0.0, [&](double sum, double value) {
+        return sum + (value - mean) * (value - mean) / n;
+    });
+}
+
+/// Returns the factor that corrects the interval of the median. Both steps of the bootstrap contain the noise of
+/// frames: the repetitions differ by it, too. So it is counted twice (Davison, Hinkley 1997, section 3.8), and the
+/// variance of the second step alone, `ofFrames`, is subtracted. It is at most half of the expected variance of both.
+double onceCounted(double ofBoth, double ofFrames) {
+    return ofBoth > 0 ? std::sqrt(std::max(ofBoth - ofFrames, ofBoth / 2) / ofBoth) : 1;
+}
+
 /// Returns the factor that widens the bootstrap's interval for few repetitions: the bootstrap of n values
 /// underestimates their deviation by sqrt((n - 1) / n), and has the normal distribution's tails.
 double widening(std::size_t repetitions) {
@@ -176,18 +215,16 @@ std::optional<Difference> difference(
     const Times logsBefore = logsOf(before, isReduced);
     const Times logsAfter = logsOf(after, isReduced);
     const bool isPaired = pairing == Pairing::Repetitions && before.size() == after.size();
-    Random random(options.seed);
-    std::vector<double> values;
-    for (int i = 0; i < options.resamples; ++i) {
-        Sample sample;
-        sample.before = drawn(random, before.size());
-        sample.after = isPaired ? sample.before : drawn(random, after.size());
-        sample.frames = drawnBlocks(random, logsBefore.front().size());
-        values.push_back(sampled(logsBefore, logsAfter, statistic, sample));
-    }
+    const std::size_t repetitions = std::min(before.size(), after.size());
+    const bool isMedian = statistic == TimeStatistic::Median;
+    const auto valuesOf = [&](bool resamplesRepetitions, bool resamplesFrames) {
+        return bootstrap(logsBefore, logsAfter, statistic, isPaired, resamplesRepetitions, resamplesFrames, options);
+    };
+    const std::vector<double> values = valuesOf(true, isMedian || repetitions < 2);
+    double factor = widening(repetitions);
+    if (isMedian && repetitions > 1) factor *= onceCounted(variance(values), variance(valuesOf(false, true)));
     Difference result;
     result.estimate = sampled(logsBefore, logsAfter, statistic, wholeSample(logsBefore, logsAfter));
-    const double factor = widening(std::min(before.size(), after.size()));
     const int alone = (before.size() < 2 ? 1 : 0) + (after.size() < 2 ? 1 : 0);
     const double assumed =
         statistic == TimeStatistic::SlowShare ? 0 : kNormalQuantile * kAssumedDeviation * std::sqrt(alone);

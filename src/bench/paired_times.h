@@ -41,10 +41,11 @@ struct Difference {
 inline constexpr double kAssumedDeviation = 0.1;
 
 /// Returns the difference `after` minus `before`. The interval comes from a seeded bootstrap, which resamples
-/// repetitions first and then blocks of neighbouring frames, because neighbouring frames correlate (Künsch 1989). The
-/// interval is widened by Student's t for the number of repetitions, and by kAssumedDeviation for a side with one
-/// repetition. Repetitions of different length are reduced to their medians. Returns nullopt if a side has no
-/// repetition, an empty repetition, or a time that is not positive and finite.
+/// repetitions first and then blocks of neighbouring frames, because neighbouring frames correlate (Künsch 1989). For
+/// P99 and SlowShare it resamples only repetitions if there are several: a slow frame that is at the same position in
+/// each repetition is not due to chance. The interval is widened by Student's t for the number of repetitions, and by
+/// kAssumedDeviation for a side with one repetition. Repetitions of different length are reduced to their medians.
+/// Returns nullopt if a side has no repetition, an empty repetition, or a time that is not positive and finite.
 std::optional<Difference> difference(
     const Times& before,
     const Times& after,

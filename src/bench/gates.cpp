@@ -216,9 +216,16 @@ void addProcess(Verdict& verdict, const RunRecord& before, const RunRecord& afte
     }
 }
 
+/// Returns the name of a run without its first part, the name of the model file. The same model can have two names, and
+/// contextGates compares its content.
+std::string_view nameWithoutModel(const RunRecord& run) {
+    const std::string_view name = run.name;
+    return name.substr(std::min(name.find('/'), name.size()));
+}
+
 const RunRecord* runNamed(const ResultSet& set, const RunRecord& wanted, bool byLabel) {
     for (const RunRecord& run : set.runs)
-        if (byLabel ? run.label == wanted.label : run.name == wanted.name) return &run;
+        if (byLabel ? run.label == wanted.label : nameWithoutModel(run) == nameWithoutModel(wanted)) return &run;
     return nullptr;
 }
 

@@ -14,7 +14,8 @@ namespace {
 std::string figuresOf(const Gate& gate) {
     if (!gate.changePercent && !gate.limitPercent) return "expected " + gate.before + ", found " + gate.after;
     std::string text = gate.before + " before, " + gate.after + " now";
-    if (gate.changePercent) text += formatted(", %+.3g%%", *gate.changePercent);
+    if (gate.changePercent)
+        text += formatted(gate.lowPercent ? ", change of paired times %+.3g%%" : ", %+.3g%%", *gate.changePercent);
     if (gate.lowPercent) text += formatted(" (99%% interval %+.3g%% to %+.3g%%)", *gate.lowPercent, *gate.highPercent);
     if (gate.limitPercent) text += formatted(", limit %+.3g%%", *gate.limitPercent);
     if (gate.detectablePercent)

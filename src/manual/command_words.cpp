@@ -55,7 +55,7 @@ OptionWords optionWords(const CLI::Option& option, const std::string& command) {
     const bool isFlagToo = option.get_items_expected_min() == 0;
     if (!isFlagToo) words.byDefault = option.get_default_str();
     words.description = option.get_description();
-    words.isRequired = option.get_required();
+    words.isRequired = option.get_required() || option.get_option_text() == kRequiredWithoutSubcommand;
     words.isRepeated = option.get_items_expected_max() > 1;
     return words;
 }

@@ -13,6 +13,10 @@ class App;
 
 namespace gnomon::manual {
 
+/// Marks an option (CLI::Option::option_text) that its command requires unless a subcommand follows. The command itself
+/// checks it: CLI11 takes the name of a subcommand for the value of a required argument.
+inline constexpr const char* kRequiredWithoutSubcommand = "REQUIRED";
+
 /// An option or a positional argument.
 struct OptionWords {
     // Names of an option such as "-o" and "--output", without old names. A positional argument has one name.

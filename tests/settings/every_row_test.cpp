@@ -121,6 +121,7 @@ std::vector<EveryRow> qualityRows() {
         {"eta", "", {"-1", "0", "0.25", "1"}, {"1.001", "-1.001", "auto", "nan"}, "a number from -1 to 1"},
         {"tsm-focus", "", {"auto", "2.5"}, {"0", "-1", "1e16"}, "auto or a distance from 1e-15 to 1e15"},
         {"split-lambda", "1", {"0", "0.5", "1"}, {"-0.1", "1.1", "self"}, "a number from 0 to 1"},
+        {"empty-slices", "drop", {"drop", "keep"}, {"", "auto"}, "drop or keep"},
         {"max-aliasing", "4", {"0.5", "100"}, {"0", "-4", "inf"}, "a number above 0"},
         {"backend", "auto", {"auto", "software", "osmesa", "egl", "window"}, {"gpu", "", "Auto"}, nullptr},
         {"memory", "1G", {"512M", "1k", "3G"}, {"0", "-1G", "much", "1e30G"}, "a memory size such as 512M or 2G"},

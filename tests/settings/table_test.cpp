@@ -71,6 +71,7 @@ TEST(SettingsTable, ShadowsThatAreLeftOpenAreMapsWhereOneOfTheirOptionsIsGiven) 
         asking,
         (std::set<std::string>{
             "eta",
+            "empty-slices",
             "tsm-focus",
             "split-lambda",
             "max-aliasing",

@@ -56,7 +56,7 @@ class Model:
 
     @property
     def damage(self):
-        """What could not be read since the model was opened, a line each; parents are drawn in its place."""
+        """The pages that could not be read since the model was opened, one line each. Coarser pages replace them."""
         return self._model.damage()
 
     def cut(self, *, error=None, triangles=None, **view):

@@ -158,8 +158,8 @@ void print(const Tree& tree) {
 }
 
 constexpr const char* kHead =
-    R"(// Decision trees that vote for a direction by its numbers (up_features.h). tests/orientation/fit_trees.cpp fits them and
-// writes this file.
+    R"(// Decision trees that vote for the up direction of a model, given its features (up_features.h). This file is generated
+// by tests/orientation/fit_trees.cpp.
 #pragma once
 
 #include <array>
@@ -168,8 +168,8 @@ constexpr const char* kHead =
 
 namespace gnomon::hierarchy {
 
-/// A tree of three questions. From node n a number below the limit leads to node 2n + 1, another one to 2n + 2; behind the
-/// last node are the votes, in thousandths of the logarithm of odds.
+/// A decision tree of depth three. At node n, a number below the limit leads to node 2n + 1, any other number to node
+/// 2n + 2. The leaves contain votes: the logarithm of the odds, in thousandths.
 struct UpTree {
     std::array<std::uint8_t, 7> features;
     std::array<float, 7> limits;

@@ -23,9 +23,9 @@ function(print_pages)
 endfunction()
 
 if(manual_of STREQUAL gnomon-mpi)
-    print_pages(build bench sun "sun hours")
+    print_pages(build sun "sun hours")
 else()
-    print_pages(make build info verify export path render measure explain bench view
+    print_pages(make build info verify export path render measure explain bench "bench build" view
         sun "sun position" "sun hours" theory "theory eval" "theory figures" "theory table")
     print_manual(bash ${share}/bash-completion/completions/gnomon)
     print_manual(zsh ${share}/zsh/vendor-completions/_gnomon)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -184,7 +185,7 @@ TEST(Gates, UseProcessorTimeWhereWallTimeIsUndecided) {
     Random random(5);
     const auto noisy = [&](RunRecord& run) {
         for (auto& repetition : run.realMs) {
-            const double factor = random.uniform(0.2, 5);
+            const double factor = std::exp(random.uniform(-2, 2));
             for (double& time : repetition)
                 time *= factor;
         }

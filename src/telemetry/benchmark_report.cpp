@@ -11,6 +11,7 @@
 #include <ctime>
 #include <fstream>
 #include <thread>
+#include <vector>
 
 #include <unistd.h>
 

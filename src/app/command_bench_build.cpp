@@ -20,6 +20,8 @@
 #include <memory>
 #include <thread>
 
+#include <nlohmann/json.hpp>
+
 namespace gnomon::app {
 
 namespace {

@@ -29,6 +29,18 @@ std::string joined(std::string text, const char* separator, const std::string& m
     return text + more;
 }
 
+/// Adds `setting` of `own` to the parts of the run's name. `varies` is true if other runs have another value.
+void addToName(
+    BenchRun& run, const settings::Setting& setting, const settings::Settings& own, bool varies, bool isGiven) {
+    const std::string value = setting.text(own);
+    const std::string named = setting.column() + ":" + value;
+    const bool isError = setting.name() == "error-pixels";
+    if (isError) run.error = varies || isGiven ? value + "px" : "default";
+    if (!isError && setting.name() != "shadows" && (varies || isGiven)) run.scheme = joined(run.scheme, ",", named);
+    if (varies) run.name = joined(run.name, "/", named);
+    if (varies || !setting.isDefault(own)) run.options = joined(run.options, " ", setting.option() + " " + value);
+}
+
 /// Returns the run of `own`. Its name contains the settings that vary in `all`. Its scheme also contains the `given`
 /// settings, except the error, which has its own part of the name in files.
 BenchRun runOf(
@@ -41,13 +53,7 @@ BenchRun runOf(
         const bool varies = std::any_of(
             all.begin(), all.end(), [&](const settings::Settings& other) { return setting.text(other) != value; });
         if (!settings::appliesTo(setting, own)) continue;
-        if (setting.name() == "error-pixels")
-            run.error = varies || given.contains(setting.column()) ? value + "px" : "default";
-        const bool isApart = setting.name() == "shadows" || setting.name() == "error-pixels";
-        if (!isApart && (varies || given.contains(setting.column())))
-            run.scheme = joined(run.scheme, ",", setting.column() + ":" + value);
-        if (varies) run.name = joined(run.name, "/", setting.column() + ":" + value);
-        if (varies || !setting.isDefault(own)) run.options = joined(run.options, " ", setting.option() + " " + value);
+        addToName(run, setting, own, varies, given.contains(setting.column()));
     }
     if (own.quality.cellScheme != plan::Quality().cellScheme) {
         const std::string cells = "cells:" + std::string(wordOf(plan::kCellSchemes, own.quality.cellScheme));

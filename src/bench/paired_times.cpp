@@ -136,25 +136,30 @@ bool areAlikeLong(const Times& before, const Times& after) {
     return std::all_of(before.begin(), before.end(), isAlike) && std::all_of(after.begin(), after.end(), isAlike);
 }
 
-/// Returns the bootstrap's values of `statistic`. `resamplesFrames` also resamples blocks of frames.
+/// What a bootstrap resamples.
+struct Resampling {
+    bool repetitions = true;
+    bool isPaired = false; // draws the same repetitions of both sides
+    bool frames = true;    // in blocks
+};
+
+/// Returns the values of `statistic` for `options.resamples` random samples.
 std::vector<double> bootstrap(
     const Times& before,
     const Times& after,
     TimeStatistic statistic,
-    bool isPaired,
-    bool resamplesRepetitions,
-    bool resamplesFrames,
+    const Resampling& resampling,
     const BootstrapOptions& options) {
     Random random(options.seed);
     Sample sample = wholeSample(before, after);
     std::vector<double> values;
     values.reserve(static_cast<std::size_t>(options.resamples));
     for (int i = 0; i < options.resamples; ++i) {
-        if (resamplesRepetitions) {
+        if (resampling.repetitions) {
             sample.before = drawn(random, before.size());
-            sample.after = isPaired ? sample.before : drawn(random, after.size());
+            sample.after = resampling.isPaired ? sample.before : drawn(random, after.size());
         }
-        if (resamplesFrames) sample.frames = drawnBlocks(random, before.front().size());
+        if (resampling.frames) sample.frames = drawnBlocks(random, before.front().size());
         values.push_back(sampled(before, after, statistic, sample));
     }
     return values;
@@ -217,12 +222,13 @@ std::optional<Difference> difference(
     const bool isPaired = pairing == Pairing::Repetitions && before.size() == after.size();
     const std::size_t repetitions = std::min(before.size(), after.size());
     const bool isMedian = statistic == TimeStatistic::Median;
-    const auto valuesOf = [&](bool resamplesRepetitions, bool resamplesFrames) {
-        return bootstrap(logsBefore, logsAfter, statistic, isPaired, resamplesRepetitions, resamplesFrames, options);
+    const auto valuesOf = [&](const Resampling& resampling) {
+        return bootstrap(logsBefore, logsAfter, statistic, resampling, options);
     };
-    const std::vector<double> values = valuesOf(true, isMedian || repetitions < 2);
+    const std::vector<double> values = valuesOf({true, isPaired, isMedian || repetitions < 2});
     double factor = widening(repetitions);
-    if (isMedian && repetitions > 1) factor *= onceCounted(variance(values), variance(valuesOf(false, true)));
+    if (isMedian && repetitions > 1)
+        factor *= onceCounted(variance(values), variance(valuesOf({false, isPaired, true})));
     Difference result;
     result.estimate = sampled(logsBefore, logsAfter, statistic, wholeSample(logsBefore, logsAfter));
     const int alone = (before.size() < 2 ? 1 : 0) + (after.size() < 2 ? 1 : 0);

@@ -27,7 +27,7 @@ double citedValue(double value) {
 std::string citedBelow(double value, double limit) {
     constexpr int kAllDigits = 17;
     for (int digits = 3; digits < kAllDigits; ++digits)
-        if (const std::string text = cited(value, digits); std::strtod(text.c_str(), nullptr) <= limit) return text;
+        if (std::string text = cited(value, digits); std::strtod(text.c_str(), nullptr) <= limit) return text;
     return cited(value, kAllDigits);
 }
 

@@ -129,53 +129,53 @@ Report withKnownAccuracy(Report report) {
 
 } // namespace
 
-nlohmann::json pageData(const Report& measured) {
-    const Report report = withKnownAccuracy(measured);
+nlohmann::json pageData(const Report& report) {
+    const Report known = withKnownAccuracy(report);
     std::set<double> times;
     std::set<double> shares;
-    for (const RunSummary& run : report.runs) {
+    for (const RunSummary& run : known.runs) {
         times.insert(timeToExpectMs(run));
         if (const auto wrong = wrongPixels(run)) shares.insert(*wrong);
     }
     nlohmann::json data = {
-        {"model", report.model},
-        {"context", report.context},
-        {"csv", report.csvFile},
-        {"json", report.jsonFile},
-        {"sentences", sentences(report.runs)},
+        {"model", known.model},
+        {"context", known.context},
+        {"csv", known.csvFile},
+        {"json", known.jsonFile},
+        {"sentences", sentences(known.runs)},
         {"runs", nlohmann::json::array()},
         {"errors", nlohmann::json::array()},
-        {"recommended", recommendation(report)},
+        {"recommended", recommendation(known)},
         {"budget_steps",
          recommendedSteps(
-             report,
+             known,
              times,
              [](double ms) {
                  return Request{std::nullopt, ms};
              })},
         {"bound_steps",
          recommendedSteps(
-             report,
+             known,
              shares,
              [](double share) {
                  return Request{share, std::nullopt};
              })},
         {"unknown_noise", kUnknownNoise},
-        {"leading_error", key(leadingError(report.runs))},
+        {"leading_error", key(leadingError(known.runs))},
         {"fronts", nlohmann::json::object()},
         {"pictures", nlohmann::json::array()},
         {"storage", nlohmann::json::array()}};
-    for (const RunSummary& run : report.runs)
+    for (const RunSummary& run : known.runs)
         data["runs"].push_back(runData(run));
     for (const ErrorKind kind : kShownErrors) {
         data["errors"].push_back({{"key", key(kind)}, {"label", label(kind)}});
-        data["fronts"][std::string(key(kind))] = paretoFront(report.runs, kind);
+        data["fronts"][std::string(key(kind))] = paretoFront(known.runs, kind);
     }
-    const Correlation bound = correlation(report.runs, ErrorKind::AliasingBound, ErrorKind::WrongPixels);
+    const Correlation bound = correlation(known.runs, ErrorKind::AliasingBound, ErrorKind::WrongPixels);
     data["correlation"] = {{"rank", bound.rank}, {"runs", bound.runs}, {"outliers", bound.outliers}};
-    for (const StoragePoint& point : report.storage)
+    for (const StoragePoint& point : known.storage)
         data["storage"].push_back({{"scheme", point.scheme}, {"maps", point.maps}, {"S", point.storageFactor}});
-    for (const Picture& picture : report.pictures)
+    for (const Picture& picture : known.pictures)
         data["pictures"].push_back(
             {{"run", picture.run}, {"kind", picture.kind}, {"src", "data:image/png;base64," + base64(picture.png)}});
     return data;

@@ -19,6 +19,7 @@ std::vector<std::vector<std::size_t>> runsByDetail(std::span<const RunSummary> r
         byDetail[detail == runs[i].settings.end() ? 0 : std::strtod(detail->second.c_str(), nullptr)].push_back(i);
     }
     std::vector<std::vector<std::size_t>> levels;
+    levels.reserve(byDetail.size());
     for (auto& [detail, which] : byDetail)
         levels.push_back(std::move(which));
     const auto frequent = std::max_element(

@@ -111,6 +111,25 @@ Crawl crawlSince(
     return crawl({&then, &thenMaps}, renderer.backend().surfaces(), {&now, &maps});
 }
 
+/// Measures the shadows in `surfaces`, which `drawn` has drawn for `frame`: the share of wrong pixels if `isCompared`,
+/// and the class of each pixel if `options` request it.
+void compareWithIntegers(
+    const frame::Renderer& renderer,
+    const frame::Frame& frame,
+    const render::DrawInputs& drawn,
+    const ValidationOptions& options,
+    bool isCompared,
+    FrameValidation& proof) {
+    if (!isCompared && !options.classifiesPixels) return;
+    const render::Raster<render::SurfaceSample> surfaces = renderer.backend().surfaces();
+    if (options.classifiesPixels) proof.classes = drawnClasses(surfaces);
+    if (!isCompared) return;
+    const render::Raster<std::uint8_t> statuses = trueStatuses(renderer, frame, drawn);
+    proof.wrongPixelsAll = wrongPixels(surfaces, statuses);
+    if (options.classifiesPixels && options.groundTruth == GroundTruth::Exact)
+        proof.classes = trueClasses(surfaces, statuses);
+}
+
 } // namespace
 
 FrameValidation validate(frame::Renderer& renderer, const frame::Frame& frame, const ValidationOptions& options) {
@@ -140,15 +159,7 @@ FrameValidation validate(frame::Renderer& renderer, const frame::Frame& frame, c
     if (hasGroundTruth)
         proof.truth = options.groundTruth == GroundTruth::FullDetail ? truthOfFullDetail(renderer, frame, drawn)
                                                                      : truthOfSameDetail(renderer, frame, drawn);
-    const render::Raster<render::SurfaceSample> surfaces =
-        isCompared || options.classifiesPixels ? backend.surfaces() : render::Raster<render::SurfaceSample>();
-    if (options.classifiesPixels) proof.classes = drawnClasses(surfaces);
-    if (isCompared) {
-        const render::Raster<std::uint8_t> statuses = trueStatuses(renderer, frame, drawn);
-        proof.wrongPixelsAll = wrongPixels(surfaces, statuses);
-        if (options.classifiesPixels && options.groundTruth == GroundTruth::Exact)
-            proof.classes = trueClasses(surfaces, statuses);
-    }
+    compareWithIntegers(renderer, frame, drawn, options, isCompared, proof);
     if (options.comparesWithFinest)
         proof.imageDifference = render::difference(finestPicture(renderer, frame, options.groundTruth), picture).mean;
     if (hasCrawl) proof.crawl = crawlSince(renderer, *frame.before.previous, drawn, maps);

@@ -70,7 +70,7 @@ double slowRatio(const Times& before, const Times& after) {
 double slowShareOf(const Times& times) {
     double slow = 0;
     double all = 0;
-    for (std::vector<double> repetition : times) {
+    for (const std::vector<double>& repetition : times) {
         std::vector<double> sorted = repetition;
         std::sort(sorted.begin(), sorted.end());
         const std::size_t n = sorted.size();

@@ -12,6 +12,14 @@
 
 namespace gnomon::report {
 
+/// Sets random errors of `run`. If not `knowsAll`, some are missing.
+inline void setRandomErrors(Random& random, RunSummary& run, bool knowsAll) {
+    for (const ErrorKind kind : kErrorKinds)
+        if (knowsAll || random.below(4) != 0) run.errors[kind] = static_cast<double>(random.below(12)) / 8;
+    if (run.settings.contains("cells") && random.below(4) != 0) run.errors[ErrorKind::WrongPixels] = 0;
+    if (random.below(12) == 0) run.errors[ErrorKind::WrongPixels] = std::numeric_limits<double>::quiet_NaN();
+}
+
 /// Returns runs with few, often equal values. Several have the same number of maps, some have other settings, some
 /// draw exact shadows, and some lack errors.
 inline std::vector<RunSummary> anyRuns(Random& random) {
@@ -27,10 +35,7 @@ inline std::vector<RunSummary> anyRuns(Random& random) {
             {"shadow_maps", std::to_string(run.shadowMaps)},
             {"z_partitions", std::to_string(run.shadowMaps)}};
         if (run.shadowMaps == 0 && random.below(3) != 0) run.settings["cells"] = "map+w";
-        for (const ErrorKind kind : kErrorKinds)
-            if (knowsAll || random.below(4) != 0) run.errors[kind] = static_cast<double>(random.below(12)) / 8;
-        if (run.settings.contains("cells") && random.below(4) != 0) run.errors[ErrorKind::WrongPixels] = 0;
-        if (random.below(12) == 0) run.errors[ErrorKind::WrongPixels] = std::numeric_limits<double>::quiet_NaN();
+        setRandomErrors(random, run, knowsAll);
     }
     return runs;
 }

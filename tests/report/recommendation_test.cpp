@@ -41,6 +41,7 @@ std::vector<std::size_t> allowed(
     for (std::size_t i = 0; i < runs.size(); ++i)
         groups[runs[i].settings.at("error_pixels")].push_back(i);
     std::vector<std::vector<std::size_t>> order;
+    order.reserve(groups.size());
     for (const auto& [detail, which] : groups)
         order.push_back(which);
     if (order.size() == 2 && order[1].size() > order[0].size()) std::swap(order[0], order[1]);

@@ -1,6 +1,19 @@
-// The software backend against GL on OSMesa, or EGL with GNOMON_TEST_GL=egl, over seeded views, lights and settings of
-// a model: what differs, by scheme, and who is off where map depths do. usage: backend_parity MODEL.gnm TRIPLES [SIDE]
-// [TEXELS] [FIRST_SEED]
+// Measures how many pixels and shadow map texels differ between the software backend and the OpenGL backend.
+//
+// usage: backend_parity MODEL.gnm TRIPLES [SIDE] [TEXELS] [FIRST_SEED]
+//
+// Both backends draw the same TRIPLES of view, light and quality. Triple i uses the seed FIRST_SEED + i (default: 1).
+// Images have SIDE x SIDE pixels (default: 400). The shadow maps have TEXELS x TEXELS texels in total (default: 1024).
+// OpenGL runs on OSMesa, or on EGL if the environment variable GNOMON_TEST_GL is `egl`.
+//
+// The program prints a Markdown table with one row for all triples and one row per shadow scheme:
+// - coverage %: pixels that only one backend covers, in percent of all pixels
+// - colour %: pixels with a colour channel that differs by more than 2 of 255 levels, in percent of all pixels
+// - texel coverage %: texels that only one backend covers, in percent of the texels that both backends cover
+// - texels apart by over 1e-5 %: texels whose depths differ by more than 1e-5, in percent of the same texels
+// - most: max difference of two depths; a shadow map stores depths from 0 to 1
+// - software off, OpenGL off: texels of the previous kind whose depth in this backend is wrong. A wrong depth differs
+//   by more than 1e-5 from the exact plane of each triangle that covers the texel. The second number is the max error.
 #include "bench/exact_depth.h"
 #include "core/random.h"
 #include "frame/renderer.h"
@@ -20,7 +33,8 @@
 namespace gnomon::render {
 namespace {
 
-/// From outside or amid the model, towards it; the light from anywhere above.
+/// Returns a random view of the model. The eye is inside or outside of `bounds`, and looks towards the model. The light
+/// comes from a random direction above the horizon. The image has `side` x `side` pixels.
 plan::View viewOf(const Box& bounds, int side, std::uint64_t seed) {
     Random random(seed);
     plan::View view;
@@ -34,14 +48,15 @@ plan::View viewOf(const Box& bounds, int side, std::uint64_t seed) {
     return view;
 }
 
-constexpr double kDepthBar = 1e-5;
+constexpr double kDepthBar = 1e-5; // larger differences of shadow map depths (0 to 1) are counted
 
-/// Texels whose depths differ by more than the bar, by whose is further than that from every caster's exact plane.
+/// The depth errors of each backend, in texels where both depths differ by more than kDepthBar. The error is the
+/// distance from the depth to the nearest exact plane of a triangle that covers the texel.
 struct Verdicts {
-    std::size_t oursOff = 0;
-    std::size_t theirsOff = 0;
-    double oursMax = 0;
-    double theirsMax = 0;
+    std::size_t oursOff = 0;   // texels with an error above kDepthBar in the software backend
+    std::size_t theirsOff = 0; // texels with an error above kDepthBar in OpenGL
+    double oursMax = 0;        // max error of the software backend
+    double theirsMax = 0;      // max error of OpenGL
 
     void operator+=(const Verdicts& other) {
         oursOff += other.oursOff;
@@ -51,7 +66,7 @@ struct Verdicts {
     }
 };
 
-/// Sums of one scheme.
+/// The differences between both backends, summed over several triples.
 struct Findings {
     int triples = 0;
     BackendDifference difference;
@@ -64,7 +79,8 @@ struct Findings {
     }
 };
 
-/// The texels of `pass` on which the maps disagree.
+/// Returns the texels of the shadow map of `pass` whose depths in `ours` and `theirs` differ by more than kDepthBar.
+/// Texels that only one backend covers are skipped.
 std::vector<DisputedTexel> disputed(
     const plan::ShadowPass& pass, const FloatPicture& ours, const FloatPicture& theirs) {
     std::vector<DisputedTexel> result;
@@ -78,6 +94,8 @@ std::vector<DisputedTexel> disputed(
     return result;
 }
 
+/// Returns the depth errors of both backends in all shadow maps of `frame`, the last frame that both backends drew.
+/// `pages` caches the pages of `model`.
 Verdicts verdicts(
     const frame::Frame& frame,
     const hierarchy::ModelFile& model,
@@ -108,7 +126,7 @@ Verdicts verdicts(
     return result;
 }
 
-/// Percentages of the image's pixels and of the texels that both cover.
+/// Prints one row of the table. Percentages are relative to all pixels, or to the texels that both backends cover.
 void printRow(const std::string& name, const Findings& findings) {
     const BackendDifference& found = findings.difference;
     const auto percent = [](std::size_t part, std::size_t whole) {
@@ -132,8 +150,8 @@ void printRow(const std::string& name, const Findings& findings) {
 struct Options {
     std::string model;
     int triples = 0;
-    int side = 400;    // pixels
-    int texels = 1024; // a side
+    int side = 400;    // width and height of the image, in pixels
+    int texels = 1024; // square root of the number of texels of all shadow maps
     std::uint64_t firstSeed = 1;
 };
 

@@ -1,17 +1,26 @@
 #!/usr/bin/env python3
-"""Builds made models of 10M to 372M triangles and prints what it took, or kills builds at random and resumes them.
+"""Measures the build time, peak memory and file size of models with 10M to 372M triangles.
 
 usage: bench/build_scale.py GNOMON CASE... [--work DIR] [--repetitions R] [--kills N] [--keep]
 
-Cases: KIND:TRIANGLES:MEMORY[:ERROR], like statue:50M:1G or statue:10M:1G:estimated; FILE.ply:MEMORY[:ERROR] builds a
-file that is there; shuffled:10M:1G is the statue with its vertices in random order, beside the same one in file order;
-tiled:4:FILE.ply:1G builds four copies of the file, side by side, as one model (x, y, z must be its first properties,
-little-endian floats).
-With --kills N each case is built once, then N times more: killed with SIGKILL at a random moment and resumed, until the
-file is there; all must come out with the same content_hash. A model and its PLY take up to 19 + 12 bytes a triangle of
-disk, a build up to 40 more; --keep keeps the PLY for the next run.
+Cases:
+- KIND:TRIANGLES:MEMORY[:ERROR] builds a mesh of `gnomon make`, for example statue:50M:1G or statue:10M:1G:estimated.
+- FILE.ply:MEMORY[:ERROR] builds an existing file.
+- shuffled:TRIANGLES:MEMORY[:ERROR] builds a statue twice: with vertices in file order, and in random order.
+- tiled:COPIES:FILE.ply:MEMORY[:ERROR] builds copies of the file, side by side, as one model. The first properties of
+  the vertices must be x, y and z, as little-endian floats.
 
-Peak memory is the kernel's for the process (ru_maxrss). Times are medians of the repetitions, with their spread.
+MEMORY is the memory limit of the build, such as 1G. ERROR is `measured` (default) or another value of --error.
+
+With --kills N, the script builds each case N more times. It kills each build with SIGKILL at a random moment, and
+resumes it. All models must have the same content_hash.
+
+The script prints one table row per build. Times are in seconds: the median of the repetitions, and max minus min in
+parentheses. Peak memory is the max resident memory of the process (ru_maxrss), in MiB. The exit code is 1 if a
+build exceeds its memory limit, or if content hashes differ. It is also 1 if a resumed build leaves temporary files.
+
+A model and its PLY file need up to 19 + 12 bytes of disk per triangle. A build needs up to 40 more. With --keep, the
+PLY file stays for the next run.
 """
 import argparse
 import array
@@ -29,7 +38,7 @@ import time
 
 
 def read_ply_header(file):
-    """The header's bytes, how many vertices follow it, and the bytes of each."""
+    """Returns the bytes of the header, the number of vertices, and the number of bytes per vertex."""
     header = b""
     while not header.endswith(b"end_header\n"):
         header += file.readline()
@@ -39,7 +48,10 @@ def read_ply_header(file):
 
 
 def apart(function, *arguments):
-    """Runs `function` in a process of its own: what a fork holds counts as the peak memory of the build it becomes."""
+    """Runs `function` in a separate process, so that this script uses little memory.
+
+    A build starts as a fork of this script, and its measured peak memory includes the memory of the fork.
+    """
     process = multiprocessing.Process(target=function, args=arguments)
     process.start()
     process.join()
@@ -52,7 +64,7 @@ def tile_path(source, folder, copy):
 
 
 def tile(source, folder, count):
-    """Writes `count` copies of the PLY `source`, side by side along x."""
+    """Writes `count` copies of the PLY file `source`, side by side along x, to `folder`."""
     with open(source, "rb") as file:
         header, vertices, size = read_ply_header(file)
         block = file.read(vertices * size)
@@ -68,7 +80,7 @@ def tile(source, folder, count):
 
 
 def shuffle_vertices(source, target, seed=1):
-    """The PLY `source` (as `gnomon make` writes it) with its vertices in random order."""
+    """Writes the PLY file `source` (by `gnomon make`) to `target`, with the vertices in random order."""
     with open(source, "rb") as file:
         header, count, _ = read_ply_header(file)
         vertices = file.read(12 * count)
@@ -89,7 +101,7 @@ def shuffle_vertices(source, target, seed=1):
 
 
 def build(gnomon, sources, target, memory, error, extra=()):
-    """Runs one build; its report, its wall-clock seconds, its peak memory and its processor seconds."""
+    """Runs a build. Returns its report, wall-clock seconds, peak memory in bytes, and processor seconds."""
     command = [gnomon, "build", *sources, "-o", target, "--memory", memory, "--error", error, "--json",
                "--progress", "none", *extra]
     start = time.monotonic()
@@ -104,7 +116,10 @@ def build(gnomon, sources, target, memory, error, extra=()):
 
 
 def kill_and_resume(gnomon, sources, target, memory, error, seconds, kills, expected):
-    """Kills `kills` builds, each at a random moment of a build that takes `seconds`, and resumes them to the end."""
+    """Kills `kills` builds at random moments within `seconds`, and resumes each one to its end.
+
+    Returns true if all models have the content_hash `expected`.
+    """
     generator = random.Random(7)
     different = 0
     resumed = 0
@@ -129,7 +144,10 @@ def kill_and_resume(gnomon, sources, target, memory, error, seconds, kills, expe
 
 
 def models_of(case, options):
-    """The sources of a case, each with whether it is to be removed afterwards, and the words that follow them."""
+    """Makes the source files of a case. Returns them, and the remaining words of the case (memory and error).
+
+    The first result is a list with one entry per build: the source files, and true if the script must remove them.
+    """
     words = case.split(":")
     if words[0].endswith(".ply"):
         models = [([words[0]], False)]

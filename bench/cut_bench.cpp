@@ -1,5 +1,21 @@
-// What finding a frame's triangles costs: the cut with all caster lists, one and all cores, depth range, cap, demand.
-// cut_bench [MODEL.gnm] [benchmark options]; without a model, a height field of 524,288 triangles.
+// Measures the time to select the clusters of a frame (its cut), in milliseconds.
+//
+// usage: cut_bench [MODEL.gnm] [options of Google Benchmark]
+//
+// The default model is a height field of 524,288 triangles. The model fills the image, and the light has four shadow
+// maps. The error limit is chosen so that the image has about one million triangles, or all triangles of a smaller
+// model. All pages that the cut uses are in memory. The first line of the output states the error limit, the pages and
+// the triangles.
+//
+// The benchmarks are:
+// - cut_image_one_core: the clusters of the image, on one thread
+// - cut_and_casters_one_core: the clusters of the image and of four shadow maps, on one thread
+// - cut_and_casters: the same lists, on all cores
+// - visited_pages: the list of pages that may contain groups to refine
+// - demand: the list of pages that a cut uses or wants
+// - depth_range: min and max view depth of the image
+// - triangle_cap_half: the error limit for half of the triangles
+// - page_trees: the bounding volume trees over all pages
 #include "lod/caster_detail.h"
 #include "lod/frame_cut.h"
 #include "lod/page_store.h"
@@ -17,9 +33,9 @@
 namespace gnomon {
 namespace {
 
-constexpr std::uint64_t kTriangles = 1000000;
+constexpr std::uint64_t kTriangles = 1000000; // wanted number of triangles in the image
 
-/// A model that frames the image, wholly resident as far as the view asks, with four partitions.
+/// A model that fills the image, with four shadow maps. All pages that the cut uses are in memory.
 class Scene {
 public:
     explicit Scene(const std::string& path)
@@ -67,7 +83,8 @@ private:
         }
     }
 
-    /// The error at which the image has about a million triangles, or all there are; loads what that takes.
+    /// Finds the error limit at which the image has about kTriangles triangles, or all triangles of a smaller model.
+    /// Loads all pages for this limit and prints the statistics of the cut.
     void findThreshold() {
         double tooFine = 1e-3;
         double tooCoarse = 1e3;
@@ -82,6 +99,7 @@ private:
         std::printf(", clusters in the image %llu\n", static_cast<unsigned long long>(cut.lists.image.clusters));
     }
 
+    /// Loads pages until the cut has all pages that it wants, and returns this cut.
     lod::Cut load() {
         while (true) {
             lod::Cut cut = lod::cut(query());
@@ -101,6 +119,7 @@ private:
     double errorPixels_ = 1;
 };
 
+/// Registers a benchmark that measures the wall-clock time and the processor time of `body`.
 template <class Body>
 void add(const char* name, const Body& body) {
     benchmark::RegisterBenchmark(

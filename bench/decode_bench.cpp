@@ -1,6 +1,10 @@
-// How fast pages decode on one core: read from the page cache, checked, decoded and turned into triangles.
-// decode_bench MODEL.gnm [benchmark options]; at most kPages pages, evenly over the file, those of the finest level
-// too.
+// Measures how fast one thread decodes the pages of a model, in triangles and bytes per second.
+//
+// usage: decode_bench MODEL.gnm [options of Google Benchmark]
+//
+// The program reads 256 to 511 pages that are evenly distributed over the file. It reads all pages of a smaller model.
+// The time contains the read from the page cache of the system, the checksum test and the decoding. `stored_bytes`
+// counts the bytes of the pages in the file.
 #include "core/error.h"
 #include "hierarchy/model_file.h"
 
@@ -12,7 +16,7 @@
 namespace gnomon {
 namespace {
 
-constexpr std::size_t kPages = 256;
+constexpr std::size_t kPages = 256; // min number of pages to read, if the model has more
 
 void decodePages(benchmark::State& state, const hierarchy::ModelFile& model) {
     const std::size_t step = std::max<std::size_t>(1, model.pages().size() / kPages);

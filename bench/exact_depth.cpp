@@ -10,13 +10,14 @@ namespace gnomon::render {
 
 namespace {
 
-using Corners = std::array<glm::dvec4, 3>; // clip space, depth from 0 to w
+using Corners = std::array<glm::dvec4, 3>; // corners of a triangle in clip space, with depths from 0 to w
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Homogeneous weights of the corners at `at` (x and y of clip space after the division).
+/// Returns the homogeneous barycentric weights of the point `at` in the triangle `corners`. `at` is a point in
+/// normalised device coordinates, that is, x / w and y / w.
 glm::dvec3 weights(const Corners& corners, const glm::dvec2& at) {
     std::array<glm::dvec2, 3> from{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -24,10 +25,12 @@ glm::dvec3 weights(const Corners& corners, const glm::dvec2& at) {
     return {cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
 }
 
+/// Returns the sum of the corners, weighted with `b`.
 glm::dvec4 weighted(const Corners& corners, const glm::dvec3& b) {
     return corners[0] * b.x + corners[1] * b.y + corners[2] * b.z;
 }
 
+/// Returns true if the triangle `corners` covers the point `at` in front of the light's near plane (w > 0).
 bool covers(const Corners& corners, const glm::dvec2& at) {
     const glm::dvec3 b = weights(corners, at);
     const bool isInside = (b.x >= 0 && b.y >= 0 && b.z >= 0) || (b.x <= 0 && b.y <= 0 && b.z <= 0);
@@ -35,6 +38,7 @@ bool covers(const Corners& corners, const glm::dvec2& at) {
     return isInside && sum != 0 && weighted(corners, b).w / sum > 0;
 }
 
+/// Returns true if the triangle covers `at` or one of eight points around it. Their distances are `reach` in x and y.
 bool isNear(const Corners& corners, const glm::dvec2& at, const glm::dvec2& reach) {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x)
@@ -42,7 +46,8 @@ bool isNear(const Corners& corners, const glm::dvec2& at, const glm::dvec2& reac
     return false;
 }
 
-/// The depth of the triangle's plane at `at`, held within its corners' and the map's.
+/// Returns the depth of the triangle's plane at `at`, clamped to [0, 1]. If all corners have w > 0, the depth is also
+/// clamped to the range of the corners' depths.
 double depthAt(const Corners& corners, const glm::dvec2& at) {
     const glm::dvec4 p = weighted(corners, weights(corners, at));
     double depth = p.z / p.w;
@@ -55,6 +60,7 @@ double depthAt(const Corners& corners, const glm::dvec2& at) {
     return std::clamp(depth, 0.0, 1.0);
 }
 
+/// Compares the depths of some texels with the exact planes of the casters of one shadow map.
 class Judge {
 public:
     Judge(const DrawInputs& frame, const plan::ShadowPass& pass, std::vector<DisputedTexel>& texels)
@@ -66,6 +72,7 @@ public:
         reach_ = {2 * kReach / r.width, 2 * kReach / r.height};
     }
 
+    /// Updates the depth errors of all texels with the triangles of `cluster`.
     void look(const hierarchy::Page& page, const hierarchy::Cluster& cluster) {
         corners_.clear();
         for (std::uint32_t v = 0; v < cluster.vertexCount; ++v) {
@@ -82,6 +89,7 @@ public:
     }
 
 private:
+    /// Updates the depth errors of the texels that the triangle `corners` covers.
     void look(const Corners& corners) {
         for (std::size_t i = 0; i < places_.size(); ++i) {
             const glm::dvec2& at = places_[i];
@@ -93,7 +101,8 @@ private:
         }
     }
 
-    /// Whether all corners lie clearly on one side, so that most triangles need no more.
+    /// Returns true if all corners are left, right, above or below of `at` and its neighbours. The triangle then cannot
+    /// cover them. This fast test rejects most triangles.
     bool isBeside(const Corners& corners, const glm::dvec2& at) const {
         const auto all = [&](const auto& isOut) { return isOut(corners[0]) && isOut(corners[1]) && isOut(corners[2]); };
         if (!all([](const glm::dvec4& c) { return c.w > 0; })) return false;
@@ -106,11 +115,11 @@ private:
     }
 
     MapDrawing map_;
-    glm::dmat4 clip_; // the floats that are uploaded
+    glm::dmat4 clip_; // clip space from draw space; the values are the floats that both backends use
     std::vector<DisputedTexel>* texels_;
-    std::vector<glm::dvec2> places_; // in clip space
-    glm::dvec2 reach_{0};
-    std::vector<glm::dvec4> corners_;
+    std::vector<glm::dvec2> places_;  // centres of the texels, in normalised device coordinates
+    glm::dvec2 reach_{0};             // 1.5/256 texel, in normalised device coordinates
+    std::vector<glm::dvec4> corners_; // vertices of the current cluster, in clip space
 };
 
 } // namespace

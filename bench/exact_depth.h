@@ -1,4 +1,4 @@
-// The depths that a shadow map should hold: every caster's plane in doubles, to tell which of two backends is off.
+// Computes the exact depths of shadow map texels in double precision, to find the depth error of two backends.
 #pragma once
 
 #include "render/backend.h"
@@ -7,19 +7,19 @@
 
 namespace gnomon::render {
 
-/// A texel of the depth texture with the depths that two backends left there.
+/// A texel of the shadow map texture in which two backends have different depths.
 struct DisputedTexel {
     int x = 0;
     int y = 0;
-    float ours = 0;
-    float theirs = 0;
-    double oursOff = 1; // distance to the nearest plane of a caster that covers the texel's middle
-    double theirsOff = 1;
+    float ours = 0;       // depth in the first backend, 0 to 1
+    float theirs = 0;     // depth in the second backend, 0 to 1
+    double oursOff = 1;   // distance from `ours` to the nearest plane of a triangle that covers the texel centre
+    double theirsOff = 1; // distance from `theirs` to the nearest such plane
 };
 
-/// Fills in the distances of `texels`, all of pass `pass`. Corners are those that both backends start from: through
-/// the same floats, then exact. A triangle counts if it covers the middle or a point within 1.5/256 texel of it, for
-/// both snap corners to 1/256.
+/// Computes `oursOff` and `theirsOff` of all `texels`, which belong to the shadow map of pass `pass`. The corners of
+/// the casters are computed from the same floats as in both backends, and then in double precision. Both backends snap
+/// corners to 1/256 texel. A triangle therefore also covers a texel if it covers a point 1.5/256 texel from the centre.
 void judge(const DrawInputs& frame, std::size_t pass, std::vector<DisputedTexel>& texels);
 
 } // namespace gnomon::render

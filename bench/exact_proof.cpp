@@ -1,4 +1,19 @@
-// Exact shadows against the plain integer loops, pixel by pixel, over seeded views and lights of any models.
+// Counts the pixels whose exact shadow differs from a brute-force test with integers.
+//
+// usage: exact_proof VIEWS WxH [lamps] MODEL.gnm...
+//
+// The program draws VIEWS seeded views of each model, with W x H pixels. The light is a seeded sun. With
+// `lamps`, it is a seeded point light. A second computation tests each sample against all casters. A sample is a
+// visible point that faces the light.
+//
+// The program prints each view with wrong pixels, and then per model and for all models:
+// - samples, and pixels whose lit or dark result differs between both computations
+// - dark samples, and dark samples if the tolerance were 0
+// - touching samples: their result depends on the tolerance or on the rule for ties; also the max share of a view
+// - sample tests, and tests that needed integer arithmetic; also the max share of a view
+// - a hash of all counts, which is equal for all compilers and all numbers of threads
+//
+// The exit code is 1 if a pixel is wrong.
 #include "frame/renderer.h"
 #include "render/exact_pass.h"
 #include "render/software_backend.h"
@@ -14,28 +29,29 @@ namespace {
 
 using Count = unsigned long long;
 
-/// What came of some views.
+/// The counts of several views.
 struct Tally {
     Count views = 0;
-    Count drawn = 0; // with anything in view
-    Count samples = 0;
-    Count wrong = 0;
+    Count drawn = 0;   // views with a surface that can be in shadow
+    Count samples = 0; // visible points that face the light
+    Count wrong = 0;   // pixels that differ from the brute-force result
     Count dark = 0;
-    Count darkWithoutTolerance = 0;
-    Count withinTolerance = 0;
-    Count tests = 0;
-    Count exactDecisions = 0;
-    double worstDecisions = 0;       // share of a frame's tests
-    double worstWithinTolerance = 0; // share of a frame's samples, of at least kMany
-    Count worstView = 0;
-    Count above = 0;                      // views with more than kMaxWithinTolerance
-    Count digest = 14695981039346656037U; // of all counts: FNV-1a, the same for every compiler and number of threads
+    Count darkWithoutTolerance = 0; // dark samples if the tolerance were 0
+    Count withinTolerance = 0;      // samples whose result depends on the tolerance or on the rule for ties
+    Count tests = 0;                // tests of one triangle against one sample
+    Count exactDecisions = 0;       // tests that needed integer arithmetic
+    double worstDecisions = 0;      // max over the views: exactDecisions / tests
+    // max over the views with at least kMany samples: withinTolerance / samples
+    double worstWithinTolerance = 0;
+    Count worstView = 0;                  // index of the view with this max
+    Count above = 0;                      // views whose share within tolerance exceeds kMaxWithinTolerance
+    Count digest = 14695981039346656037U; // FNV-1a hash of the counts, equal for all compilers and thread counts
 
     void operator+=(const Tally& other);
 };
 
-constexpr Count kMany = 500;
-constexpr double kMaxWithinTolerance = 0.005;
+constexpr Count kMany = 500; // views with fewer samples do not count for worstWithinTolerance and above
+constexpr double kMaxWithinTolerance = 0.005; // fraction of a view's samples
 
 void Tally::operator+=(const Tally& other) {
     views += other.views;
@@ -57,6 +73,7 @@ double share(Count part, Count whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// Draws seeded views of one model and sums their counts.
 class Validation {
 public:
     Validation(const std::string& model, int width, int height, bool hasLamps)
@@ -66,6 +83,7 @@ public:
           height_(height),
           renderer_(model_, *backend_, {}) {}
 
+    /// Draws view `index`, and adds its counts and wrong pixels.
     void add(Count index) {
         tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, width_, 256);
         triple.view.height = height_;
@@ -112,6 +130,7 @@ private:
         tally_.worstView = index;
     }
 
+    /// Compares the shadow of each pixel with the brute-force result, and prints the number of wrong pixels.
     void addWrong(Count index, const frame::PreparedFrame& frame, const frame::FrameOptions& options) {
         const render::Raster<render::SurfaceSample> surfaces = backend_->surfaces();
         render::DrawInputs drawing = renderer_.drawing(frame, options);

@@ -1,8 +1,17 @@
 #!/usr/bin/env python3
-"""What a stranger's first picture of a model is like: how much of it is neither black nor burnt out, how much its
-lightness varies, and how much of the picture it fills.
+"""Measures exposure, contrast and framing of the default picture of a model.
 
 usage: bench/first_look.py GNOMON [--bars] [--out FOLDER] "MODEL.gnm[ OPTION...]" ...
+
+OPTIONs are passed to `gnomon render`. The script prints one line per picture:
+- covered: fraction of the pixels that show the model
+- dark, burnt: fractions of the model's pixels with a luma below 5% or above 95% of full scale
+- mean, dev: mean and standard deviation of the luma
+- fill: larger fraction of the picture's width or height that the model covers
+- centre: x and y of the model's centre, as fractions of the picture
+
+With --bars, the exit code is 1 if more than 5% of the model is dark or burnt. It is also 1 if the model fills less than
+85% or more than 90% of the picture. The rule for the fill does not apply to OPTIONs with --camera or --eye.
 """
 import argparse
 import array
@@ -14,12 +23,12 @@ import sys
 import tempfile
 import zlib
 
-MIN_VALUE, MAX_VALUE = 0.05 * 255, 0.95 * 255  # beyond, shapes are lost in the dark or in the light
-FRAMED = 0.85, 0.90  # of the picture's width or height, by a view of the whole
+MIN_VALUE, MAX_VALUE = 0.05 * 255, 0.95 * 255  # shapes are hardly visible in darker or brighter pixels
+FRAMED = 0.85, 0.90  # min and max fraction of the picture's width or height that a default view fills
 
 
 def read_png(path):
-    """Width, height and the rows of an 8-bit RGB or RGBA picture."""
+    """Returns width, height and rows of an 8-bit RGB or RGBA picture. Each pixel is a list of three levels."""
     data = path.read_bytes()
     width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
     channels = {2: 3, 6: 4}[kind]
@@ -52,7 +61,7 @@ def read_png(path):
 
 
 def read_pfm(path):
-    """The rows of a one-channel little-endian PFM, from the top."""
+    """Returns the rows of a little-endian PFM file with one channel, from top to bottom."""
     data = path.read_bytes()
     width, height = (int(word) for word in data.split(b"\n", 3)[1].split())
     values = array.array("f", data[-4 * width * height :])
@@ -60,7 +69,7 @@ def read_pfm(path):
 
 
 def measure(picture, depth):
-    """Shares of the model's pixels by lightness, the deviation of that, and the part of the picture that it fills."""
+    """Returns exposure, contrast and framing of a model in `picture`. Its pixels have a finite value in `depth`."""
     width, height, rows = read_png(picture)
     light, columns, lines = [], set(), set()
     for y, (colors, depths) in enumerate(zip(rows, read_pfm(depth))):
@@ -88,9 +97,9 @@ def measure(picture, depth):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("gnomon", type=pathlib.Path)
-    parser.add_argument("models", nargs="+", help="MODEL.gnm, or 'MODEL.gnm OPTION ...' for a view of its own")
-    parser.add_argument("--bars", action="store_true", help="exit 1 where a picture misses what is asked of it")
-    parser.add_argument("--out", type=pathlib.Path, help="keep the pictures in this folder")
+    parser.add_argument("models", nargs="+", help="MODEL.gnm, or 'MODEL.gnm OPTION ...' for `gnomon render`")
+    parser.add_argument("--bars", action="store_true", help="exit with code 1 if a picture fails a limit")
+    parser.add_argument("--out", type=pathlib.Path, help="store the pictures in this folder")
     options = parser.parse_args()
     missed = []
     print(f"{'picture':28} covered    dark   burnt    mean     dev    fill  centre")

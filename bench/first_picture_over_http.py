@@ -1,10 +1,16 @@
-"""When a model on a server shows first, and when it is complete: a still view, frames that do not wait for pages.
+"""Measures the time until a model on a slow HTTP server appears, and until its picture is complete.
 
-    python3 bench/first_picture_over_http.py build/release/gnomon --mbit 10 --latency-ms 50 MODEL.gnm ...
+usage: first_picture_over_http.py GNOMON MODEL.gnm... [--mbit F] [--latency-ms F] [--seconds N] [--size WxH]
 
-The server is tests/hierarchy/source/range_server.py, beside the program; without a cache. Prints for each model seconds since the
-program began to its first picture and to the first of which no page is missing, the bytes that were fetched until then
-and the error of some pictures between.
+The server (tests/hierarchy/source/range_server.py) runs on this machine. It limits the bandwidth to --mbit megabits per
+second (default: 10), and delays each answer by --latency-ms milliseconds (default: 50). The client has no cache.
+The camera path has --seconds seconds (default: 30) with 5 frames each. The camera does not move, and frames do not wait
+for pages.
+
+The script prints per model:
+- seconds from program start to the first picture, and to the first picture without missing pages
+- megabytes that the server sent during the whole run, and triangles of the last picture
+- the error in pixels of about eight pictures before the complete one
 """
 import argparse
 import csv
@@ -20,7 +26,7 @@ from range_server import RangeServer  # noqa: E402
 
 
 def still_path(gnomon, model, folder, seconds):
-    """A path that stays at the middle of an orbit's first view for so long."""
+    """Writes a camera path that stays at the first view of an orbit for `seconds`, and returns its file."""
     orbit, still = folder / "orbit.json", folder / "still.json"
     subprocess.run([gnomon, "path", model, "--kind", "orbit", "-o", orbit], check=True, capture_output=True)
     first = json.loads(orbit.read_text())["keyframes"][0]

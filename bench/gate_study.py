@@ -1,10 +1,14 @@
-"""How often the time gate of a bench is right: false alarms, undecided runs, and sleeps that it finds.
+"""Measures how often the time gate of `gnomon bench --against` decides correctly.
 
 usage: gate_study.py GNOMON SLOW_FRAMES.so MODEL.gnm PATH.json [--runs N] [--busy N] [--sleep PERCENT]...
 
-Runs `bench --against` N times per row, with a copy of the program as the other side. A row without a sleep counts false
-alarms. A row with a sleep adds PERCENT of the median frame time to each frame of one side (tests/cli/slow_frames.cpp).
---busy starts N processes that only compute.
+The script runs `bench --against` --runs times per row (default: 40). Both sides are the same program, so without
+--sleep each failure of the gate is a false alarm. With --sleep, each frame of one side sleeps for PERCENT of the median
+frame time (tests/cli/slow_frames.cpp). The gate should fail for a sleep above its limit of 2%. --busy N starts N
+processes that use the processor.
+
+Each row states the numbers of failed, passed and undecided gates. It also states the smallest change that even the
+least precise run detects.
 """
 import argparse
 import json
@@ -25,7 +29,7 @@ def median_ms(gnomon, model, path, folder):
 
 
 def decision(arguments, old, folder, sleep_ms):
-    """The decision of the gate of medians, and the change that it could have detected."""
+    """Runs one comparison. Returns the decision for the median and its smallest detectable change in percent."""
     verdict = folder / "verdict.json"
     environment = {**os.environ, "LD_PRELOAD": str(arguments.library.resolve()), "SLOW_PROGRAM": str(arguments.gnomon.resolve()),
                    "SLOW_MICROSECONDS": str(round(1000 * sleep_ms))}  # fmt: skip

@@ -1,5 +1,17 @@
-// What penumbrae and the light of the sky cost, and how far off they are: against thousands of directions, and where a
-// plan leaves a penumbra out against all of it.
+// Measures the time and the error of penumbrae and sky light that are sampled with few light directions.
+//
+// usage: light_error disc DEG SIDE MODEL.gnm...        penumbrae of a sun with a diameter of DEG degrees
+//        light_error sky SIDE MODEL.gnm...             light of a uniform sky with 16, 64 and 256 directions
+//        light_error left-out VIEWS SIDE MODEL.gnm...  penumbrae that the plan skips because they are narrow
+//
+// Images have SIDE x SIDE pixels, exact shadows and the software backend. `disc` and `sky` use the default view. The
+// reference image has 4096 sun directions or 2048 sky directions. Errors are fractions of the pixel's light
+// without shadows (`disc`) or without occlusion of the sky (`sky`). `beyond` is the percentage of pixels above the
+// error bound.
+//
+// `left-out` uses VIEWS seeded views. The sun is so small that the widest penumbra is just below the drawing limit. The
+// program prints how much a pixel changes if the penumbra is drawn. The difference is divided by the light of the
+// brightest pixel and by the penumbra's width in pixels. A straight edge can cause at most 1 / (3 pi) = 0.106.
 #include "core/angle.h"
 #include "core/stopwatch.h"
 #include "frame/accumulation.h"
@@ -18,14 +30,15 @@
 namespace gnomon {
 namespace {
 
-/// The light of a picture, and what it took.
+/// The mean light of several frames, with the plan and the cost.
 struct Drawn {
     render::LightPicture light;
     plan::FramePlan plan;
-    int frames = 1;
-    double milliseconds = 0;
+    int frames = 1;          // number of averaged frames
+    double milliseconds = 0; // wall-clock time of all frames
 };
 
+/// Draws images of one model with the software backend.
 class Bench {
 public:
     Bench(const std::string& model, int side)
@@ -33,7 +46,7 @@ public:
 
     const hierarchy::ModelFile& model() const { return model_; }
 
-    /// The view that a picture has where nothing is asked for.
+    /// Returns the default view of `gnomon render`, with the default light.
     plan::View usualView() const {
         plan::View view;
         view.width = view.height = side_;
@@ -44,6 +57,7 @@ public:
         return view;
     }
 
+    /// Draws `samples` frames of `view`, or more if the plan has more light directions, and returns their mean.
     Drawn draw(const plan::View& view, const plan::Quality& quality, int samples) {
         frame::FrameOptions options;
         options.isAccumulated = true;
@@ -67,6 +81,7 @@ private:
     frame::Renderer renderer_;
 };
 
+/// Returns a quality with exact shadows, and with the sun as the only light.
 plan::Quality sunAlone() {
     plan::Quality quality;
     quality.shadows = plan::ShadowMode::Exact;
@@ -75,18 +90,20 @@ plan::Quality sunAlone() {
     return quality;
 }
 
-/// How far apart two pictures are, of pixels that get light without shadows, in shares of that light.
+/// The differences between two images, as fractions of the unoccluded light of each pixel.
 struct Apart {
     double mean = 0;
-    double worst = 0;
-    double p99 = 0;
-    double above = 0; // the share of the pixels that are farther apart than asked
+    double worst = 0; // max over all compared pixels
+    double p99 = 0;   // 99th percentile
+    double above = 0; // fraction of the pixels whose difference exceeds the error bound
 };
 
+/// Compares the images `a` and `b`. `full` is the same image without occlusion, and `asked` is the error bound.
+/// Pixels without a surface or with little unoccluded light are skipped.
 Apart apart(
     const render::LightPicture& a, const render::LightPicture& b, const render::LightPicture& full, double asked) {
     std::vector<double> all;
-    constexpr float kMinLight = 0.02F; // of less light no share can be told
+    constexpr float kMinLight = 0.02F; // pixels with less unoccluded light are skipped
     for (std::size_t i = 0; i < full.pixels.size(); ++i) {
         const float whole = full.pixels[i][1];
         if (whole < kMinLight || a.pixels[i][0] < 0 || b.pixels[i][0] < 0) continue;
@@ -104,6 +121,7 @@ Apart apart(
     return result;
 }
 
+/// Prints time and error of penumbrae for the light errors 0.1, 0.05 and 0.02. The sun has a diameter of `degrees`.
 void printDisc(Bench& bench, double degrees) {
     plan::View view = bench.usualView();
     plan::Quality quality = sunAlone();
@@ -137,6 +155,7 @@ void printDisc(Bench& bench, double degrees) {
     }
 }
 
+/// Prints time and error of the sky light for 16, 64 and 256 directions.
 void printSky(Bench& bench) {
     const plan::View view = bench.usualView();
     plan::Quality quality = sunAlone();
@@ -163,11 +182,12 @@ void printSky(Bench& bench) {
     }
 }
 
-/// Views in which the plan leaves penumbrae out that are just too narrow, and the same with all of the disc.
+/// Prints the error of skipped penumbrae, over `views` seeded views. In each view, the widest penumbra is slightly
+/// narrower than plan::minPenumbra, so the plan draws the sun as a point.
 void printRejected(Bench& bench, int views) {
     plan::Quality quality = sunAlone();
     constexpr int kFrames = 1024;
-    constexpr double kOneEdge = 0.1061; // 1 / (3 pi)
+    constexpr double kOneEdge = 0.1061; // 1 / (3 pi): max error of one straight edge per pixel of penumbra width
     double worst = 0;
     double mean = 0;
     int aboveOneEdge = 0;
@@ -175,7 +195,7 @@ void printRejected(Bench& bench, int views) {
     for (int i = 0; drawn < views && i < 20 * views; ++i) {
         plan::View view =
             tests::shadowTriple(bench.model().summary().bounds, static_cast<std::uint64_t>(i), bench.side(), 256).view;
-        constexpr double kWide = 0.01;
+        constexpr double kWide = 0.01; // radians; the penumbra width is proportional to this angle
         view.sunAngleRadians = kWide;
         quality.lightError = 0.05;
         quality.shadows = plan::ShadowMode::Exact;
@@ -185,7 +205,7 @@ void printRejected(Bench& bench, int views) {
         view.sunAngleRadians = kWide * 0.999 * plan::minPenumbra(quality.lightError) / widest;
         const Drawn left = bench.draw(view, quality, kFrames);
         const double narrow = left.plan.penumbra.widestPixels;
-        quality.lightError = 0.0078; // so that it is not left out, and takes as many frames
+        quality.lightError = 0.0078; // small enough that the plan draws the penumbra, with 1536 directions
         const Drawn whole = bench.draw(view, quality, kFrames);
         quality.shadows = plan::ShadowMode::Off;
         const Drawn full = bench.draw(view, quality, 16);

@@ -1,5 +1,16 @@
-// What of the bytes that a picture reads it draws: pages, refined groups, drawn clusters.
-// page_bytes MODEL.gnm [ERROR_PIXELS] [DISTANCE]: seen from that many diagonals away, without shadows, 800 pixels high.
+// Measures how many bytes of a model file one image reads, and how many of them belong to drawn clusters.
+//
+// usage: page_bytes MODEL.gnm [ERROR_PIXELS] [DISTANCE]
+//
+// The image is 800 pixels high and has no shadows. ERROR_PIXELS is the error limit in pixels (default: 1). DISTANCE is
+// the distance from the eye to the centre of the model, in diagonals of its bounding box (default: 1).
+//
+// The program prints megabytes (10^6 bytes) of stored pages, for the following sets:
+// - pages that the image reads: pages with refined groups, except those that the page table alone proves refined
+// - drawn clusters, and the ratio of read bytes to drawn bytes
+// - refined groups that are not drawn, and other groups in the pages with refined groups
+// - pages with refined groups but without drawn clusters
+// - with --no-wait: all pages with refined groups, and all coarser pages above them
 #include "core/camera.h"
 #include "hierarchy/cut_rule.h"
 #include "hierarchy/model_file.h"
@@ -16,19 +27,21 @@
 namespace gnomon {
 namespace {
 
-/// Of stored bytes: a page's are its clusters' by their triangles.
+/// Stored bytes of the model file, by their use in one image. The bytes of a page are distributed over its clusters in
+/// proportion to their triangles.
 struct Shares {
-    double tables = 0;
-    double pages = 0; // that hold what is refined, or that such a page refines: what a frame reads that never waits
-    double refinedPages = 0;   // that hold what is refined
-    double skippablePages = 0; // of these, that the page table alone says to be refined as a whole
-    double undrawnPages = 0;   // of these, all of which nothing is drawn
-    double groups = 0;
-    double clusters = 0;
-    double triangles = 0;
-    std::uint64_t requests = 0;
+    double tables = 0;          // page table
+    double pages = 0;           // pages with refined groups, and all coarser pages above them (read with --no-wait)
+    double refinedPages = 0;    // pages with refined groups
+    double skippablePages = 0;  // part of refinedPages: the page table proves that all groups are refined
+    double undrawnPages = 0;    // part of refinedPages: no cluster is drawn
+    double groups = 0;          // refined groups
+    double clusters = 0;        // drawn clusters in the view frustum
+    double triangles = 0;       // number of triangles of the drawn clusters
+    std::uint64_t requests = 0; // number of pages that the image reads
 };
 
+/// Selects the drawn clusters of one view of a model, and sums their bytes.
 class Count {
 public:
     Count(const hierarchy::ModelFile& file, double errorPixels, double distance)
@@ -79,7 +92,8 @@ public:
     }
 
 private:
-    /// What the pages take of which something is refined, or drawn, and those above them.
+    /// Adds the bytes of pages to `sum`. `isRefined` and `isDrawn` are 1 for pages with refined groups and for pages
+    /// with drawn clusters. Sets `isNeeded_` also for all coarser pages above refined pages.
     void addPages(const std::vector<std::uint8_t>& isRefined, const std::vector<std::uint8_t>& isDrawn, Shares& sum) {
         lod::CutQuery query;
         query.trees = &trees_;
@@ -102,6 +116,7 @@ private:
         }
     }
 
+    /// Returns true if the error of a group with these bounds exceeds the error limit.
     bool refines(double error, const Sphere& bounds) const { return rule_->exceeds(bounds, error, errorPixels_); }
 
     const hierarchy::ModelFile& file_;

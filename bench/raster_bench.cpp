@@ -1,5 +1,15 @@
-// How many triangles a second the rasteriser draws, by their size in pixels, on one thread and two; on even rows and on
-// logarithmic ones, far/near 1000; and llvmpipe. What they cost, whatever else the machine does:
+// Measures how many triangles per second the software rasteriser draws, for triangles of 0.1 to 100 pixels.
+//
+// usage: raster_bench [options of Google Benchmark]
+//
+// The target has 2048x2048 pixels. The benchmarks are:
+// - depth: depth buffer only
+// - logDepth: depth buffer of a logarithmic shadow map, with far / near = 1000
+// - visibility: depth and triangle id per pixel
+// - llvmpipeDepth: depth buffer only, drawn by llvmpipe (Mesa) through OpenGL
+//
+// The name of a benchmark ends with the triangle size in thousandths of a pixel, and the number of threads. The output
+// is the time per image in milliseconds, and `triangles/s`. For stable results on a busy machine, interleave the runs:
 // raster_bench --benchmark_filter='^(depth|logDepth)/1000/1' --benchmark_repetitions=20
 //     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true
 #include "raster/raster.h"
@@ -16,27 +26,27 @@
 namespace gnomon::raster {
 namespace {
 
-constexpr int kSide = 2048;
+constexpr int kSide = 2048; // width and height of the target, in pixels
 
-/// A sheet whose triangles cover `pixelsPerTriangle` each.
+/// Returns a bumpy sheet of triangles with an area of `pixelsPerTriangle` each. The sheets are cached.
 const Scene& sheetOf(double pixelsPerTriangle) {
     static std::map<double, Scene> scenes;
     const auto found = scenes.find(pixelsPerTriangle);
     if (found != scenes.end()) return found->second;
     const double spacing = std::sqrt(2 * pixelsPerTriangle);
-    // No more triangles than at one a pixel: smaller ones cover a part of the target.
+    // The number of triangles is limited to one per pixel. A sheet of smaller triangles covers a part of the target.
     const int quads = static_cast<int>(std::ceil(kSide / std::max(spacing, std::sqrt(2.0))));
     return scenes.emplace(pixelsPerTriangle, sheet(quads, quads, spacing, 1)).first->second;
 }
 
-constexpr double kDepthRatio = 1000;
+constexpr double kDepthRatio = 1000; // far / near of the logarithmic map
 
-/// Row `row` of logarithmic ones, in y / w.
+/// Returns the position of row `row` of a logarithmic map, as y / w. Row 0 is at -1, and row kSide is at -0.001.
 double logRow(double row) {
     return -std::pow(kDepthRatio, -row / kSide);
 }
 
-/// The same sheet, its rows of pixels where logarithmic rows lie.
+/// Returns the sheet of `sheetOf`, deformed so that it covers the same pixel rows in a logarithmic map.
 const Scene& logSheetOf(double pixelsPerTriangle) {
     static std::map<double, Scene> scenes;
     const auto found = scenes.find(pixelsPerTriangle);
@@ -56,7 +66,8 @@ const Scene& logSheetOf(double pixelsPerTriangle) {
     return scenes.emplace(pixelsPerTriangle, std::move(scene)).first->second;
 }
 
-/// Arguments: thousandths of a pixel a triangle, threads.
+/// Runs `draw` on a sheet. The benchmark arguments are the triangle area in thousandths of a pixel, and the number of
+/// threads.
 template <class Draw>
 void run(benchmark::State& state, const Draw& draw, bool isLog = false) {
     const double size = static_cast<double>(state.range(0)) / 1000;
@@ -102,7 +113,8 @@ void visibility(benchmark::State& state) {
     });
 }
 
-/// The same clusters on llvmpipe, which takes its threads from LP_NUM_THREADS.
+/// Draws the depth of the same clusters with llvmpipe. The environment variable LP_NUM_THREADS sets its number of
+/// threads.
 void llvmpipeDepth(benchmark::State& state) {
     const gl::Context context(gl::Platform::Osmesa);
     const GlDepth gl(context, sheetOf(static_cast<double>(state.range(0)) / 1000).clusters(), kSide);

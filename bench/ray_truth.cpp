@@ -1,5 +1,13 @@
-// How far Embree's floats are from the integers: pixels of seeded views in exact shadows and by rays, and rays that
-// meet a triangle at random, right on an edge, or in a corner.
+// Counts the errors of ray-traced shadows (Embree, float arithmetic) against exact integer arithmetic.
+//
+// usage: ray_truth MODEL.gnm VIEWS [SIDE]
+//
+// The first test draws VIEWS seeded views with SIDE x SIDE pixels (default: 256). It counts pixels whose shadow differs
+// from a brute-force test with integers, for exact shadows and for ray-traced shadows.
+//
+// The second test traces 150,000 rays through triangles of full detail: inside, on an edge, or through a corner. It
+// counts rays whose hit differs from the integer result. It runs with the eye at the triangles and 2^20 grid cells
+// away.
 #include "core/error.h"
 #include "frame/renderer.h"
 #include "render/exact_pass.h"
@@ -19,16 +27,18 @@ namespace {
 using exact::Corners;
 using exact::RandomWholes;
 
+/// Returns true if at least half of the light reaches the surface.
 bool isLit(const render::SurfaceSample& surface) {
     return surface.isLitSide() && surface.litFraction() >= 0.5F;
 }
 
-/// A frame, and where the light reaches in it.
+/// A frame, and one entry per pixel that is true if the pixel is lit.
 struct Shot {
     frame::PreparedFrame frame;
     std::vector<bool> lit;
 };
 
+/// Draws the view of `triple` with the shadow method `shadows`.
 Shot drawn(frame::Renderer& renderer, const tests::ShadowTriple& triple, plan::ShadowMode shadows) {
     plan::Quality quality;
     quality.shadows = shadows;
@@ -41,7 +51,8 @@ Shot drawn(frame::Renderer& renderer, const tests::ShadowTriple& triple, plan::S
     return shot;
 }
 
-/// Holds the seeded views of a model against the integers, drawn both ways.
+/// Draws `count` seeded views of the model with exact shadows and with ray-traced shadows. Prints the number of pixels
+/// that differ from the brute-force integer result.
 void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int side) {
     const std::unique_ptr<render::Backend> backend = render::makeSoftwareBackend();
     frame::Renderer renderer(model, *backend, {.memory = gibibytes(4), .onDamaged = {}});
@@ -79,7 +90,7 @@ void compareViews(const hierarchy::ModelFile& model, std::uint64_t count, int si
         falselyLit);
 }
 
-/// A group of a finest page, and its triangles from an origin.
+/// The clusters of one group at full detail, and their triangles relative to an origin.
 struct Surface {
     std::vector<Corners> triangles;
     raytrace::PageClusters clusters;
@@ -101,12 +112,14 @@ Surface surfaceOf(const hierarchy::Page& page, const hierarchy::Group& group, co
     return surface;
 }
 
+/// Each triangle that a ray hits stops the ray.
 class AnyStops final : public raytrace::HitRule {
 public:
     bool stops(std::uint32_t /*ray*/, const raytrace::PageTriangle& /*triangle*/) const override { return true; }
 };
 
-/// A point of a triangle times 2^24: inside, on an edge, or a corner, for 0, 1 and 2.
+/// Returns a point of the triangle `corners`, multiplied by 2^24. The point is inside the triangle (`kind` 0), on an
+/// edge (1), or at a corner (2).
 glm::i64vec3 pointOf(const Corners& corners, int kind, RandomWholes& random) {
     constexpr std::int64_t kOne = std::int64_t{1} << exact::kWeightBits;
     const std::int64_t b = kind == 2 ? 0 : random.whole(1, kOne - 2);
@@ -114,23 +127,25 @@ glm::i64vec3 pointOf(const Corners& corners, int kind, RandomWholes& random) {
     return corners[0] * kOne + (corners[1] - corners[0]) * b + (corners[2] - corners[0]) * c;
 }
 
-/// Rays of one kind, and those that floats have otherwise than integers.
+/// The number of rays of one kind (inside, edge or corner), and the number of wrong float results.
 struct TieCounts {
     std::uint64_t rays = 0;
-    std::uint64_t hit = 0; // by floats alone
-    std::uint64_t passed = 0;
-    std::uint64_t inTheMidst = 0; // of both, where no tie decides: the same all around, a thousandth of a cell off
+    std::uint64_t hit = 0;    // rays that hit only with floats
+    std::uint64_t passed = 0; // rays that hit only with integers
+    // Wrong results far from an edge of the surface: rays 2^-10 cells away have the same integer result.
+    std::uint64_t inTheMidst = 0;
 };
 
+/// Returns true if the ray from `point` to the light hits a triangle of `surface`, computed with integers.
 bool isHitByIntegers(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point) {
     return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const Corners& each) {
         return exact::intersect(each, light, point, 0).kind == exact::Hit::Ahead;
     });
 }
 
-/// Whether the points around `point` are all met, or all not, as `isHit` says.
+/// Returns true if the rays from eight points around `point` all have the result `isHit`, computed with integers.
 bool isSameAround(const Surface& surface, const IntegerLight& light, const glm::i64vec3& point, const bool isHit) {
-    constexpr std::int64_t kOff = 1 << 14;
+    constexpr std::int64_t kOff = 1 << 14; // 2^-10 cells
     for (unsigned i = 0; i < 8; ++i) {
         const auto off = [&](unsigned bit) { return (i >> bit & 1U) != 0 ? kOff : -kOff; };
         if (isHitByIntegers(surface, light, point + glm::i64vec3(off(0), off(1), off(2))) != isHit) return false;
@@ -138,8 +153,8 @@ bool isSameAround(const Surface& surface, const IntegerLight& light, const glm::
     return true;
 }
 
-/// Traces rays towards random lights through points of a group's triangles, inside, on edges and in corners, from 16 to
-/// 65,536 cells before them, and counts them by these kinds.
+/// Traces 1500 rays towards random lights, and adds the results to `counts`. Each ray goes through a random point of a
+/// triangle: inside, on an edge, or at a corner. A ray begins 16 to 65,536 cells before this point.
 void compareTies(
     const Surface& surface,
     const hierarchy::GridPoint& origin,
@@ -170,6 +185,8 @@ void compareTies(
     }
 }
 
+/// Traces rays through 100 random groups of full detail, and prints the counts. The eye is `away` cells from the group,
+/// and float coordinates are relative to the eye.
 void compareAllTies(const hierarchy::ModelFile& model, const std::int64_t away) {
     RandomWholes random(7);
     std::array<TieCounts, 3> counts{};

@@ -1,4 +1,4 @@
-"""What the scripts beside this share: made models, benches as rows, and a table that says where it was measured."""
+"""Functions for the benchmark scripts: make models, run `gnomon bench`, and print tables with the machine's name."""
 
 import csv
 import json
@@ -14,10 +14,10 @@ SOURCE = Path(__file__).resolve().parent.parent
 
 
 class Workshop:
-    """A program to measure and a folder where the made models stay for the next script.
+    """The measured program, and a folder for made models, which later scripts reuse.
 
-    The folder is the first argument of the script (bench_models if none is given), the program GNOMON of the
-    environment or the release build of this tree.
+    The folder is the first argument of the script (default: bench_models). The environment variable GNOMON names the
+    program (default: the release build of this source tree).
     """
 
     def __init__(self):
@@ -26,13 +26,13 @@ class Workshop:
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def gnomon(self, *arguments):
-        """Runs the program; its output is thrown away unless it fails."""
+        """Runs the program. Ends the script with the error message if the program fails."""
         done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             sys.exit(f"gnomon {' '.join(map(str, arguments))}\n{done.stderr}")
 
     def model(self, kind, triangles):
-        """The built model of a made mesh, e.g. ("statue", "10M")."""
+        """Returns the file of a built model, for example ("statue", "10M"). Makes it if it does not exist."""
         path = self.folder / f"{kind}_{triangles}.gnm"
         if not path.exists():
             mesh = path.with_suffix(".ply")
@@ -42,13 +42,16 @@ class Workshop:
         return path
 
     def path(self, model, kind):
-        """A camera path that suits the model."""
+        """Writes a camera path around or through the model, and returns its file. `kind` is a kind of `gnomon path`."""
         path = self.folder / f"{model.stem}_{kind}.json"
         self.gnomon("path", model, "--kind", kind, "-o", path)
         return path
 
     def still(self, path, fraction):
-        """The camera of `path` at a fraction of it, as a path of one second that does not move."""
+        """Writes a path of one second with a fixed camera, and returns its file.
+
+        The camera is the keyframe of `path` at `fraction` (0 to 1).
+        """
         document = json.loads(path.read_text())
         keys = document["keyframes"]
         key = keys[round(fraction * (len(keys) - 1))]
@@ -58,14 +61,14 @@ class Workshop:
         return result
 
     def bench(self, model, path, *options):
-        """The rows of a bench as dictionaries, with numbers where there are any."""
+        """Runs `gnomon bench`, and returns one dictionary per frame. Values are numbers if possible."""
         table = self.folder / "rows.csv"
         self.gnomon("bench", model, "--path", path, "--csv", table, "--progress", "none", *options)
         with open(table, newline="", encoding="utf-8") as file:
             return [{name: number(cell) for name, cell in row.items()} for row in csv.DictReader(file)]
 
     def bench_from_outside(self, model, path, *options):
-        """The rows, the seconds and the peak resident bytes of the bench's process as the system counts them."""
+        """Runs `gnomon bench`. Returns its rows, wall-clock seconds, and max resident memory in bytes (ru_maxrss)."""
         child = "import resource, subprocess, sys; code = subprocess.run(sys.argv[1:]).returncode; " \
                 "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024); sys.exit(code)"
         table = self.folder / "rows.csv"
@@ -82,7 +85,7 @@ class Workshop:
 
 
 def number(cell):
-    """The cell as a number, as text if it is none."""
+    """Returns the cell as a number, or as text if it is not a number."""
     try:
         return float(cell)
     except ValueError:
@@ -101,7 +104,7 @@ def median(rows, column):
 
 
 def quantile(values, fraction):
-    """Linear between ranks, as the bench's own."""
+    """Returns the quantile at `fraction` (0 to 1), with linear interpolation between ranks, like `gnomon bench`."""
     values = sorted(values)
     rank = fraction * (len(values) - 1)
     below = int(rank)
@@ -110,7 +113,7 @@ def quantile(values, fraction):
 
 
 def print_table(title, header, rows):
-    """A table in Markdown with the machine and the commit under it."""
+    """Prints a Markdown table, and below it the machine, the commit and the date."""
     print(f"### {title}\n\n| " + " | ".join(header) + " |")
     print("|" + "---|" * len(header))
     for row in rows:

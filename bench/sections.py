@@ -1,16 +1,25 @@
 #!/usr/bin/env python3
-"""Holds sections to their bars: what a level plane shows at N heights of a model, at the usual detail against the finest,
-and whether anything flickers while the plane moves by small steps.
+"""Compares section caps at one pixel of error with full detail, and counts pixels that flicker while the plane moves.
 
 usage: bench/sections.py GNOMON MODEL.gnm [--heights 20] [--moves 5] [--steps 16] [--size 800] [--seed 1]
 
-Looked at from above, one sample a pixel. A pixel shows the plane where its colour is one of a cap's: solid, an outline,
-an open edge. `apart`: of the pixels that show something solid or its outline at one detail, those that show nothing of
-the plane within a pixel at the other. `flicker`: the pixels that, while the plane moves up, show something solid or its
-outline, then within a pixel nothing but open edges, and then the first again; or the other way around. `own` are those
-of them that do so at full detail too: two closed things above each other, and something open between. The others are
-things that open and close again without an end. Exit code 1 if more than 0.5% of the pixels of any plane are apart, or
-more than 0.1% of a move's flicker and do not of their own.
+The section planes are horizontal, and the camera looks from above, with one sample per pixel. Full detail has an error
+of 0.01 pixels. The cap of a section has three colours: solid (inside of a closed surface), outline (edge of a closed
+surface), and open edge (intersection with an open surface).
+
+First, the script tests --heights planes, and prints per plane:
+- solid, outline, open: number of pixels of each colour
+- apart from full detail: solid or outline pixels without a cap pixel at full detail in the 3x3 pixels around them
+- of full detail: the same count with both pictures exchanged
+
+Then, the script moves the plane up --moves times, by --steps steps of 1/4000 of the model's height. It prints per move:
+- shown at some time: pixels that show the cap in at least one step
+- flicker: pixels around which the cap changes at least twice between closed (solid or outline) and open edges
+- own: flickering pixels that also flicker at full detail, because of the model's geometry
+- apart from full detail: the same count for all cap colours, in the first and in the last step
+
+The exit code is 1 if more than 0.5% of the pixels of a plane or a move are apart. It is also 1 if more than 0.1% of the
+pixels of a move flicker, but not at full detail.
 """
 import argparse
 import pathlib
@@ -38,7 +47,7 @@ class Pictures:
         self.path = folder / "cut.png"
 
     def shown(self, height, *options):
-        """The kinds of cap by pixel: {(x, y): colour}."""
+        """Returns the cap pixels {(x, y): colour} of the section plane at `height`. `options` go to `gnomon render`."""
         subprocess.run([*self.words, "--section", f"0,{height!r},0,0,1,0", *options], check=True, capture_output=True)
         _, _, rows = read_png(self.path)
         return {(x, y): tuple(pixel[:3]) for y, row in enumerate(rows) for x, pixel in enumerate(row)
@@ -46,12 +55,12 @@ class Pictures:
 
 
 def apart(shown, other):
-    """How many of `shown` have none of `other` within a pixel."""
+    """Returns the number of pixels of `shown` without a pixel of `other` in the 3x3 pixels around them."""
     return sum(1 for x, y in shown if not any((x + dx, y + dy) in other for dx in (-1, 0, 1) for dy in (-1, 0, 1)))
 
 
 def turns(pictures, at):
-    """How often what the plane shows near a pixel turns from closed to open or back."""
+    """Returns how often the cap around pixel `at` changes between closed and open, over the sequence `pictures`."""
     count, last = 0, None
     for shown in pictures:
         near = {shown.get((at[0] + dx, at[1] + dy)) for dx in (-1, 0, 1) for dy in (-1, 0, 1)} - {None}

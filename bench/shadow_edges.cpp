@@ -1,6 +1,17 @@
-// How far edges of shadows at one pixel of error lie from those of the finest level, over all casters, with the sun
-// before, beside and behind the camera: by how far off what casts is, and beside what full detail differs from itself.
+// Measures the distance between shadow edges at a reduced level of detail and at full detail, in pixels.
+//
 // usage: shadow_edges VIEWS [SIDE [SAMPLES [ERROR_PIXELS]]] -- MODEL.gnm PATH.json ...
+//
+// The program draws VIEWS views along each camera path, with the sun in front of, beside and behind the camera. Images
+// have SIDE x SIDE pixels (default: 320), SAMPLES x SAMPLES samples per pixel (default: 4) and exact shadows. The
+// reduced level of detail has an error of at most ERROR_PIXELS pixels (default: 1).
+//
+// The program prints a table per model and for all models. Its columns are the number of edge samples, percentiles of
+// the distance, and the share above 1.5 pixels. The rows are:
+// - full detail half a sample aside: noise floor, full detail against full detail with shifted samples
+// - full detail, from the cut's: edges at full detail, distance to the nearest edge at reduced detail
+// - the cut, from full detail's: edges at reduced detail, distance to the nearest edge at full detail
+// - further rows: the same edges, by the distance to the caster and by the angle between light and receiver
 #include "tests/frame/shadow_edges.h"
 
 #include "core/error.h"
@@ -19,25 +30,26 @@ namespace {
 
 using tests::DrawnReach;
 
-constexpr double kContactPixels = 2; // a caster nearer to what it shadows touches it
+constexpr double kContactPixels = 2; // a caster touches its receiver if it is nearer than this distance
 
 struct Sampling {
-    int views = 20;
-    int side = 320;
-    int samples = 4; // along each side of a pixel
-    double errorPixels = 1;
+    int views = 20;         // views per camera path
+    int side = 320;         // width and height of the image, in pixels
+    int samples = 4;        // samples per pixel along each axis
+    double errorPixels = 1; // error limit of the reduced level of detail, in pixels
 };
 
-/// Distances in pixels, by what they are of.
+/// Distances from the samples of shadow edges to the nearest shadow edge of another image, in pixels. `cut` is the
+/// image at reduced level of detail.
 struct Distances {
-    std::vector<float> chance; // full detail half a sample aside, from full detail
-    std::vector<float> cut;    // the cut's, from full detail
-    std::vector<float> full;   // full detail's, from the cut
-    std::vector<float> cast;   // of `cut`, where what casts is further than kContactPixels away
-    std::vector<float> touching;
-    std::array<std::vector<float>, 3>
-        slant; // of `cut`, where the light meets the receiver at 10, 20, 37 degrees or more
-    std::uint64_t cutTriangles = 0;
+    std::vector<float> chance;   // from full detail with shifted samples to full detail
+    std::vector<float> cut;      // from the cut to full detail
+    std::vector<float> full;     // from full detail to the cut
+    std::vector<float> cast;     // the part of `cut` with casters at least kContactPixels from the receiver
+    std::vector<float> touching; // the part of `cut` with nearer casters
+    // The parts of `cut` by the angle between light and receiver: 10 to 20, 20 to 37, and at least 37 degrees.
+    std::array<std::vector<float>, 3> slant;
+    std::uint64_t cutTriangles = 0; // triangles of the images, summed over all views
     std::uint64_t fullTriangles = 0;
 
     void append(const Distances& other);
@@ -59,6 +71,7 @@ void Distances::append(const Distances& other) {
     fullTriangles += other.fullTriangles;
 }
 
+/// Prints the number of `distances`, their median, 95th and 99th percentile, and the share above 1.5 pixels.
 void printRow(const std::string& name, std::vector<float> distances) {
     if (distances.empty()) return;
     std::sort(distances.begin(), distances.end());
@@ -94,6 +107,7 @@ void print(const std::string& name, const Distances& distances) {
     std::fflush(stdout);
 }
 
+/// Draws one model and measures the distances between its shadow edges.
 class Bench {
 public:
     Bench(const std::string& model, const Sampling& sampling)
@@ -101,13 +115,15 @@ public:
           model_(model, gibibytes(1)),
           renderer_(model_, *backend_, {.memory = gibibytes(4), .onDamaged = {}}) {}
 
+    /// Draws all views along `path`, each one with three suns, and returns all distances.
     Distances measure(const path::CameraPath& path) {
         plan::View view;
         view.width = view.height = sampling_.side;
         view.up = glm::normalize(model_.summary().up.direction);
         for (int i = 0; i < sampling_.views; ++i) {
-            view.camera =
-                path::cameraAt(path, path::frameTime(path, i, sampling_.views + 1)); // orbits end as they began
+            view.camera = path::cameraAt(
+                path,
+                path::frameTime(path, i, sampling_.views + 1)); // an orbit ends at its first view, which is skipped
             const glm::dvec3 towards = view.camera.target - view.camera.eye;
             const glm::dvec3 ahead = glm::normalize(towards - view.up * glm::dot(towards, view.up));
             for (const glm::dvec3& sun : {ahead, glm::cross(ahead, view.up), -ahead}) {
@@ -119,12 +135,15 @@ public:
     }
 
 private:
+    /// Draws `view` with exact shadows. `aside` shifts all samples, in samples.
     DrawnReach draw(const plan::View& view, double errorPixels, const glm::dvec2& aside = {}) {
         return tests::drawReach(renderer_, view, errorPixels, sampling_.samples, aside);
     }
 
+    /// Draws `view` at full detail, at full detail with shifted samples, and at reduced detail. Adds the distances
+    /// between the shadow edges.
     void addView(const plan::View& view) {
-        constexpr double kFullDetail = 1e-4;
+        constexpr double kFullDetail = 1e-4; // error limit in pixels
         const DrawnReach full = draw(view, kFullDetail);
         const DrawnReach aside = draw(view, kFullDetail, {0.37, 0.25});
         const DrawnReach cut = draw(view, sampling_.errorPixels);
@@ -144,7 +163,8 @@ private:
 
     float inPixels(float samples) const { return samples / static_cast<float>(sampling_.samples); }
 
-    /// The cut's edges by slant, and by how far off what casts is; `cut` is the last frame that was prepared.
+    /// Distributes the distances `found` of the image `cut` to the classes of `distances_`, by caster distance and
+    /// light angle. `cut` must be the last prepared frame.
     void addClasses(const DrawnReach& cut, const std::vector<float>& found) {
         const render::DrawInputs drawing = renderer_.drawing(cut.frame, {});
         const raytrace::Scene scene = render::rayScene(drawing, cut.frame.cut.lists.all());

@@ -1,4 +1,20 @@
-// Shadow maps against ray-traced shadows and against their promise, over seeded triples of pose, light and scheme.
+// Tests shadow maps against their aliasing bound and counts the pixels that differ from ray-traced shadows.
+//
+// usage: shadow_proof MODEL.gnm TRIPLES IMAGE_SIDE TEXEL_SIDE [VERDICT_PICTURES_DIR]
+//
+// The program draws TRIPLES seeded combinations of view, light and shadow scheme. Images have IMAGE_SIDE x IMAGE_SIDE
+// pixels. The shadow maps have TEXEL_SIDE x TEXEL_SIDE texels in total.
+//
+// First, each triple is drawn with its scheme. The program prints the max ratio of the measured aliasing to the
+// aliasing bound (promise). It also prints the number of triples with a ratio above 1.
+//
+// Then each triple is drawn with the default settings, and compared with ray-traced shadows of the same clusters. The
+// program prints the wrong pixels by cause, in percent of the pixels that face the light. The last line counts false
+// shadows and leaks, in percent of the pixels with N.L > 0.1.
+//
+// With VERDICT_PICTURES_DIR, the program writes one PNG file per triple that colours wrong pixels by cause.
+//
+// The exit code is 1 if a bound is broken, or if the last line exceeds 0.05%.
 #include "core/error.h"
 #include "render/software_backend.h"
 #include "tests/support/shadow_triples.h"
@@ -12,25 +28,27 @@
 namespace gnomon {
 namespace {
 
-constexpr double kFloatTolerance = 1e-3;
+constexpr double kFloatTolerance = 1e-3; // a bound is broken if the ratio exceeds 1 by more than this value
 
-/// What came of the triples of one model.
+/// The results of all triples of one model.
 struct Tally {
     std::uint64_t triples = 0;
-    std::uint64_t pixels = 0;
-    double overBound = 0; // the largest, all schemes
-    std::uint64_t boundsBroken = 0;
-    std::uint64_t judged = 0; // the rest with the default settings
-    std::uint64_t unexplained = 0;
-    double worstUnexplained = 0; // of one picture
+    std::uint64_t pixels = 0;       // pixels that face the light, with the default settings
+    double overBound = 0;           // max ratio of measured aliasing to the aliasing bound, over all schemes
+    std::uint64_t boundsBroken = 0; // triples whose aliasing exceeds the bound
+    // The following counts are pixels with the default settings.
+    std::uint64_t judged = 0;      // N.L > 0.1
+    std::uint64_t unexplained = 0; // false shadows and leaks with N.L > 0.1
+    double worstUnexplained = 0;   // max fraction of unexplained pixels of one image
     std::uint64_t contactGaps = 0;
-    std::uint64_t falseShadows = 0; // at any N.L, as are the leaks
-    std::uint64_t leaks = 0;
-    std::uint64_t missed = 0;
+    std::uint64_t falseShadows = 0; // for all N.L
+    std::uint64_t leaks = 0;        // for all N.L
+    std::uint64_t missed = 0;       // the caster is thinner than a texel
     std::uint64_t wrong = 0;
 };
 
-/// Pixels by verdict: grey where right, and a colour for each way of being wrong.
+/// Returns `picture` with wrong pixels coloured by cause: blue near an edge, orange for contact gaps, green for missed
+/// casters, red for false shadows, and magenta for leaks.
 render::Picture verdictPicture(const validation::ShadowTruth& truth, const render::Picture& picture) {
     render::Picture result = picture;
     for (std::size_t i = 0; i < truth.verdicts.size(); ++i) {
@@ -57,11 +75,13 @@ render::Picture verdictPicture(const validation::ShadowTruth& truth, const rende
     return result;
 }
 
+/// Draws and validates the triples of one model.
 class Validation {
 public:
     Validation(const std::string& model, int side, int texels)
         : model_(model), side_(side), texels_(texels), renderer_(model_, *backend_, {}) {}
 
+    /// Validates triple `index`. Writes the coloured image to the folder `pictures`, if the name is not empty.
     void add(std::uint64_t index, const std::string& pictures) {
         const tests::ShadowTriple triple = tests::shadowTriple(model_.summary().bounds, index, side_, texels_);
         addBound(index, triple);
@@ -94,6 +114,7 @@ public:
     const Tally& tally() const { return tally_; }
 
 private:
+    /// Draws `triple`, and measures its aliasing and its wrong pixels.
     validation::FrameValidation proven(const tests::ShadowTriple& triple, validation::GroundTruth groundTruth) {
         validation::ValidationOptions options;
         options.groundTruth = groundTruth;
@@ -101,6 +122,7 @@ private:
         return validation::validate(renderer_, renderer_.render(triple.view, triple.quality, {}), options);
     }
 
+    /// Compares the measured aliasing of `triple` with its bound, and prints a message if the bound is broken.
     void addBound(std::uint64_t index, const tests::ShadowTriple& triple) {
         const validation::FrameValidation proof = proven(triple, validation::GroundTruth::None);
         if (!proof.aliasing) return;

@@ -1,5 +1,13 @@
-// Hours of sun against the plain integer loops: the steps that sampled pixels of a plan from above count over a day, or
-// sampled vertices of the finest cut.
+// Compares the sun hours of sampled points with a brute-force test with integers.
+//
+// usage: sun_hours_proof MODEL.gnm [SAMPLES [STEP_SECONDS [vertices]]]
+//
+// The points are SAMPLES random pixels of the model's top view (default: 20000). With `vertices`, they are random
+// vertices of the model at full detail. The Sun moves as on 2026-06-21 at 47 degrees north and 8 degrees east. A time
+// step has STEP_SECONDS seconds (default: 300). Both methods count the steps in which each point is sunlit.
+//
+// The program prints the numbers of Sun directions, points and sunlit steps, and the milliseconds of the fast method.
+// It also prints the number of points with different counts. The exit code is 1 if a count differs.
 #include "core/random.h"
 #include "core/stopwatch.h"
 #include "render/software_backend.h"
@@ -19,6 +27,7 @@ namespace {
 constexpr int kDefaultStepSeconds = 300;
 constexpr int kDefaultPixels = 20000;
 
+/// Returns a mask with the value 1 for `count` random pixels that show a surface.
 std::vector<std::uint8_t> sampledPixels(const sun::SunView& view, std::size_t count) {
     std::vector<std::uint8_t> isRequested(view.count());
     Random random(1);
@@ -34,6 +43,8 @@ sun::CivilTime timeOf(const char* text) {
     return *sun::parseCivilTime(text);
 }
 
+/// Returns the Sun directions of 24 hours, from midnight local time, while the Sun is above the horizon. `up` is the up
+/// direction of the model.
 std::vector<IntegerLight> lightsOfADay(const glm::dvec3& up, int stepSeconds) {
     sun::SunPeriod period;
     period.place = {47, 8};
@@ -44,7 +55,8 @@ std::vector<IntegerLight> lightsOfADay(const glm::dvec3& up, int stepSeconds) {
     return sun::lightsOf(sun::sunSteps(period));
 }
 
-/// Counts the lit steps of what `isRequested` of `receivers`, both ways, and prints how many differ.
+/// Counts the sunlit steps of the receivers with a non-zero entry in `isRequested`, with both methods. Prints the
+/// number of receivers with different counts, and returns 1 if there is one, otherwise 0.
 template <class Receivers>
 int compare(
     const std::string& what,
@@ -84,6 +96,7 @@ int compare(
     return wrong == 0 ? 0 : 1;
 }
 
+/// Compares the sunlit steps of `pixels` random pixels of the top view.
 int comparePixels(const std::string& path, std::size_t pixels, int stepSeconds) {
     const hierarchy::ModelFile model(path, gibibytes(1));
     const auto backend = render::makeSoftwareBackend();
@@ -96,6 +109,7 @@ int comparePixels(const std::string& path, std::size_t pixels, int stepSeconds) 
     return compare(path, receivers, sampledPixels(receivers, pixels), lights);
 }
 
+/// Compares the sunlit steps of `vertices` random vertices of the model at full detail.
 int compareVertices(const std::string& path, std::size_t vertices, int stepSeconds) {
     const hierarchy::ModelFile model(path, gibibytes(1));
     NoProgress progress;

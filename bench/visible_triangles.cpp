@@ -1,6 +1,17 @@
-// How many triangles of a walk's images are drawn, set up without what is hidden, and seen: own a pixel. A row of CSV
-// each frame, and the ratio of the sums.
+// Counts the triangles that the rasteriser processes per visible triangle, with occlusion culling.
+//
 // usage: visible_triangles MODEL.gnm PATH.json FRAMES [WIDTHxHEIGHT]
+//
+// The program draws FRAMES frames along a camera path, without shadows (default size: 800x800). It prints one CSV row
+// per frame:
+// - clusters, triangles: selected clusters of the image, and their triangles
+// - clusters_hidden: clusters that occlusion culling skips
+// - triangles_not_hidden: triangles of the other clusters
+// - triangles_set_up: triangles whose edge functions the rasteriser computes
+// - triangles_seen: triangles that are visible in at least one pixel
+//
+// The last line states two ratios over all frames. They are the sums of triangles_not_hidden and of triangles_set_up,
+// each divided by the sum of triangles_seen.
 #include "frame/renderer.h"
 #include "path/camera_path.h"
 #include "render/image_pass.h"

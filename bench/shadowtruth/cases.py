@@ -1,4 +1,4 @@
-"""The cases of shadowtruth: which scene has which light and view, and the GLB of a case."""
+"""Defines the cases of the shadowtruth set (scene, light and view), and writes and reads their GLB files."""
 import json
 import math
 import struct
@@ -6,7 +6,7 @@ import struct
 from scenes import PER_METRE
 
 SIZE = 512
-# Directions to the light, and lamps in fractions of the scene's extent.
+# Directions to the sun, and positions of lamps as fractions of the scene's extent.
 SUNS = ((0, 1, 0), (2, 7, 3), (3, 6, -2), (5, 7, 5), (-4, 4, 3), (7, 4, -4), (11, 4, -10), (-13, 3, 8), (19, 1, 2))
 LOW_SUNS = ((19, 1, 2), (13, 1, 14), (2, 1, 19), (-14, 1, 13), (-19, 1, 2), (-13, 1, -14), (-2, 1, -19), (9, 1, -17), (17, 1, -9))
 LAMPS = ((0.5, 0.9, 0.5), (0.3, 0.6, 0.65), (1.3, 3, 1.2))
@@ -43,12 +43,12 @@ VIEWS_OF = {
 
 
 def on_grid(fractions, size):
-    """Returns the grid point (integers) at these fractions of the extent `size` (metres)."""
+    """Returns the grid point (integers) at `fractions` of the extent `size` (metres)."""
     return [round(f * s * PER_METRE) for f, s in zip(fractions, size)]
 
 
 def cases_of(number, name, size):
-    """Returns the 12 cases of a scene: each light once. Views rotate by one per light and per scene."""
+    """Returns the 12 cases of scene `number`, one per light. The view changes with each light and with each scene."""
     cases = []
     suns = LOW_SUNS if name == "low_sun" else SUNS
     for i in range(12):
@@ -69,7 +69,7 @@ def metres(point):
 
 
 def options(case):
-    """Returns the options of `gnomon render` for the view and light of a case. Every default is stated."""
+    """Returns the options of `gnomon render` for the view and light of a case, including all default values."""
     light = ["--light", ",".join(map(str, case["sun"]))] if "sun" in case else ["--light-at", metres(case["lamp"])]
     return ["--size", f"{SIZE}x{SIZE}", "--eye", metres(case["eye"]), "--target", metres(case["target"]), "--up", "0,1,0",
             "--fov-y", str(case["fov_y"]), "--projection", "perspective", *light, "--shading", "lit",
@@ -138,7 +138,7 @@ def glb(mesh, case):
 
 
 def read_glb(data):
-    """Returns extras, corners and triangles of a GLB that `glb` made."""
+    """Returns the JSON document, the corners and the triangles of a GLB that `glb` made."""
     length = struct.unpack_from("<I", data, 12)[0]
     document = json.loads(data[20 : 20 + length])
     corners, triangles = document["bufferViews"]

@@ -1,8 +1,10 @@
-"""Draws shadow masks of the shadowtruth set with Cycles on the CPU.
+"""Draws shadow masks of the shadowtruth set with Blender Cycles on the CPU.
 
 usage: blender -b --factory-startup -P cycles.py -- DIR MASKS
 
-Light sources have no size, and a bright light saturates each lit pixel. There is one sample at each pixel centre.
+DIR is the folder of the set, made by scripts/shadowtruth. The script writes one PNG file per case to the folder MASKS,
+and skips existing files. Light sources have no size, and a bright light saturates each lit pixel. Each pixel has one
+sample, at its centre.
 """
 import math
 import pathlib

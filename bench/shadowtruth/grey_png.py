@@ -1,4 +1,4 @@
-"""Grey PNG files with the standard library."""
+"""Reads and writes PNG files with the Python standard library, for grey masks."""
 import pathlib
 import struct
 import zlib
@@ -14,12 +14,15 @@ def paeth(a, b, c):
 
 
 def predicted(kind, a, b, c):
-    """Returns the prediction of filter `kind` from the bytes to the left, above, and above left."""
+    """Returns the prediction of PNG filter `kind` from the bytes `a` (left), `b` (above) and `c` (above left)."""
     return (0, a, b, (a + b) // 2, paeth(a, b, c))[kind]
 
 
 def write_png(path, width, pixels, channels=1, filters=False):
-    """Writes `pixels`, bytes with rows from top to bottom, as an 8-bit PNG. With `filters`, rows use all filters in turn."""
+    """Writes `pixels` (bytes, rows from top to bottom) as an 8-bit PNG.
+
+    If `filters` is true, the rows use the five PNG filters in turn.
+    """
     step, stride = channels, width * channels
     rows = [pixels[i : i + stride] for i in range(0, len(pixels), stride)]
     packed, above = b"", bytes(stride)
@@ -34,7 +37,7 @@ def write_png(path, width, pixels, channels=1, filters=False):
 
 
 def read_grey(path):
-    """Returns the rows of the first channel of an 8-bit PNG, as lists of grey levels."""
+    """Returns the first channel of an 8-bit PNG, as a list of rows of grey levels."""
     data, place, packed = pathlib.Path(path).read_bytes(), 8, b""
     while place < len(data):
         length, kind = struct.unpack_from(">I4s", data, place)

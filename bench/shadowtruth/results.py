@@ -3,7 +3,8 @@
 
 usage: results.py DIR MASKS [--rows maps,log,exact,rays,cycles,three] [--gnomon PROGRAM] [--three FOLDER] [--write]
 
-DIR is the result of scripts/shadowtruth. Masks that exist in MASKS are only scored. --write puts the table into the page.
+DIR is the folder of the set, made by scripts/shadowtruth. The script scores masks that exist in the folder MASKS, and
+draws the others. --write replaces the table in the page.
 """
 import argparse
 import concurrent.futures
@@ -20,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parents[1] / "docs/shadowtruth.md"
 MAPS = ["--shadows", "maps", "--shadow-texels", "2048x2048", "--filter", "1", "--face-partitions", "off", "--cull-casters", "on"]
 SLICES = ["--z-partitions", "4", "--split-lambda", "1", "--stabilize", "off", "--shadow-near", "auto", "--shadow-far", "auto"]
-# Options per row, and the additional options for suns. A lamp has cube maps without warp.
+# Options of `gnomon render` per table row, and additional options for suns. Lamps use cube maps without warp.
 GNOMON = {
     "maps": (MAPS, [*SLICES, "--warp", "lspsm"]),
     "log": (MAPS, [*SLICES, "--warp", "log"]),
@@ -53,7 +54,7 @@ def draw(words, row, cases, masks):
 
 
 def cells(words, row, cases):
-    """Returns the cells of a row for `cases`."""
+    """Returns the cells of a table row: the scores of one renderer over all `cases`."""
     pairs = [(c["name"], words.folder / f"{c['name']}.png", words.masks / row / f"{c['name']}.png") for c in cases]
     _, total = score.score_all(pairs)
     _, judged, _, *kinds, wrong, p50, p99 = total

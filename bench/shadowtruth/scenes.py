@@ -1,6 +1,6 @@
-"""The eight scenes of shadowtruth, as triangles with integer coordinates.
+"""Generates the eight scenes of the shadowtruth set, as triangles with integer coordinates.
 
-Each scene has y up, metres, and corners on a grid of 1/1024 m, at or above 0 and below 2^24. The code uses no
+Each scene has y up. Corners are on a grid of 1/1024 m, with coordinates from 0 to 2^24 - 1. The code uses no
 transcendental function, so the meshes are identical on all machines.
 """
 import math
@@ -19,7 +19,7 @@ CIRCLE = (
 
 
 class Mesh:
-    """Triangles over welded corners. A triangle with two equal corners, or with the corners of another, is skipped."""
+    """A triangle mesh with shared corners. The mesh skips triangles with two equal corners, and duplicate triangles."""
 
     def __init__(self):
         self.corners = []
@@ -36,7 +36,7 @@ class Mesh:
         return self._index[place]
 
     def add(self, *points):
-        """Adds the polygon as a fan of triangles."""
+        """Adds the polygon with these corners (metres) as a fan of triangles."""
         ring = [self.corner(p) for p in points]
         for b, c in zip(ring[1:], ring[2:]):
             key = tuple(sorted((ring[0], b, c)))
@@ -54,7 +54,7 @@ class Mesh:
             self.add((x0, y0, z), (x1, y0, z), (x1, y1, z), (x0, y1, z))
 
     def column(self, x, z, y0, y1, bottom, top=None, capped=True):
-        """Adds a round column with 12 sides and the radii `bottom` and `top`."""
+        """Adds a vertical column with 12 sides from y0 to y1. `bottom` and `top` are its radii (metres)."""
         top = bottom if top is None else top
         low = [(x + bottom * c, y0, z + bottom * s) for c, s in CIRCLE]
         high = [(x + top * c, y1, z + top * s) for c, s in CIRCLE]
@@ -65,7 +65,7 @@ class Mesh:
             self.add(*high)
 
     def heights(self, size, count, height):
-        """Adds a height field over size x size metres with count x count squares."""
+        """Adds a height field of size x size metres with count x count squares. `height(x, z)` returns metres."""
         step = size / count
         points = [[(i * step, height(i * step, k * step), k * step) for i in range(count + 1)] for k in range(count + 1)]
         for k in range(count):
@@ -86,7 +86,7 @@ class Mesh:
 
 
 def smooth_noise(seed, cells):
-    """Returns a function of (x, y) in [0, 1]: value noise with `cells` x `cells` cells."""
+    """Returns a value noise function of (x, y) with `cells` x `cells` cells. Arguments and values are in [0, 1]."""
     chance = random.Random(seed)
     values = [[chance.random() for _ in range(cells + 2)] for _ in range(cells + 2)]
 
@@ -103,7 +103,7 @@ def smooth_noise(seed, cells):
 
 
 def read_ply(data):
-    """Returns the triangles of a binary PLY with float or double positions, as corners (metres)."""
+    """Returns the triangles of a binary PLY with float or double positions, each as three corners (metres)."""
     end = data.index(b"end_header\n") + len(b"end_header\n")
     layout, counts, element = {"vertex": "<", "face": "<"}, {}, ""
     sizes = {"float": "f", "double": "d", "uchar": "B", "int": "i", "uint": "I"}
@@ -140,7 +140,7 @@ def plant(gnomon, folder):
 
 
 def hall(*_):
-    """A hall with columns, windows, roof beams with skylights, and crates."""
+    """Returns a hall with columns, windows, roof beams with skylights, and crates."""
     mesh, chance = Mesh(), random.Random(3)
     mesh.box((0, -0.5, 0), (48, 0, 24))
     for side in (0, 23.5):
@@ -168,7 +168,7 @@ def hall(*_):
 
 
 def terrain(*_):
-    """Mountains of 2 x 2 km with rocks."""
+    """Returns mountains of 2 x 2 km with rocks."""
     mesh, layers = Mesh(), [smooth_noise(7 + i, 4 << i) for i in range(6)]
 
     def height(x, z):
@@ -202,7 +202,7 @@ def grating(*_):
 
 
 def bricks(*_):
-    """Two walls of bricks with recessed joints. Every second brick of one wall is missing."""
+    """Returns two walls of bricks with recessed joints. Every second brick of one wall is missing."""
     mesh = Mesh()
     mesh.box((-1, -0.2, -1), (8, 0, 6))
     length, height, depth, joint = 0.24, 0.071, 0.115, 0.012
@@ -220,7 +220,7 @@ def bricks(*_):
 
 
 def lamp_room(*_):
-    """A room with a window, a door, furniture, and a lamp in a shade."""
+    """Returns a room with a window, a door, furniture, and a lamp in a shade."""
     mesh = Mesh()
     mesh.box((0, -0.2, 0), (6, 0, 5))
     mesh.box((0, 2.8, 0), (6, 3, 5))
@@ -262,7 +262,7 @@ def lamp_room(*_):
 
 
 def low_sun(*_):
-    """A field with poles, fences and stones, for long shadows."""
+    """Returns a field with poles, fences and stones, for long shadows."""
     mesh, layers, chance = Mesh(), [smooth_noise(31, 4), smooth_noise(32, 24)], random.Random(9)
 
     def height(x, z):

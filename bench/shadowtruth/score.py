@@ -3,8 +3,8 @@
 
 usage: score.py TRUTH MASK       two PNG files, or two folders with PNG files of the same names
 
-A mask has the size of the truth, with 8 bits per channel. A pixel is lit if its first channel is 128 or more. The
-columns are defined in docs/shadowtruth.md. Needs numpy.
+TRUTH is the folder of the set, or one of its PNG files. A mask has the same size, with 8 bits per channel. A pixel is
+lit if its first channel is 128 or more. docs/shadowtruth.md defines the columns of the output. The script needs numpy.
 """
 import pathlib
 import struct
@@ -18,7 +18,7 @@ COLUMNS = ("case", "judged", "wrong", "false", "missed", "leaked", "wrong_%", "e
 
 
 def unfiltered(kind, row, above, step):
-    """Returns a row of a PNG without its filter. `step` is the number of bytes per pixel."""
+    """Returns a row of a PNG without the filter `kind`. `above` is the row above, and `step` the bytes per pixel."""
     if kind == 0:
         return row
     if kind == 2:
@@ -40,7 +40,7 @@ def unfiltered(kind, row, above, step):
 
 
 def read_png(path):
-    """Returns the first channel of an 8-bit PNG without palette and interlace."""
+    """Returns the first channel of an 8-bit PNG as an array. Raises ValueError for a palette or interlace."""
     data = pathlib.Path(path).read_bytes()
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError(f"{path}: expected a PNG")
@@ -80,7 +80,7 @@ def shifted(values, dy, dx, fill):
 
 
 def regions(inside):
-    """Returns the number of the 8-connected region of each pixel, or -1 outside."""
+    """Returns the label of the 8-connected region of each pixel of the mask `inside`, or -1 outside of the mask."""
     outside = inside.size
     label = np.where(inside, np.arange(outside).reshape(inside.shape), outside)
     while True:
@@ -89,14 +89,14 @@ def regions(inside):
             for dx in (-1, 0, 1):
                 least = np.minimum(least, shifted(label, dy, dx, outside))
         least = np.where(inside, least, outside)
-        least = np.append(least.ravel(), outside)[least]  # follows the label to the label of its pixel
+        least = np.append(least.ravel(), outside)[least]  # each label becomes the label of the pixel with this index
         if np.array_equal(least, label):
             return np.where(inside, label, -1)
         label = least
 
 
 def edges(lit, judged):
-    """Returns the judged pixels with a judged neighbour (of four) with another result."""
+    """Returns the mask of edges: judged pixels next to a judged pixel (of four neighbours) with the other result."""
     found = np.zeros_like(judged)
     for dy, dx in ((0, 1), (1, 0), (0, -1), (-1, 0)):
         found |= judged & shifted(judged, dy, dx, False) & (lit != shifted(lit, dy, dx, False))
@@ -104,7 +104,10 @@ def edges(lit, judged):
 
 
 def distances(marked, at):
-    """Returns the distance of each pixel centre of `at` to the nearest of `marked`, or the diagonal if nothing is marked."""
+    """Returns the distance from each pixel of the mask `at` to the nearest pixel of the mask `marked`, in pixels.
+
+    If no pixel is marked, the distance is the diagonal of the image.
+    """
     h, w = marked.shape
     y, x = np.nonzero(at)
     if not marked.any():
@@ -122,7 +125,7 @@ def distances(marked, at):
 
 
 def score(truth, mask):
-    """Returns the counts of a mask and the distances of its edge pixels. Both are arrays of grey levels."""
+    """Returns the counts of a mask, and the distances of edge pixels. `truth` and `mask` are arrays of grey levels."""
     if truth.shape != mask.shape:
         raise ValueError(f"expected a mask of {truth.shape[1]}x{truth.shape[0]} pixels, found {mask.shape[1]}x{mask.shape[0]}")
     judged = (truth == LIT) | (truth == DARK)
@@ -140,7 +143,7 @@ def score(truth, mask):
 
 
 def percentile(values, share):
-    """Returns the smallest value that is not below the given share of the values, or 0 without values."""
+    """Returns the percentile of `values` at `share` (0 to 1, nearest rank), or 0 if there are no values."""
     return 0.0 if values.size == 0 else float(np.sort(values)[max(int(np.ceil(share * values.size)) - 1, 0)])
 
 
@@ -150,7 +153,7 @@ def line(name, counts, apart):
 
 
 def score_all(pairs):
-    """Returns one line per pair (name, truth, mask), and a line for all pairs together."""
+    """Returns one table row per pair (name, truth, mask), and a row for all pairs together."""
     total, everything, lines = dict.fromkeys(COLUMNS[1:6], 0), [], []
     for name, truth, mask in pairs:
         counts, apart = score(read_png(truth), read_png(mask))

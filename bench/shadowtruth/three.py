@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """Draws shadow masks of the shadowtruth set with three.js in headless Chromium.
 
-usage: three.py DIR MASKS THREE       THREE is the folder of the npm package `three`
+usage: three.py DIR MASKS THREE
+
+DIR is the folder of the set, made by scripts/shadowtruth. The script writes one PNG file per case to the folder MASKS.
+THREE is the folder of the npm package `three`.
 """
 import http.server
 import json

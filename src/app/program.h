@@ -33,8 +33,8 @@ private:
 /// subcommand.
 void runProgram(const Program& about, int argc, char** argv);
 
-/// Runs `work` and returns the exit code of the program: 0 for success, 2 for a UsageError, the code of GatesFailed, and
-/// 1 for all other exceptions. Prints the message of an exception to stderr, in one line.
+/// Runs `work` and returns the exit code of the program: 0 for success, 2 for a UsageError, the code of GatesFailed,
+/// and 1 for all other exceptions. Prints the message of an exception to stderr, in one line.
 int exitCodeOf(const std::function<void()>& work);
 
 } // namespace gnomon::app

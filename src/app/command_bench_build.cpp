@@ -101,7 +101,7 @@ nlohmann::json documentOf(const std::vector<std::string>& words, bench::ChildRes
     child = bench::runChild(words);
     if (child.exitCode != 0)
         throw Error(words.front(), "its " + words[1] + " failed", "exit code 0", std::to_string(child.exitCode));
-    const nlohmann::json document = nlohmann::json::parse(child.output, nullptr, false);
+    nlohmann::json document = nlohmann::json::parse(child.output, nullptr, false);
     if (!document.is_object()) throw Error(words.front(), "its " + words[1] + " printed no JSON document");
     return document;
 }

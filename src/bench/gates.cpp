@@ -78,7 +78,10 @@ bool exceeds(double before, double after, double percent) {
 void addWork(Verdict& verdict, const RunRecord& before, const RunRecord& after, const Limits& limits) {
     for (const auto& [counter, was] : before.work) {
         const auto now = after.work.find(counter);
-        if (now == after.work.end()) continue;
+        if (now == after.work.end()) {
+            verdict.gates.push_back(notComparable(after.name, counter, "a measurement", "none"));
+            continue;
+        }
         Gate gate = gateOf(GateKind::Work, after.name, counter, was, now->second);
         const auto own = limits.workAbove.find(counter);
         gate.limitPercent = own == limits.workAbove.end() ? limits.workAbovePercent : own->second;
@@ -92,6 +95,11 @@ void addAccuracy(Verdict& verdict, const RunRecord& before, const RunRecord& aft
         const auto was = before.errors.find(error.key);
         const auto now = after.errors.find(error.key);
         if (was == before.errors.end() && now == after.errors.end()) continue;
+        // A bench that no longer measures its errors must not pass. Exact shadows have no aliasing bound.
+        if (now == after.errors.end() && std::string_view(error.key) != "promised_aliasing") {
+            verdict.gates.push_back(notComparable(after.name, error.name, "a measurement", "none"));
+            continue;
+        }
         if (was == before.errors.end() || now == after.errors.end()) {
             verdict.notes.push_back(
                 after.name + ": only one side measured the " + error.name + ", so it is not compared");

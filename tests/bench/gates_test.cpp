@@ -94,6 +94,19 @@ TEST(Gates, OfTimeFailWithThree) {
     EXPECT_EQ(memory.exitCode(), kSlower);
 }
 
+// A bench without --oracle must not pass where the earlier one had it.
+TEST(Gates, FailWithFiveIfAMeasurementIsMissing) {
+    const Verdict noError = verdictAfter([](RunRecord& run) { run.errors.erase("wrong_pixels_all"); });
+    EXPECT_EQ(failing(noError), Names{"wrong pixels"});
+    EXPECT_EQ(noError.exitCode(), kNotComparable);
+    const Verdict noCounter = verdictAfter([](RunRecord& run) { run.work.erase("pages"); });
+    EXPECT_EQ(failing(noCounter), Names{"pages"});
+    EXPECT_EQ(noCounter.exitCode(), kNotComparable);
+    const Verdict noBound = verdictAfter([](RunRecord& run) { run.errors.erase("promised_aliasing"); });
+    EXPECT_EQ(noBound.exitCode(), 0);
+    EXPECT_FALSE(noBound.notes.empty());
+}
+
 TEST(Gates, OfAccuracyAndWorkFailWithFour) {
     for (const auto& [key, name] :
          {std::pair{"promised_aliasing", "aliasing bound"},

@@ -178,7 +178,7 @@ class ReportPage(unittest.TestCase):
         name = self.data["runs"][runs[-1]]["name"]
         self.browser.run(CLICK_POINT, name)
         chosen = lambda side: self.browser.run("return document.querySelector(arguments[0]).selectedOptions[0].text", f"#{side}-picture")
-        # Chart.js hands an event on with the next frame that the browser draws, which may come after this script's answer.
+        # The page handles an event in the next frame of the browser, which can come after the answer of this script.
         late = time.monotonic() + 30
         while chosen("left") != f"{name}: picture" and time.monotonic() < late:
             time.sleep(0.05)
